@@ -7,6 +7,7 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/encoding.hpp"
 #include "base/units.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
@@ -110,17 +111,19 @@ void add_check(CLI::App& app) {
     if (!loaded.data.initial.result.empty())
       input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
     if (loaded.is_whole) {
+      run::check_ready_mesh(loaded);
       run::check_methods(loaded.data);
       run::refuse_above_memory(loaded);
     }
     const std::vector<std::string> warnings = run::list_warnings(loaded);
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
-    fmt::print("{}: no errors{}\n{}", options->file,
-               warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
-               loaded.is_whole ? summarise(loaded.data) + study::describe_study(loaded, overrides)
-                               : fmt::format("  {} of {}, no slope\n",
-                                             count(loaded.data.tests.size(), "element test", "element tests"),
-                                             count(loaded.data.materials.size(), "material", "materials")));
+    for (const std::string& warning : warnings) print(stderr, warning + "\n");
+    print(stdout,
+          fmt::format("{}: no errors{}\n{}", options->file,
+                      warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
+                      loaded.is_whole ? summarise(loaded.data) + study::describe_study(loaded, overrides)
+                                      : fmt::format("  {} of {}, no slope\n",
+                                                    count(loaded.data.tests.size(), "element test", "element tests"),
+                                                    count(loaded.data.materials.size(), "material", "materials"))));
   });
 }
 

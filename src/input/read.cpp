@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <variant>
 
+#include "base/user_file.hpp"
 #include "base/version.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
@@ -32,15 +29,10 @@ namespace talus::input {
 namespace {
 
 std::string read_text(const std::string& path) {
-  std::error_code unknown;  // of a path that cannot be looked at: opening it says why
-  if (std::filesystem::is_directory(path, unknown))
-    throw InputError({{path, 0, 0, "this is a folder; a case is a TOML file"}});
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) throw InputError({{path, 0, 0, fmt::format("the case file cannot be opened: {}", std::strerror(errno))}});
-  return text.str();
+  std::string text;
+  if (const auto fault = try_user_file(path, largest_file::case_file, text))
+    throw InputError({{path, 0, 0, fmt::format("the case file cannot be opened: {}", fault->why)}});
+  return text;
 }
 
 void normalise(std::array<double, 3>& v) {
@@ -103,6 +95,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   reader.ask_methods(asked);
   describe(reader, loaded.data);
   reader.finish();
+  if (!check_extent(loaded.data, findings)) return std::nullopt;
   load_series(loaded.data, name, findings);
   complete(loaded.data, name, findings.places);
   if (loaded.is_whole) {
@@ -157,6 +150,18 @@ class Trials {
     std::erase_if(overrides_, [](const Override& o) { return o.key == "study" || o.key.rfind("study.", 0) == 0; });
   }
 
+  /// Throws InputError where so many values of a study, or of tests, take longer to read than anybody waits.
+  void require(std::size_t readings) const {
+    constexpr std::size_t most_bytes = 60'000'000, least = 10'000;  // a short case takes as long as one of `least`
+    const std::size_t size = std::max(text_.size(), least);
+    if (readings > most_bytes / size)
+      throw InputError(
+          {{name_, 0, 0,
+            fmt::format("the case is read anew for each value of [study] and each [[test]] with 'set': with "
+                        "its {} bytes, at most {} of them can be checked",
+                        text_.size(), most_bytes / size)}});
+  }
+
   /// The case with `changes`; or its first fault.
   std::variant<LoadedCase, Diagnostic> read(const std::vector<Override>& changes) const {
     std::vector<Override> all = overrides_;
@@ -193,6 +198,9 @@ class Trials {
 /// A value of a study is right when the case that it makes is right.
 void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<Vary>& vary = loaded.data.study.vary;
+  std::size_t values = 0;
+  for (const Vary& v : vary) values += v.values.size();
+  trials.require(values);
   for (std::size_t i = 0; i < vary.size(); ++i) {
     for (std::size_t j = 0; j < vary[i].values.size(); ++j) {
       const auto fault = trials.find_fault({vary[i].key, vary[i].values[j]});
@@ -208,6 +216,7 @@ void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findi
 /// An uncertain number is right when the case is right at its mean and its limits.
 void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<RandomNumber>& numbers = loaded.data.study.sampling.numbers;
+  trials.require(4 * numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const RandomNumber& number = numbers[i];
     const std::string path = fmt::format("study.random.{}", i);
@@ -234,6 +243,7 @@ void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Fin
 
 /// The soil of each test: what the test sets is right when the case with it is right.
 void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& findings) {
+  trials.require(loaded.data.tests.size());
   for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
     const PointTest& test = loaded.data.tests[i];
     if (test.set.empty()) {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/user_file.hpp"
 #include "material/umat.hpp"
 
 namespace talus::material {
@@ -64,8 +65,10 @@ class ExternalLibrary {
       fail(fmt::format("has {} initial values for {} state variables", p.initial_states.size(), p.states));
     // Absolute: without a slash dlopen() would look through the system's folders instead.
     const std::string path = std::filesystem::absolute(p.find_library()).lexically_normal().string();
-    if (!std::filesystem::is_regular_file(path))
-      fail(fmt::format("needs the shared library '{}', which does not exist", path));
+    if (const auto fault = find_file_fault(path, largest_file::library))
+      fail(fault->is_missing
+               ? fmt::format("needs the shared library '{}', which does not exist", path)
+               : fmt::format("needs the shared library '{}', which cannot be read: {}", path, fault->why));
     void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
       fail(fmt::format("needs the shared library '{}', which cannot be opened: {}", path, find_reason(path)));
@@ -110,9 +113,13 @@ External External::make(const Input& in, const StrengthChange& change) {
 
 void External::check(const Input& in, const SoilFindings& findings) {
   const ExternalParameters& p = in.get<ExternalParameters>();
-  if (findings.is_sound("library") && !std::filesystem::is_regular_file(p.library_file))
+  const auto fault =
+      findings.is_sound("library") ? find_file_fault(p.library_file, largest_file::library) : std::nullopt;
+  if (fault)
     findings.add("library",
-                 fmt::format("there is no library '{}'; its path is relative to the case file", p.library_file));
+                 fault->is_missing
+                     ? fmt::format("there is no library '{}'; its path is relative to the case file", p.library_file)
+                     : fmt::format("the library '{}' cannot be read: {}", p.library_file, fault->why));
   if (findings.is_sound("states") && findings.is_sound("initial_states") &&
       p.initial_states.size() > static_cast<std::size_t>(p.states))
     findings.add("initial_states",

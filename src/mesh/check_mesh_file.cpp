@@ -8,10 +8,12 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 #include <unordered_set>
 
 #include "base/error.hpp"
+#include "base/user_file.hpp"
 #include "mesh/gmsh_mesh.hpp"
 
 namespace talus::mesh {
@@ -26,8 +28,7 @@ int count_nodes(long type) {
 /// A text file, word by word.
 class MeshText {
  public:
-  explicit MeshText(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-    if (!file_) throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened", path));
+  explicit MeshText(const std::string& path) : path_(path), file_(path, std::ios::binary), buffer_(longest_line, '\0') {
     file_.seekg(0, std::ios::end);
     size_ = static_cast<long>(file_.tellg());
     file_.seekg(0);
@@ -39,8 +40,12 @@ class MeshText {
 
   /// The next line, without blanks at its end; whether there is one.
   bool next_line() {
-    if (!std::getline(file_, text_)) return false;
+    file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     ++line_;
+    const auto size = static_cast<std::size_t>(file_.gcount());
+    if (file_.fail() && size > 0) fail(fmt::format("it has more than {} characters", longest_line));
+    if (file_.fail()) return false;
+    text_.assign(buffer_.data(), file_.eof() ? size : size - 1);
     while (!text_.empty() && (text_.back() == '\r' || text_.back() == ' ')) text_.pop_back();
     at_ = 0;
     return true;
@@ -53,7 +58,7 @@ class MeshText {
     long value = 0;
     const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (failure != std::errc() || end != word.data() + word.size())
-      fail(fmt::format("'{}' is not {}, a whole number", word, what));
+      fail(fmt::format("'{}' is not {}, a whole number", word.substr(0, longest_shown), what));
     return value;
   }
   /// How many of something follow: each takes two bytes at least.
@@ -79,8 +84,12 @@ class MeshText {
     return std::string_view(text_).substr(begin, at_ - begin);
   }
 
+  /// Characters of a line, whose end counts, and of a word in a sentence.
+  static constexpr std::size_t longest_line = 1 << 16, longest_shown = 40;
+
   std::string path_;
   std::ifstream file_;
+  std::string buffer_;
   long size_ = 0;
   std::string text_;
   std::size_t at_ = 0;
@@ -93,8 +102,12 @@ struct Header {
 };
 
 Header read_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened", path));
+  if (const auto fault = find_file_fault(path, largest_file::mesh))
+    throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened: {}", path, fault->why));
+  std::array<char, 256> begin{};  // the first lines of a file that may have none
+  std::ifstream whole(path, std::ios::binary);
+  whole.read(begin.data(), begin.size());
+  std::istringstream file(std::string(begin.data(), static_cast<std::size_t>(whole.gcount())));
   std::string first;
   Header header;
   int kind = 0;

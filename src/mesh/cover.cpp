@@ -66,11 +66,14 @@ class Grid {
   }
   Point2 leave(const Corner& c) const { return {centre_[0] + step_ * c.x(), centre_[1] + step_ * c.y()}; }
 
-  Area enter_polygon(const Polyline& corners) const {
+  Ring enter_ring(const Polyline& corners) const {
     std::vector<Corner> ring;
     for (const Point2& p : corners) ring.push_back(enter(p));
+    return {ring.begin(), ring.end()};
+  }
+  Area enter_polygon(const Polyline& corners) const {
     Area area;
-    area.insert(Ring(ring.begin(), ring.end()));
+    area.insert(enter_ring(corners));
     return area;
   }
 
@@ -175,14 +178,14 @@ Area cast_shadow(const Plan& plan, const Grid& grid, double y) {
     for (std::size_t i = 0; i < polygon.points.size(); ++i) {
       const Point2 &a = polygon.points[i], &b = polygon.points[(i + 1) % polygon.points.size()];
       if (a[0] == b[0] || (a[1] == y && b[1] == y)) continue;
-      shadow += grid.enter_polygon({a, b, {b[0], y}, {a[0], y}});
+      shadow.insert(grid.enter_ring({a, b, {b[0], y}, {a[0], y}}));  // united once, when it is used
     }
   return shadow;
 }
 
 std::vector<Misfit> find_gaps(const Plan& plan, const std::vector<Area>& areas, const Grid& grid, double least) {
   Area covered;
-  for (const Area& area : areas) covered += area;
+  for (const Area& area : areas) covered.insert(area);
   const Extent extent(plan);
   const Area between = cast_shadow(plan, grid, extent.low[1]) & cast_shadow(plan, grid, extent.high[1]);
   std::vector<Misfit> gaps;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <new>
 #include <numeric>
 #include <span>
@@ -196,6 +197,14 @@ void check_whole(const Mesh<D>& mesh, const Plan& plan) {
                             meshed, box, D == 2 ? "m²" : "m³"));
 }
 
+/// Gmsh believes the numbers at the begin of a binary file. No mesh takes more memory and time for its file's size.
+void limit_reading(const std::string& file) {
+  constexpr double least_memory = 1e8, memory_per_byte = 40, least_seconds = 10, seconds_per_byte = 1e-6;
+  const auto size = static_cast<double>(std::filesystem::file_size(file));
+  limit_memory(least_memory + memory_per_byte * size);
+  limit_processor_time(least_seconds + seconds_per_byte * size);
+}
+
 }  // namespace
 
 template <int D>
@@ -207,6 +216,7 @@ Mesh<D> generate(const Plan& plan) {
   std::vector<std::byte> bytes;
   try {
     bytes = do_in_child("the mesh was made", [&plan, is_made](ByteWriter& answer) {
+      if (!is_made) limit_reading(plan.file);
       write_mesh(is_made ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file), answer);
     });
   } catch (const ChildCrash& crash) {

@@ -69,6 +69,17 @@ Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
   return parts;
 }
 
+/// Whether the rectangles around two polygons lie further than `tolerance` [m] from each other.
+bool are_boxes_apart(const Polyline& a, const Polyline& b, double tolerance) {
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto by_place = [d](const Point2& p, const Point2& q) { return p[d] < q[d]; };
+    const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), by_place);
+    const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), by_place);
+    if ((*low_b)[d] - (*high_a)[d] > tolerance || (*low_a)[d] - (*high_b)[d] > tolerance) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double compute_distance(const Point2& x, const Point2& a, const Point2& b) {
@@ -152,6 +163,7 @@ std::optional<Point2> find_self_contact(const Polyline& corners, double toleranc
 }
 
 Relation compare(const Polyline& a, const Polyline& b, double tolerance) {
+  if (are_boxes_apart(a, b, tolerance)) return Relation::apart;
   const Parts of_a = find_parts(a, b, tolerance), of_b = find_parts(b, a, tolerance);
   if ((of_a.inside && of_a.outside) || (of_b.inside && of_b.outside)) return Relation::overlapping;
   if (of_a.inside && of_b.inside) return Relation::overlapping;

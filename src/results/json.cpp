@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "results/json.hpp"
 
-#include <fstream>
-
 #include "base/atomic_file.hpp"
+#include "base/user_file.hpp"
 #include "results/json_visitors.hpp"
 #include "results/laboratory.hpp"
 #include "results/run.hpp"
@@ -26,11 +25,14 @@ T from_json(const nlohmann::json& tree, const std::string& file) {
 
 template <class T>
 std::optional<T> read_file(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) return std::nullopt;
+  std::string text;
+  if (const auto fault = try_user_file(path, largest_file::result, text)) {
+    if (fault->is_missing) return std::nullopt;
+    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), fault->why));
+  }
   nlohmann::json tree;
   try {
-    tree = nlohmann::json::parse(file);
+    tree = nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
     throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), error.what()));
   }

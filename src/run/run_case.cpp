@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "ground/design_values.hpp"
@@ -17,6 +20,7 @@
 #include "ground/steep_faces.hpp"
 #include "ground/water_shape.hpp"
 #include "input/echo.hpp"
+#include "mesh/generate.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
@@ -28,6 +32,7 @@
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
+#include "run/forecast/counts.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
 #include "run/lem/run_lem.hpp"
@@ -203,7 +208,7 @@ class CaseRun {
   void reduce_in_time() {
     for (ReductionCase& reduction : timeline_->list_reductions()) {
       RunOptions options = options_;
-      options.folder /= reduction.told.folder;
+      options.folder = join_name(options.folder, reduction.told.folder);
       make_folder(options.folder);
       results::RunResult found;
       ElementRun<D> elements(reduction.data, false, options,
@@ -234,7 +239,7 @@ class CaseRun {
   /// The same at another time, in a folder of its own.
   void run_beside(ReleaseCase& other) {
     RunOptions options = options_;
-    options.folder /= other.told.folder;
+    options.folder = join_name(options.folder, other.told.folder);
     const std::string hash = hash_text(fmt::format("{}{:a}", hash_, other.told.time));
     const auto why = attempt(options, false, [&] {
       auto finished = load_finished(options, hash);
@@ -422,14 +427,31 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
   return lines;
 }
 
+void check_ready_mesh(const input::LoadedCase& loaded) {
+  constexpr std::uintmax_t most_bytes = 20'000'000;
+  const mesh::Plan& plan = loaded.data.mesh;
+  if (plan.file.empty() || std::filesystem::file_size(plan.file) > most_bytes) return;
+  const auto check = [&](const auto& mesh) {
+    std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
+    for (const auto& [name, list] : mesh.sides) sides.insert(name);
+    input::check_against_mesh(loaded, sides, regions);
+  };
+  if (plan.dimension == 2)
+    check(mesh::generate<2>(plan));
+  else
+    check(mesh::generate<3>(plan));
+}
+
 void check_methods(const input::Case& data) {
   // Levels before and after a drawdown are compared in the section; steady seepage is found for it in seconds.
-  const bool compares_levels = data.lem.drawdown && data.initial.water.season == 0;
+  const bool is_meshed = is_meshed_in_a_moment(data.mesh);
+  const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
   if (input::uses(data, Method::lem) && (compares_levels || !ground::needs_seepage(data))) prepare_slope(data);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
-  if (!ground::needs_seepage(data)) make_bounds_problem(data);  // a coarse mesh, and what lies on it
+  // A coarse mesh, and what lies on it.
+  if (is_meshed && !ground::needs_seepage(data)) make_bounds_problem(data);
 }
 
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {

@@ -24,6 +24,10 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
 /// gaps, faces that are unstable by inspection. The results hold the same sentences.
 std::vector<std::string> list_warnings(const input::LoadedCase& loaded);
 
+/// Reads a ready mesh of the case, unless that takes more than a few seconds. Throws Error (wrong_input) when it cannot
+/// be read, and InputError when the names of the case are not those of the mesh.
+void check_ready_mesh(const input::LoadedCase& loaded);
+
 /// Throws Error (wrong_input) when the case cannot be taken by the methods that it names, without calculating: what
 /// `talus check` says beside the faults of the file.
 void check_methods(const input::Case& data);

@@ -169,7 +169,7 @@ std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions&
   auto files = std::make_unique<FileList>(options.folder);
   for (const Variant& v : plan.variants) {
     files->add_folder(v.name);
-    const fs::path folder = options.folder / v.name;
+    const fs::path folder = join_name(options.folder, v.name);
     if (!options.overwrite || !fs::is_directory(folder)) continue;
     if (has_list(folder))
       throw Error(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Unknown and missing keys, tables of the wrong kind, files that are no case.
 
+#include <fmt/format.h>
+
 #include "slope.hpp"
 
 namespace talus::input {
@@ -170,6 +172,43 @@ TEST(UnknownKey, OfAnotherBlockSaysWhereItBelongs) {
   expect_fault(slope + "[analysis]\n@@noncircular = false\n",
                "unknown key 'noncircular' in [analysis]; it is a key of [lem]");
   expect_fault(slope + "[analysis.@@tension_crack]\ndepth = 2\n", "write [lem.tension_crack]");
+}
+
+/// Sizes at which checks that compare all with all would not end.
+TEST(File, OfMoreThanAnySectionHasIsRefusedWithWhatWouldDo) {
+  std::string corners = "[[0, 0], [44, 0]";
+  for (int i = 0; i < 100000; ++i) corners += fmt::format(", [{:.6f}, {}]", 44 - 44e-5 * i, 5 + i % 2);
+  expect_fault("points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]", "points = @@" + corners + "]",
+               "'points' has 100002 entries, and at most 10000 are read");
+  std::string line = "[[0, 15]";
+  for (int i = 1; i <= 9999; ++i) line += fmt::format(", [{:.6f}, 15]", 12e-4 * i);
+  EXPECT_NE(find_faults(change(slope, "points = [[0, 15], [12, 15]]", "points = " + line + "]"))[0].sentence.find(
+                "have 10006 corners, and a section has at most 10000"),
+            std::string::npos);
+  std::string materials;
+  for (int i = 0; i < 10000; ++i) materials += fmt::format("[materials.m{}]\n", i);
+  EXPECT_EQ(find_faults(slope + materials).front().sentence,
+            "there are 10001 of [materials], and a case has at most 1000");
+  std::string monitors;
+  for (int i = 0; i < 2000; ++i) monitors += "[[output.monitor]]\n";
+  EXPECT_EQ(find_faults(slope + monitors).front().sentence,
+            "there are 2000 of [output.monitor], and a case has at most 1000");
+  const auto faults = find_faults("title = \"" + std::string(1100000, ',') + "\"\n" + slope);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].sentence.find("and a case has at most 1000000"), std::string::npos);
+  std::string values = "[[study.vary]]\nkey = \"materials.sand.cohesion\"\nvalues = [1";
+  for (int i = 0; i < 999; ++i) values += fmt::format(", {}", i + 2);
+  EXPECT_NE(
+      find_faults(change(slope, "Dry homogeneous slope", std::string(100000, '-')) + values + "]\n")[0].sentence.find(
+          "the case is read anew"),
+      std::string::npos);
+}
+
+TEST(File, NamesAreOneLine) {
+  expect_fault(slope + "[[output.monitor]]\nname = @@\"a\\nb\"\nat = [5, 5]\n", "'name' must be one line");
+  EXPECT_NE(
+      find_faults(change(slope, "[materials.sand]", "[materials.\"a\\nb\"]"))[0].sentence.find("must be one line"),
+      std::string::npos);
 }
 
 }  // namespace

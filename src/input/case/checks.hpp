@@ -10,6 +10,9 @@
 
 namespace talus::input {
 
+/// Whether the section has as few corners as the checks of geometry take, which compare each with all others; a fault
+/// where it has more.
+bool check_extent(const Case& data, Findings& findings);
 /// Moves corners that nearly lie on another polygon onto it, with a warning that says so.
 void join_polygons(Case& data, Findings& findings);
 /// Polygons, lines, box and points per element.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "base/numbers.hpp"
+#include "base/user_file.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
@@ -122,13 +122,34 @@ void check_softening_length(const Case& data, Findings& findings) {
 
 }  // namespace
 
+bool check_extent(const Case& data, Findings& findings) {
+  constexpr std::size_t most_corners = 10000;
+  std::size_t corners = 0;
+  std::string longest = "geometry.polygon";
+  const auto add = [&](const auto& parts, const char* list) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      corners += parts[i].points.size();
+      if (parts[i].points.size() > most_corners) longest = write_index(list, i) + ".points";
+    }
+  };
+  add(data.mesh.polygons, "geometry.polygon");
+  add(data.mesh.lines, "geometry.line");
+  if (corners > most_corners)
+    findings.add(longest, fmt::format("the polygons and lines have {} corners, and a section has at most {}: leave out "
+                                      "those that lie nearer together than the elements are large",
+                                      corners, most_corners));
+  return corners <= most_corners;
+}
+
 void check_geometry(const Case& data, Findings& findings) {
   const mesh::Plan& plan = data.mesh;
   check_points_per_element(data, findings);
   check_softening_length(data, findings);
   if (!plan.file.empty()) {
-    if (!std::filesystem::exists(plan.file))
-      findings.add("mesh.file", fmt::format("the mesh file '{}' does not exist", plan.file));
+    if (const auto fault = find_file_fault(plan.file, largest_file::mesh))
+      findings.add("mesh.file", fault->is_missing
+                                    ? fmt::format("the mesh file '{}' does not exist", plan.file)
+                                    : fmt::format("the mesh file '{}' cannot be read: {}", plan.file, fault->why));
     for (const char* list : {"geometry.polygon", "geometry.line"})
       if (findings.places.is_given(list))
         findings.add(list, fmt::format("[[{}]] has no meaning where 'mesh.file' is given", list));

@@ -6,62 +6,71 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 #include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/user_file.hpp"
 
 namespace talus::input {
 namespace {
 
-std::string trim(const std::string& text) {
+std::string_view trim(std::string_view text) {
   const char* blank = " \t\r\"";
   const auto first = text.find_first_not_of(blank);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-std::vector<std::string> split(const std::string& line, char separator) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == separator)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  for (std::string& cell : cells) cell = trim(cell);
-  return cells;
+/// Takes the part of `text` before the next separator, and the separator, from its begin.
+std::string_view take_part(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
 }
 
 [[noreturn]] void report_fault(const std::string& sentence) {
   throw Error(ExitCode::wrong_input, sentence);
 }
 
-TextTable::Heading read_heading(const std::string& cell) {
+TextTable::Heading read_heading(std::string_view cell) {
   const auto bracket = cell.find('[');
-  if (bracket == std::string::npos || cell.back() != ']') return {cell, ""};
-  return {trim(cell.substr(0, bracket)), trim(cell.substr(bracket + 1, cell.size() - bracket - 2))};
+  if (bracket == std::string_view::npos || cell.back() != ']') return {std::string(cell), ""};
+  return {std::string(trim(cell.substr(0, bracket))),
+          std::string(trim(cell.substr(bracket + 1, cell.size() - bracket - 2)))};
 }
+
+/// More columns than any table of measurements has.
+constexpr std::size_t most_columns = 10000;
 
 }  // namespace
 
 TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
-  std::ifstream stream(path);
-  if (!stream || std::filesystem::is_directory(path))
-    report_fault(fmt::format("there is no table '{}'; its path is relative to the case file", file_));
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (number == 1 && is_utf16(line)) report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
-    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // as spreadsheets begin their texts
+  if (const auto fault = try_user_file(path, largest_file::table, text_))
+    report_fault(fault->is_missing ? fmt::format("there is no table '{}'; its path is relative to the case file", file_)
+                                   : fmt::format("the table '{}' cannot be read: {}", file_, fault->why));
+  if (is_utf16(std::string_view(text_).substr(0, text_.find('\n'))))
+    report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
+  std::string_view rest = text_;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as spreadsheets begin their texts
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::string_view line = take_part(rest, '\n');
     if (trim(line).empty() || trim(line)[0] == '#') continue;
     if (separator_ == 0) {
-      separator_ = line.find(';') != std::string::npos ? ';' : line.find('\t') != std::string::npos ? '\t' : ',';
-      for (const std::string& cell : split(line, separator_)) header_.push_back(read_heading(cell));
+      read_header(line);
       continue;
     }
-    cells_.push_back(split(line, separator_));
-    lines_.push_back(number);
+    rows_.push_back({static_cast<std::size_t>(line.data() - text_.data()), line.size(), number});
   }
+}
+
+void TextTable::read_header(std::string_view line) {
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  separator_ = has(';') ? ';' : has('\t') ? '\t' : ',';
+  const auto columns = static_cast<std::size_t>(std::ranges::count(line, separator_)) + 1;
+  if (columns > most_columns)
+    report_fault(fmt::format("'{}' has {} columns; a table has at most {}", file_, columns, most_columns));
+  for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
 }
 
 bool TextTable::has_column(const std::string& name) const {
@@ -85,9 +94,10 @@ std::size_t TextTable::find_column(const std::string& name) const {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-const std::string& TextTable::cell(std::size_t row, std::size_t column) const {
-  static const std::string none;
-  return column < cells_[row].size() ? cells_[row][column] : none;
+std::string TextTable::cell(std::size_t row, std::size_t column) const {
+  std::string_view rest = std::string_view(text_).substr(rows_[row].begin, rows_[row].size);
+  for (; column > 0; --column) take_part(rest, separator_);
+  return std::string(trim(take_part(rest, separator_)));
 }
 
 double TextTable::number(std::size_t row, std::size_t column) const {
@@ -102,7 +112,7 @@ double TextTable::number(std::size_t row, std::size_t column) const {
 }
 
 std::string TextTable::place(std::size_t row) const {
-  return fmt::format("{}:{}", file_, lines_[row]);
+  return fmt::format("{}:{}", file_, rows_[row].line);
 }
 
 }  // namespace talus::input

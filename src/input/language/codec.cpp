@@ -44,12 +44,21 @@ std::string write_unit(const Spec& spec) {
   return spec.unit.empty() ? "" : " [" + spec.unit + "]";
 }
 
+/// Entries of a list: points of a section, rows of a table.
+constexpr std::size_t most_entries = 10000;
+
 /// A list that must have from `least` to `most` entries; nullptr and a finding when it has not.
 const toml::array* find_list(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
                              std::size_t most, const std::string& wanted) {
   const toml::array* list = node.as_array();
   if (list == nullptr || list->size() < least || list->size() > most) {
     in.fail_type(node, path, wanted);
+    return nullptr;
+  }
+  if (list->size() > most_entries) {
+    in.fail(node, path,
+            fmt::format("'{}' has {} entries, and at most {} are read; a table in time may stand in a CSV file", in.key,
+                        list->size(), most_entries));
     return nullptr;
   }
   return list;
@@ -249,6 +258,8 @@ bool Codec<std::string>::decode(const Decoding& in, const toml::node& node, cons
   if (text == nullptr) return in.fail_type(node, path, "a text in quotation marks");
   if (text->get().empty() && in.spec.is_required)
     return in.fail(node, path, fmt::format("'{}' must not be empty", in.key));
+  if (in.key == "name" && text->get().find_first_of("\n\r") != std::string::npos)
+    return in.fail(node, path, "'name' must be one line");
   out = text->get();
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <optional>
@@ -103,10 +104,22 @@ void check_encoding(const std::string& text, const std::string& name) {
                      "save it as UTF-8"}});
 }
 
+/// Throws InputError for a text with more values than any section has: the parser takes a hundred bytes for each.
+void check_extent(const std::string& text, const std::string& name) {
+  constexpr std::ptrdiff_t most_values = 1'000'000;
+  const auto values = std::ranges::count_if(text, [](char c) { return c == ',' || c == '=' || c == '['; });
+  if (values > most_values)
+    throw InputError({{name, 0, 0,
+                       fmt::format("the file has about {} values, and a case has at most {}; tables in time stand in a "
+                                   "CSV file of their own",
+                                   values, most_values)}});
+}
+
 }  // namespace
 
 toml::table parse_toml(const std::string& text, const std::string& name) {
   check_encoding(text, name);
+  check_extent(text, name);
   if (const auto place = find_deep_key(text))
     throw InputError({{name, place->line, place->column, fmt::format("this key has more than {} parts", most_dots)}});
   try {

@@ -116,6 +116,7 @@ std::vector<const toml::table*> Reader::find_tables(const std::string& name) {
     findings_.add(path, advice + (node->is_table() ? fmt::format(" instead of [{}]", write_name(name)) : ""));
     return {};
   }
+  if (!is_countable(array->size(), path)) return {};
   for (const toml::node& item : *array) {
     const std::string item_path = path + "." + std::to_string(list.size());
     record(item, item_path);
@@ -125,12 +126,24 @@ std::vector<const toml::table*> Reader::find_tables(const std::string& name) {
   return list;
 }
 
+bool Reader::is_countable(std::size_t size, const std::string& path) {
+  constexpr std::size_t most_tables = 1000;
+  if (size > most_tables)
+    findings_.add(path, fmt::format("there are {} of [{}], and a case has at most {}", size, path, most_tables));
+  return size <= most_tables;
+}
+
 std::vector<std::string> Reader::enter_names(const std::string& name) {
   const toml::table* table = find_table(name);
   enter(name, table, write_name(name), false);
-  if (table == nullptr) return {};
+  if (table == nullptr || !is_countable(table->size(), scopes_.back().path)) return {};
   std::vector<std::string> names;
-  for (const auto& [key, node] : *table) names.emplace_back(key.str());
+  for (const auto& [key, node] : *table) {
+    names.emplace_back(key.str());
+    if (names.back().find_first_of("\n\r") != std::string::npos)
+      findings_.add(write_path(names.back()),
+                    fmt::format("a name {} must be one line", write_place(scopes_.back().header)));
+  }
   return names;
 }
 
@@ -142,9 +155,12 @@ void Reader::enter(const std::string& step, const toml::table* table, const std:
 void Reader::leave() {
   const Scope scope = std::move(scopes_.back());
   scopes_.pop_back();
+  constexpr std::size_t most_unknown = 1000;
+  std::size_t unknown = 0;
   for (const auto& [key, node] : *scope.table) {
     const std::string name(key.str());
     if (std::find(scope.known.begin(), scope.known.end(), name) != scope.known.end()) continue;
+    if (++unknown > most_unknown) continue;
     const std::string near = find_nearest(name, scope.known);
     const std::string owners =
         near.empty() && findings_.describe_owners ? findings_.describe_owners(name) : std::string();
@@ -157,6 +173,9 @@ void Reader::leave() {
                                           : !owners.empty() ? owners
                                                             : "known are " + join_quoted(scope.known)));
   }
+  if (unknown > most_unknown)
+    findings_.add(scope.path,
+                  fmt::format("{} more unknown keys {}", unknown - most_unknown, write_place(scope.header)));
 }
 
 }  // namespace talus::input

@@ -19,6 +19,7 @@
 #include "ground/side_normals.hpp"
 #include "mesh/generate.hpp"
 #include "run/bounds/given_loads.hpp"
+#include "run/forecast/counts.hpp"
 
 namespace talus::run {
 namespace {
@@ -44,6 +45,20 @@ void check_boundary(const input::Boundary& b) {
               fmt::format("proven bounds have no {}: take \"bounds\" out of [analysis] methods, or let fix of the "
                           "boundary '{}' be full or normal",
                           b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+}
+
+/// A first mesh of more triangles than the last one may have is a slip of the pen, and takes all memory.
+void check_size(const input::Case& data) {
+  constexpr double slack = 4;  // a finer mesh may have four times the triangles of the one before
+  if (!data.bounds.size || !data.mesh.file.empty()) return;
+  const double size = *data.bounds.size, count = count_elements(mesh::resize(data.mesh, size)).soil,
+               most = slack * data.bounds.triangles;
+  if (!(count > most)) return;
+  const double fits = size * std::sqrt(count / most), unit = std::pow(10, std::floor(std::log10(fits)) - 1);
+  throw Error(ExitCode::wrong_input,
+              fmt::format("'size' in [bounds] is {:g} m, with which the first mesh has about {:.2g} triangles, and "
+                          "'triangles' allows {} in the last one; {:g} m would do",
+                          size, count, data.bounds.triangles, std::ceil(fits / unit) * unit));
 }
 
 class ProblemBuilder {
@@ -232,6 +247,7 @@ class ProblemBuilder {
 void check_bounds(const input::Case& data) {
   for (const auto& [region, name] : data.regions) check_material(name, data.materials.at(name));
   for (const input::Boundary& b : data.boundaries) check_boundary(b);
+  check_size(data);
 }
 
 ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports) {

@@ -44,4 +44,12 @@ double find_smallest_size(const mesh::Plan& plan) {
   return size;
 }
 
+bool is_meshed_in_a_moment(const mesh::Plan& plan) {
+  constexpr std::size_t most_corners = 500, most_parts = 50;
+  std::size_t corners = 0;
+  for (const mesh::Polygon& polygon : plan.polygons) corners += polygon.points.size();
+  for (const mesh::Line& line : plan.lines) corners += line.points.size();
+  return corners <= most_corners && plan.polygons.size() + plan.lines.size() <= most_parts;
+}
+
 }  // namespace talus::run

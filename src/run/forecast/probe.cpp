@@ -29,8 +29,8 @@ bool can_be_probed(const input::Case& data) {
   const bool has_library = std::any_of(data.materials.begin(), data.materials.end(), [](const auto& named) {
     return named.second.model == material::model_of<material::External>;
   });
-  return input::uses(data, input::Method::mpm) && data.mesh.file.empty() && data.initial.result.empty() &&
-         data.initial.water.season == 0 && !data.stages.empty() && !has_library;
+  return input::uses(data, input::Method::mpm) && data.mesh.file.empty() && is_meshed_in_a_moment(data.mesh) &&
+         data.initial.result.empty() && data.initial.water.season == 0 && !data.stages.empty() && !has_library;
 }
 
 /// Steps of one point in a second of a stage, which is stepped for a moment.
