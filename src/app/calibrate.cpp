@@ -8,6 +8,7 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/encoding.hpp"
 #include "base/interrupt.hpp"
 #include "input/read.hpp"
 #include "laboratory/run_calibration.hpp"
@@ -34,9 +35,11 @@ void calibrate(CalibrateCommand& command) {
   const results::Calibration calibration = laboratory::run_calibration(loaded, run);
   if (!command.no_report) report::write_report(run.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables are in {}{}\n", laboratory::write_calibration_digest(calibration),
-             (run.folder / "calibration").string(),
-             command.no_report ? "" : fmt::format("; open {} in a browser", (run.folder / "report.html").string()));
+  print(stdout,
+        fmt::format(
+            "{}Tables are in {}{}\n", laboratory::write_calibration_digest(calibration),
+            (run.folder / "calibration").string(),
+            command.no_report ? "" : fmt::format("; open {} in a browser", (run.folder / "report.html").string())));
 }
 
 }  // namespace
@@ -47,7 +50,7 @@ void add_calibrate(CLI::App& app) {
   options->input.add_to(command);
   command.take("-o,--output,--out", options->run.folder,
                "Folder for the results (default: the case's name with _calibration)");
-  command.take("--threads", options->run.options.threads, "Threads to use (default: all cores)").positive();
+  command.take("--threads", options->run.options.threads, "Threads to use (default: all cores)").positive(most_threads);
   command.take("--pictures", options->run.pictures, "Format of the pictures of the tests (default: svg)")
       .one_of({"svg", "png"});
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/lane.hpp"
 #include "base/nearest.hpp"
+#include "base/user_file.hpp"
 
 namespace talus::app {
 namespace {
@@ -62,12 +63,14 @@ Argument Argument::required() const {
   return Argument(option_->required());
 }
 
-Argument Argument::positive() const {
-  const auto refuse = [](const std::string& text) {
+Argument Argument::positive(int most) const {
+  const auto refuse = [most](const std::string& text) {
     int number = 0;
     const char* end = text.data() + text.size();
     const auto [last, failure] = std::from_chars(text.data(), end, number);
-    if (failure == std::errc{} && last == end && number > 0) return std::string();
+    if (failure == std::errc{} && last == end && number > 0 && number <= most) return std::string();
+    if (last == end && (number > most || failure == std::errc::result_out_of_range) && text.front() != '-')
+      return fmt::format("'{}' must be a whole number of at most {}", text, most);
     return fmt::format("'{}' must be a whole number of at least 1; leave the option out for its default", text);
   };
   return Argument(option_->check(CLI::Validator(refuse, "POSITIVE")));
@@ -112,6 +115,7 @@ void Command::act(std::function<void()> action) const {
 
 int run_command_line(int argc, char** argv) {
   check_asked_level();
+  require_open_files();
   CLI::App app{
       "Talus: slope stability and runout by limit equilibrium, finite elements, limit analysis and material points",
       "talus"};

@@ -14,13 +14,16 @@ class Option;
 
 namespace talus::app {
 
+/// Threads that a command takes at most: the machine may refuse to start more.
+inline constexpr int most_threads = 1024;
+
 /// A value or a flag of a command.
 class Argument {
  public:
   explicit Argument(CLI::Option* option) : option_(option) {}
   Argument required() const;
-  /// Only numbers above zero.
-  Argument positive() const;
+  /// Only numbers from 1 to `most`.
+  Argument positive(int most) const;
   Argument one_of(const std::vector<std::string>& words) const;
   /// The two cannot be given together.
   Argument excludes(Argument other) const;

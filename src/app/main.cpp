@@ -13,6 +13,7 @@
 
 #include "app/command_line.hpp"
 #include "app/wait_policy.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/ranks.hpp"
 
@@ -38,7 +39,7 @@ int report(const std::exception_ptr& thrown) {
   const bool is_common = ranks.meet(patience);
   if (is_common && ranks.rank() > 0) return static_cast<int>(failure.code);
   const std::string sentence = fmt::format("{}{}\n", has_place(thrown) ? "" : "talus: error: ", failure.sentence);
-  std::fputs(sentence.c_str(), stderr);
+  talus::print(stderr, sentence);
   if (!is_common) ranks.abort(static_cast<int>(failure.code));
   return static_cast<int>(failure.code);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/plot_results.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "output/files/frames_reader.hpp"
@@ -127,7 +128,7 @@ void draw_field(const PlotOptions& options, const results::RunResult& run) {
   const std::string stem = fmt::format("{}{}{}_{:04d}", name, component.empty() ? "" : "_", component, index);
   const fs::path picture = options.choose_picture(stem, plot.values.size() > most_points_in_svg);
   output::draw(plot, picture);
-  fmt::print("{}\n", picture.string());
+  print(stdout, fmt::format("{}\n", picture.string()));
 }
 
 }  // namespace talus::app

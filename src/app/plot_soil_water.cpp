@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "input/read.hpp"
 #include "output/plots/water_plot.hpp"
@@ -24,7 +25,7 @@ void plot_soil_water(const CaseOptions& input, const std::filesystem::path& pict
   const std::filesystem::path table = std::filesystem::path(drawn).replace_extension(".csv");
   output::draw(plot, drawn);
   write_atomically(table, output::make_water_table(plot.soils));
-  fmt::print("{}\n{}\n", drawn.string(), table.string());
+  print(stdout, fmt::format("{}\n{}\n", drawn.string(), table.string()));
 }
 
 }  // namespace talus::app

@@ -8,6 +8,7 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/encoding.hpp"
 #include "input/read.hpp"
 #include "laboratory/run_point_tests.hpp"
 #include "report/report.hpp"
@@ -29,11 +30,11 @@ void run_tests(PointCommand& command) {
   const results::PointTests tests = laboratory::run_point_tests(loaded, command.options);
   if (!command.no_report) report::write_report(command.options.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables and pictures are in {}{}\n", laboratory::write_point_digest(tests),
-             (command.options.folder / "point").string(),
-             command.no_report
-                 ? ""
-                 : fmt::format("; open {} in a browser", (command.options.folder / "report.html").string()));
+  print(stdout, fmt::format("{}Tables and pictures are in {}{}\n", laboratory::write_point_digest(tests),
+                            (command.options.folder / "point").string(),
+                            command.no_report ? ""
+                                              : fmt::format("; open {} in a browser",
+                                                            (command.options.folder / "report.html").string())));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/case_options.hpp"
 #include "app/closing_report.hpp"
 #include "app/commands.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/lane.hpp"
@@ -119,7 +120,7 @@ void run(RunCommand command) {
   if (ranks.rank() > 0) command.quiet = command.no_report = true;
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
   if (!command.quiet)
-    for (const std::string& warning : run::list_warnings(loaded)) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : run::list_warnings(loaded)) print(stderr, warning + "\n");
   catch_interrupts();
   Progress progress(!command.quiet);
   run::RunOptions options;
@@ -135,8 +136,8 @@ void run(RunCommand command) {
   results::RunResult result;
   do_and_report(options.folder, !command.no_report, [&] { result = run::run_case(loaded, options); });
   if (!command.quiet)
-    fmt::print("{}Results are in {}{}\n", run::write_digest(result), options.folder.string(),
-               command.no_report ? "" : "; open report.html there in a browser");
+    print(stdout, fmt::format("{}Results are in {}{}\n", run::write_digest(result), options.folder.string(),
+                              command.no_report ? "" : "; open report.html there in a browser"));
   if (command.strict) refuse_restless(result);
 }
 
@@ -148,7 +149,7 @@ void add_run(CLI::App& app) {
   options->input.add_to(command);
   command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
   command.take("--threads", options->threads, "Threads to use (default: all cores; one for each rank under mpiexec)")
-      .positive();
+      .positive(most_threads);
   command.take("--device", options->device, "Device for the material point method: cpu (default) or gpu");
   const Argument resume = command.flag("--resume", options->resume, "Resume an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);

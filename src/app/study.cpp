@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `talus study CASE`: calculates a case for every value that its [study] lists, here or in jobs that run anywhere.
 
+#include "base/encoding.hpp"
 #include "study/whole_study.hpp"
 
 #include <fmt/format.h>
@@ -48,8 +49,8 @@ void tell_study(const StudyCommand& command, const std::filesystem::path& folder
   study::StudyOutcome outcome;
   do_and_report(folder, !command.no_report, [&] { outcome = calculate(); });
   if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}{}\n", outcome.tables, folder.string(),
-               command.no_report ? "" : "; open report.html there in a browser");
+    print(stdout, fmt::format("{}\nTables and results are in {}{}\n", outcome.tables, folder.string(),
+                              command.no_report ? "" : "; open report.html there in a browser"));
   if (outcome.failure) throw Error(*outcome.failure);
 }
 
@@ -62,10 +63,10 @@ void prepare_jobs(const StudyCommand& command) {
   study::prepare_jobs(base, overrides, options);
   if (command.quiet) return;
   const study::JobStates states = study::list_jobs(command.prepared);
-  fmt::print(
-      "{} jobs are in {}: there, `sbatch jobs.slurm` or each by `talus study . --job K`, K from 0 to {}; "
-      "then `talus study . --collect`\n",
-      states.count, command.prepared, states.count - 1);
+  print(stdout,
+        fmt::format("{} jobs are in {}: there, `sbatch jobs.slurm` or each by `talus study . --job K`, K from 0 to {}; "
+                    "then `talus study . --collect`\n",
+                    states.count, command.prepared, states.count - 1));
 }
 
 void calculate_job(const StudyCommand& command) {
@@ -75,7 +76,7 @@ void calculate_job(const StudyCommand& command) {
   const std::optional<Error> failure = study::calculate_job(command.input.file, command.job, threads, &progress);
   progress.clear();
   if (failure) throw Error(*failure);
-  if (!command.quiet) fmt::print("job {} is done\n", command.job);
+  if (!command.quiet) print(stdout, fmt::format("job {} is done\n", command.job));
 }
 
 void collect_jobs(const StudyCommand& command) {
@@ -131,7 +132,8 @@ void add_study(CLI::App& app) {
   options->input.add_to(command);
   const Argument output =
       command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
-  command.take("--threads", options->threads, "Runs at the same time (default: as many as there are cores)").positive();
+  command.take("--threads", options->threads, "Runs at the same time (default: as many as there are cores)")
+      .positive(most_threads);
   const Argument resume =
       command.flag("--resume", options->resume, "Keep the finished runs and resume the interrupted ones");
   const Argument overwrite =
@@ -148,7 +150,7 @@ void add_study(CLI::App& app) {
       .take(
           "--jobs", options->jobs,
           "Number of jobs that --prepare writes (default: one for each run, or for 1,000 samples by limit equilibrium)")
-      .positive();
+      .positive(std::numeric_limits<int>::max());
   const Argument job = command
                            .take("--job", options->job,
                                  "Run the job with this number, from 0; CASE is the folder that --prepare has written")

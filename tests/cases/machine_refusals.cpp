@@ -65,6 +65,11 @@ class Machine : public testing::Test {
     EXPECT_EQ(said_.find("internal error"), std::string::npos) << command << "\n" << said_;
   }
 
+  static std::string read(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   fs::path folder_;
   std::string case_, said_;
   static constexpr const char* start = "\\$T run block.toml -q --no-report --threads 1 ";
@@ -106,6 +111,81 @@ TEST_F(Machine, LetsOneRunIntoAFolder) {
   for (const char* way : {"", " --resume", " --overwrite"})
     expect(3, way[0] == '\0' ? "is not empty" : "is in use by process", start + std::string("-o one") + way);
   EXPECT_TRUE(fs::exists(folder_ / "one" / "summary.json")) << "nothing is removed";
+}
+
+/// Neither in the folder itself nor in that of a part of it.
+TEST_F(Machine, LetsNoOtherCommandIntoTheFolderOfARun) {
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  fs::create_directories(folder_ / "one" / "trials");
+  fs::copy(folder_ / "one", folder_ / "part", fs::copy_options::recursive);
+  fs::remove(folder_ / "part" / "summary.json");
+  fs::rename(folder_ / "part", folder_ / "one" / "trials" / "srf_1.2");
+  const char* const commands[] = {"collect", "report", "plot"};
+  {
+    FolderLock lock(folder_ / "one");
+    lock.take();
+    for (const std::string command : commands)
+      for (const char* in : {" one", " one/", " one/trials/srf_1.2", " one/trials/../"})
+        expect(3, "is in use by process", "\\$T " + command + in);
+    expect(3, "is in use by process", "\\$T collect .");
+    EXPECT_FALSE(fs::exists(folder_ / "one" / "report.html"));
+  }
+  for (const std::string command : commands)
+    for (const char* in : {" one", " one/trials/srf_1.2"}) expect(0, "", "\\$T " + command + in);
+  EXPECT_FALSE(fs::exists(folder_ / "one" / lock_file));
+  EXPECT_FALSE(fs::exists(folder_ / "one" / "trials" / "srf_1.2" / lock_file));
+}
+
+TEST_F(Machine, OpensFewFiles) {
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  for (const std::string files : {"4", "6", "12"})
+    for (const std::string command : {"check block.toml", "run block.toml -o few", "report one"})
+      expect(7, "raise the limit (ulimit -n)", "ulimit -n " + files + "; \\$T " + command);
+  EXPECT_FALSE(fs::exists(folder_ / "few"));
+  expect(0, "", "ulimit -n 32; " + std::string(start) + "-o enough");
+}
+
+TEST_F(Machine, StartsNoThreadsWithoutEnd) {
+  for (const std::string threads : {"1025", "2000000000", "99999999999999999999"})
+    expect(2, "must be a whole number of at most 1024", start + std::string("--threads ") + threads);
+  for (const std::string threads : {"0", "-3", "-99999999999999999999", "two", "3.5"})
+    expect(2, "must be a whole number of at least 1", start + std::string("--threads ") + threads);
+}
+
+/// Names of a case reach the terminal, tables and pictures without escape sequences and formulas.
+TEST_F(Machine, PrintsHostileNames) {
+  const std::string hostile = "\\u001b]0;owned\\u0007\\u001b[31m \\u202ertl\\uffff";
+  std::ofstream(folder_ / "names.toml")
+      << "title = \"" << hostile << "\"\ngeometry.box = [[0, 0], [4, 3]]\n"
+      << "geometry.polygon = [{ name = \"" << hostile << "\", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]\n"
+      << "mesh.size = 1\nregions.\"" << hostile << "\" = \"clay\"\nboundary = [{ on = \"bottom\", fix = \"full\" }]\n"
+      << "stage = [{ name = \"" << hostile << "\", duration = 0.5 }]\n"
+      << "output = { frame_interval = 0.1, monitor = [{ name = \"=1+2\", at = [2, 2] }, { name = \"" << hostile
+      << "\", at = [3, 2] }] }\n"
+      << "[[study.vary]]\nkey = \"gravity.acceleration\"\nvalues = [5, 6]\nnames = [\"" << hostile
+      << "\", \"@SUM(A1)\"]\n"
+      << clay;
+  for (const std::string command :
+       {"check names.toml", "run names.toml -o one", "plot one", "report one", "study names.toml -o study"}) {
+    EXPECT_EQ(run("\\$T " + command), 0) << command << said_;
+    said_ += read(folder_ / "out.txt");
+    EXPECT_EQ(said_.find_first_of("\x1b\a"), std::string::npos) << command;
+    EXPECT_EQ(said_.find("\u202e"), std::string::npos) << command;
+  }
+  EXPECT_EQ(run("\\$T check names.toml --set title="), 0);
+  int texts = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".csv" && ending != ".svg" && ending != ".gp") continue;
+    const std::string text = read(entry.path());
+    EXPECT_EQ(text.find_first_of("\x1b\a"), std::string::npos) << entry.path();
+    EXPECT_EQ(text.find("\uffff"), std::string::npos) << entry.path();
+    EXPECT_EQ(text.find("\n@"), std::string::npos) << entry.path();
+    EXPECT_EQ(text.find(",=1+2"), std::string::npos) << entry.path();
+    ++texts;
+  }
+  EXPECT_GT(texts, 5);
+  EXPECT_NE(read(folder_ / "one" / "monitors.csv").find(",'=1+2.displacement_x [mm]"), std::string::npos);
 }
 
 TEST_F(Machine, HoldsFilesThatAreNoResults) {
