@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that names of cases, jobs and results become paths in one place only, base/file_name, and that files are opened in
-one place only for each purpose: a name may hold "..", and a file may be a pipe or a link to another one.
+"""Checks that names of cases, jobs and results become paths in one place only, base/file_name, that files are opened in
+one place only for each purpose, and that what is printed goes through print() of base/encoding: a name may hold ".." or
+an escape sequence, and a file may be a pipe or a link to another one.
 
 Usage: check_paths.py [root] | check_paths.py --self-test
 """
@@ -35,6 +36,20 @@ MAY_OPEN = {
     "src/material/external.cpp": "a compiled soil, after find_file_fault()",
 }
 
+PRINTS = re.compile(r'\bfmt::print\(|\bstd::(?:fputs|puts|printf|fprintf|fwrite|cout|cerr)\b')
+# Files that may print otherwise, with the reason.
+MAY_PRINT = {
+    "src/base/encoding.cpp": "print() itself",
+    "src/base/progress.cpp": "the codes that clear a line",
+    "src/app/command_line.cpp": "texts of the program alone",
+    "src/app/launch/launch.cpp": "before the program is chosen",
+    "src/app/manual.cpp": "texts of the program alone",
+    "src/app/schema.cpp": "texts of the program alone",
+    "src/app/template.cpp": "texts of the program alone",
+    "src/app/version.cpp": "texts of the program alone",
+    "src/output/plots/gnuplot.cpp": "a script, into a temporary file",
+}
+
 
 def find_faults(root):
     faults = []
@@ -48,6 +63,8 @@ def find_faults(root):
                 faults.append(f"{name}:{number}: a name becomes a path; use join_name() of base/file_name.hpp")
             if OPENS.search(code) and name not in MAY_OPEN:
                 faults.append(f"{name}:{number}: opens a file; use base/user_file.hpp or base/atomic_file.hpp")
+            if PRINTS.search(code) and name not in MAY_PRINT:
+                faults.append(f"{name}:{number}: prints what may hold names; use print() of base/encoding.hpp")
     return faults
 
 
@@ -57,10 +74,11 @@ def run_self_test():
                            'auto r = folder / (line.name + ".csv");\nauto s = folder / message.get_text();\n'
                            'auto t = join_name(folder, v.name);\nauto u = length / unit.si;\n',
         "src/input/b.cpp": 'std::ifstream file(path);\nconst int f = ::open(path.c_str(), 0);\nhistory.open();\n',
+        "src/app/c.cpp": 'fmt::print("{}", run.title);\nprint(stdout, run.title);\nstd::fputs(x, stderr);\n',
         "src/base/user_file.cpp": 'file_ = ::open(path.c_str(), O_RDONLY);\n',
     }
     expected = {"src/study/a.cpp:1", "src/study/a.cpp:3", "src/study/a.cpp:4", "src/study/a.cpp:5", "src/input/b.cpp:1",
-                "src/input/b.cpp:2"}
+                "src/input/b.cpp:2", "src/app/c.cpp:1", "src/app/c.cpp:3"}
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():
@@ -75,7 +93,7 @@ def main():
     named = [a for a in arguments if not a.startswith("--")]
     root = Path(named[0]) if named else Path(__file__).resolve().parent.parent
     faults = run_self_test() if "--self-test" in arguments else find_faults(root)
-    print("\n".join(faults) if faults else "check_paths: names become paths, and files are opened, in one place.")
+    print("\n".join(faults) if faults else "check_paths: names become paths, files are opened and texts are printed in one place.")
     return 1 if faults else 0
 
 

@@ -138,6 +138,10 @@ def _study_elsewhere(
 _Arguments = tuple[Path, int, bool, bool, Optional[Callable[[str, str, str, float, float], object]]]
 
 
+#: As on the command line: the machine may refuse to start more.
+_MOST_THREADS = 1024
+
+
 def _check_arguments(
     folder: Union[str, os.PathLike[str]],
     threads: Optional[int],
@@ -151,6 +155,8 @@ def _check_arguments(
     count = _core.default_threads() if threads is None else operator.index(threads)
     if count < 1:
         raise ValueError(f"threads must be at least 1, not {count}")
+    if count > _MOST_THREADS:
+        raise ValueError(f"threads must be at most {_MOST_THREADS}, not {count}")
     if progress is None:
         return Path(folder), count, resume, overwrite, None
     if not callable(progress):

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
 #include "input/case/sampled_method.hpp"
@@ -80,7 +81,7 @@ void write_sampling(const input::LoadedCase& base, const std::filesystem::path& 
   write_atomically(folder / "samples.csv", write_samples(set));
   results::write_file(folder / "study.json", result.study);
   result.markdown = write_sampling_markdown(base.data.title, set.told);
-  write_atomically(folder / "study.md", result.markdown);
+  write_atomically(folder / "study.md", make_printable(result.markdown, true));
 }
 
 SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/units.hpp"
 #include "output/files/history.hpp"
 #include "output/plots/gnuplot.hpp"
@@ -293,7 +294,7 @@ void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows
   const results::StudyResult study = describe_study(plan, rows);
   write_atomically(folder / "study.csv", write_study_csv(study.columns), safe);
   results::write_file(folder / "study.json", study, 2, safe);
-  write_atomically(folder / "study.md", write_study_markdown(plan, rows, study), safe);
+  write_atomically(folder / "study.md", make_printable(write_study_markdown(plan, rows, study), true), safe);
 }
 
 }  // namespace talus::study

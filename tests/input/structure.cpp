@@ -183,7 +183,7 @@ TEST(File, OfMoreThanAnySectionHasIsRefusedWithWhatWouldDo) {
   std::string line = "[[0, 15]";
   for (int i = 1; i <= 9999; ++i) line += fmt::format(", [{:.6f}, 15]", 12e-4 * i);
   EXPECT_NE(find_faults(change(slope, "points = [[0, 15], [12, 15]]", "points = " + line + "]"))[0].sentence.find(
-                "have 10006 corners, and a section has at most 10000"),
+                "have 10006 corners, and a section has at most 5000"),
             std::string::npos);
   std::string materials;
   for (int i = 0; i < 10000; ++i) materials += fmt::format("[materials.m{}]\n", i);

@@ -123,7 +123,7 @@ void check_softening_length(const Case& data, Findings& findings) {
 }  // namespace
 
 bool check_extent(const Case& data, Findings& findings) {
-  constexpr std::size_t most_corners = 10000;
+  constexpr std::size_t most_corners = 5000;
   std::size_t corners = 0;
   std::string longest = "geometry.polygon";
   const auto add = [&](const auto& parts, const char* list) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 
 // From page_data.S, which the build makes.
@@ -70,7 +71,7 @@ std::string fill_page(std::string_view page, const std::string& title, const nlo
   std::string head(page.substr(0, at));
   const std::size_t name = head.find("<title>"), name_end = head.find("</title>");
   if (!title.empty() && name != std::string::npos && name_end != std::string::npos && name < name_end)
-    head.replace(name + 7, name_end - name - 7, escape_html(title));
+    head.replace(name + 7, name_end - name - 7, escape_html(make_printable(title)));
   return head + data + std::string(page.substr(at + mark.size()));
 }
 
