@@ -87,23 +87,22 @@ def test_jobs_of_the_command_line_killed_in_the_middle_lose_nothing(tmp_path, al
     while waiting or running:
         while waiting and len(running) < WORKERS:
             job, place = waiting.pop(0), None
-            if draw.random() < 0.4:
+            if draw.random() < 0.4 or killed < 3:
                 place = folder / f"jobs/{job}"
-                place.mkdir(exist_ok=True)
-                os.mkfifo(place / "result.json.part")  # nobody reads it: the job never comes to its end
             words = [os.environ["TALUS_PROGRAM"], "study", str(folder), "--job", str(job), "--threads", "1", "-q"]
             running.append((job, place, subprocess.Popen(words)))
         job, place, process = running.pop(draw.randrange(len(running)))
         if place is None:
             assert process.wait() == 0
             continue
-        while not (place / "talus.lock").exists():
-            assert process.poll() is None
+        while not (place / "talus.lock").exists() and process.poll() is None:
+            pass
         process.kill()
-        assert process.wait() == -signal.SIGKILL
-        (place / "result.json.part").unlink()
+        if process.wait() == -signal.SIGKILL:
+            killed += 1
+        else:  # it has ended before: once more
+            (place / "result.json").unlink()
         waiting.append(job)
-        killed += 1
     assert killed >= 3
     assert command_line("study", folder, "--collect").returncode == 0
     check_same(talus.Study(folder), alone)
