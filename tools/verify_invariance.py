@@ -35,14 +35,16 @@ BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5
 # Gmsh meshes these otherwise. Factors with an interval must then share a part of it; the others stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
 ERROR_OF_MESH = {"seepage": 0.02, "timeline": 0.02, "mpm": 0.02}
-WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 1e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
+WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
 ROUNDING = 1e-12
 EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside finite elements")
 REASONS = {
     "critical circles, 1e-4": "a search ends where a round gains less than that: rounding of the coordinates ends two of them at two places of one flat minimum.",
     "critical polylines, 1e-2": "the same with 18 variables and a factor with kinks, and a search that is shortened for this campaign (8 vertices, 8 by 8 ends); "
                                 "whole searches scatter by [0.2 %](search.md).",
-    "soils split, slices, 1e-3": "slices end at borders of soils, so that one more border moves their sides.",
+    "soils split, given surfaces, 1e-3": "slices end at borders of soils, so that one more border moves their sides.",
+    "soils split, circles, 2e-3": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
+                                  "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
                     "differ, as they do 10 times as large (not 16 times, a power of two). Intervals of factors must share a part; seepage and material "
                     "points may differ by 2 %, with four to eight elements over the height.",
