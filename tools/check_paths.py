@@ -25,6 +25,8 @@ OPENS = re.compile(r'\b(?:std::)?(?:ifstream|ofstream|fstream|fopen)\b(?!>)|(?<!
 MAY_OPEN = {
     "src/base/user_file.cpp": "regular files that a user names",
     "src/base/atomic_file.cpp": "new files under their temporary names",
+    "src/base/file_list.cpp": "the list of a folder, which no link may stand for",
+    "src/base/listed_files.cpp": "files of a list, which are regular",
     "src/base/folder_lock.cpp": "the lock of a folder",
     "src/base/child_process.cpp": "/dev/null",
     "src/base/memory.cpp": "what the system says of its memory",

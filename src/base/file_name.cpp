@@ -15,8 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Endings of files that the program writes, and folders that it makes, beside those that cases name.
-constexpr std::array<std::string_view, 14> own_endings{".csv",  ".gp",  ".h5",    ".html", ".json",   ".lock", ".md",
-                                                       ".part", ".png", ".slurm", ".svg",  ".vtkhdf", ".vtu",  ".xdmf"};
+constexpr std::array<std::string_view, 15> own_endings{".csv",   ".files", ".gp",     ".h5",   ".html",
+                                                       ".json",  ".lock",  ".md",     ".part", ".png",
+                                                       ".slurm", ".svg",   ".vtkhdf", ".vtu",  ".xdmf"};
 constexpr std::array<std::string_view, 11> own_folders{"calibration",    "case",     "coarser_mesh", "frames",
                                                        "frozen",         "jobs",     "point",        "released_earlier",
                                                        "released_later", "sections", "trials"};

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
+#include "base/user_file.hpp"
 
 namespace talus {
 namespace {
@@ -26,12 +27,6 @@ std::string read_name(const std::string& text) {
     name += !escapes ? text[i] : text[++i] == 'n' ? '\n' : text[i];
   }
   return name;
-}
-
-std::string read_whole(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}'", path.string()));
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Whether the file is as the list has it; one that grows may have more.
@@ -170,7 +165,7 @@ void Listed::add(const std::string& line) {
 
 Listed read_list(const fs::path& folder) {
   const fs::path path = folder / list_file;
-  const std::string text = read_whole(path);
+  const std::string text = read_user_file(path, largest_file::result);
   Listed listed;
   listed.has_header = !text.empty();
   listed.is_cut_off = !text.empty() && text.back() != '\n';
