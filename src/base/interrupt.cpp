@@ -11,6 +11,7 @@ namespace talus {
 namespace {
 
 std::atomic<bool> interrupted{false};
+std::atomic<void (*)()> watcher{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 void handle(int signal) {
@@ -28,6 +29,7 @@ void catch_interrupts() {
 }
 
 bool is_interrupted() {
+  if (void (*look)() = watcher.load(std::memory_order_relaxed)) look();
   return interrupted.load(std::memory_order_relaxed);
 }
 
@@ -38,6 +40,10 @@ void throw_if_interrupted() {
 
 void request_interrupt(bool wanted) {
   interrupted.store(wanted);
+}
+
+void watch_interrupts(void (*look)()) {
+  watcher.store(look);
 }
 
 }  // namespace talus

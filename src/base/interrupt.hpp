@@ -16,4 +16,7 @@ void throw_if_interrupted();
 /// Sets the flag as the signal does, for tests and for programs that embed this one; false clears it.
 void request_interrupt(bool wanted = true);
 
+/// Calls `look` wherever the calculation looks for signals, for tests of how often it does; nullptr ends it.
+void watch_interrupts(void (*look)());
+
 }  // namespace talus
