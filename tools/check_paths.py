@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks that names of cases, jobs and results become paths in one place only, base/file_name, that files are opened in
-one place only for each purpose, and that what is printed goes through print() of base/encoding: a name may hold ".." or
-an escape sequence, and a file may be a pipe or a link to another one.
+one place only for each purpose, that what is printed goes through print() of base/encoding, and that nothing depends
+on the locale: a name may hold ".." or an escape sequence, a file may be a pipe or a link to another one, and a locale may
+have a decimal comma.
 
 Usage: check_paths.py [root] | check_paths.py --self-test
 """
@@ -52,6 +53,9 @@ MAY_PRINT = {
     "src/output/plots/gnuplot.cpp": "a script, into a temporary file",
 }
 
+# "7.25" is 7 where the locale has a decimal comma, and Turkish has no i for I.
+LOCAL = re.compile(r'\b(?:strto(?:d|f|ld)|ato[fl]|sto(?:d|f|ld)|tolower|toupper)\(')
+
 
 def find_faults(root):
     faults = []
@@ -67,6 +71,8 @@ def find_faults(root):
                 faults.append(f"{name}:{number}: opens a file; use base/user_file.hpp or base/atomic_file.hpp")
             if PRINTS.search(code) and name not in MAY_PRINT:
                 faults.append(f"{name}:{number}: prints what may hold names; use print() of base/encoding.hpp")
+            if LOCAL.search(code):
+                faults.append(f"{name}:{number}: depends on the locale; use read_number() of base/numbers.hpp, or to_lower() of base/encoding.hpp")
     return faults
 
 
@@ -77,10 +83,11 @@ def run_self_test():
                            'auto t = join_name(folder, v.name);\nauto u = length / unit.si;\n',
         "src/input/b.cpp": 'std::ifstream file(path);\nconst int f = ::open(path.c_str(), 0);\nhistory.open();\n',
         "src/app/c.cpp": 'fmt::print("{}", run.title);\nprint(stdout, run.title);\nstd::fputs(x, stderr);\n',
+        "src/ground/d.cpp": 'const double x = std::strtod(text.c_str(), nullptr);\nconst double y = read_number(text);\nc = std::tolower(c);\n',
         "src/base/user_file.cpp": 'file_ = ::open(path.c_str(), O_RDONLY);\n',
     }
     expected = {"src/study/a.cpp:1", "src/study/a.cpp:3", "src/study/a.cpp:4", "src/study/a.cpp:5", "src/input/b.cpp:1",
-                "src/input/b.cpp:2", "src/app/c.cpp:1", "src/app/c.cpp:3"}
+                "src/input/b.cpp:2", "src/app/c.cpp:1", "src/app/c.cpp:3", "src/ground/d.cpp:1", "src/ground/d.cpp:3"}
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():

@@ -22,6 +22,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/memory.hpp"
+#include "base/numbers.hpp"
 #include "base/user_file.hpp"
 
 #ifdef __linux__
@@ -181,6 +182,7 @@ pid_t start_child(Pipe& pipe, const std::function<void(ByteWriter&)>& work) {
   if (::pipe(pipe.ends.data()) != 0) cannot_start();
   for (const int end : pipe.ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   const pid_t parent = ::getpid();
+  const PlainNumbers plain;  // for Gmsh, which reads numbers by the locale
   const pid_t id = ::fork();
   if (id < 0) cannot_start();
   if (id == 0) {

@@ -65,6 +65,13 @@ std::optional<std::size_t> find_wrong_utf8(std::string_view text) {
   return std::nullopt;
 }
 
+std::string to_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 std::string make_printable(std::string_view text, bool keeps_lines) {
   std::string printable;
   while (!text.empty()) {

@@ -16,6 +16,9 @@ bool is_utf16(std::string_view text);
 /// The first byte that is not UTF-8 (RFC 3629): its place from the start of the text. Nothing where all are.
 std::optional<std::size_t> find_wrong_utf8(std::string_view text);
 
+/// The letters A to Z in lower case, whatever the locale is: a Turkish one has no i for I.
+std::string to_lower(std::string_view text);
+
 /// `text` with "\x1b" for each control character, "\u202e" for each that changes the direction of the text or that XML
 /// does not allow, and "\xff" for each byte that is no UTF-8. Line breaks stay with `keeps_lines`.
 std::string make_printable(std::string_view text, bool keeps_lines = false);

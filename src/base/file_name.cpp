@@ -31,13 +31,6 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-std::string to_lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
-
 bool is_device(std::string_view stem) {
   if (stem.size() == 4 && is_digit(stem[3])) return stem.starts_with("com") || stem.starts_with("lpt");
   return std::ranges::find(devices, stem) != devices.end();

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <fstream>
 #include <sstream>
+
+#include "base/numbers.hpp"
 
 namespace talus {
 namespace {
@@ -22,9 +24,8 @@ std::string read(const char* path) {
 
 /// The number that a text begins with.
 std::optional<double> parse(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() ? std::nullopt : std::optional(value);
+  const double value = read_number(text);
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 }  // namespace

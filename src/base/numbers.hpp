@@ -1,16 +1,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Numbers in sentences: coordinates with all digits, so that those of a map name a place; others with as many digits as
-// their uncertainty leaves.
+// Numbers and texts: coordinates with all digits, so that those of a map name a place; others with as many digits as
+// their uncertainty leaves. None depends on the locale, which may have a decimal comma.
 
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace talus {
+
+/// While it exists, libraries that this thread calls read and write numbers with a point, also where the process has
+/// set a locale with a decimal comma.
+class PlainNumbers {
+ public:
+  PlainNumbers() : before_(uselocale(get())) {}
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+  ~PlainNumbers() { uselocale(before_); }
+
+ private:
+  static locale_t get() {
+    static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+    return plain;
+  }
+  locale_t before_;
+};
+
+/// The number that `text` begins with, after blanks; NaN where it begins with none.
+inline double read_number(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// `value` rounded to so many digits: 30° comes back from radians as 29.999999999999996.
+inline double round_to_digits(double value, int digits) {
+  return std::isfinite(value) ? read_number(fmt::format("{:.{}g}", value, digits)) : value;
+}
 
 /// "12.345", "4000012.5": `x` [m] rounded to 1e-5 m.
 inline std::string format_coordinate(double x) {

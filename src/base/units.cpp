@@ -17,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/numbers.hpp"
 #include "base/user_file.hpp"
 
 namespace talus::units {
@@ -72,12 +73,17 @@ const std::vector<std::string> common_units{
     "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ",
     "psf",  "ksf",   "tsf",  "pcf",   "psi",   "ft",  "in",    "ft/s", "ft/day"};
 
-/// The unit database, and the lock that every use of it holds.
+/// The unit database, and what every use of it holds: a lock, and numbers with a point in this thread, whatever the
+/// locale of the process is.
 class Database {
  public:
-  static Database& lock(std::unique_lock<std::mutex>& held) {
+  struct Held {
+    std::unique_lock<std::mutex> lock;
+    PlainNumbers plain;
+  };
+  static Database& lock(Held& held) {
     static std::mutex mutex;
-    held = std::unique_lock<std::mutex>(mutex);
+    held.lock = std::unique_lock<std::mutex>(mutex);
     static Database database;
     return database;
   }
@@ -193,7 +199,7 @@ Quantity parse_quantity(const std::string& text) {
 }
 
 double get_si_factor(const std::string& unit) {
-  std::unique_lock<std::mutex> held;
+  Database::Held held;
   const Database& database = Database::lock(held);
   static std::map<std::string, double> cache;  // every number of a case file passes here
   if (const auto found = cache.find(unit); found != cache.end()) return found->second;
@@ -210,7 +216,7 @@ double parse_as_si(const std::string& text, const std::string& wanted, std::stri
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}; {}", error.what(), needs));
   }
-  std::unique_lock<std::mutex> held;
+  Database::Held held;
   const Database& database = Database::lock(held);
   const Unit given = database.parse(quantity.unit);
   if (!database.are_alike(given.get(), database.parse(wanted).get())) {
@@ -222,14 +228,14 @@ double parse_as_si(const std::string& text, const std::string& wanted, std::stri
 }
 
 std::string get_dimension_name(const std::string& unit) {
-  std::unique_lock<std::mutex> held;
+  Database::Held held;
   const Database& database = Database::lock(held);
   const auto dimension = database.find_dimension(database.parse(unit).get());
   return dimension ? dimension->name : fmt::format("a quantity in {}", unit);
 }
 
 std::string get_dimension_example(const std::string& unit) {
-  std::unique_lock<std::mutex> held;
+  Database::Held held;
   const Database& database = Database::lock(held);
   const auto dimension = database.find_dimension(database.parse(unit).get());
   return dimension ? dimension->example : fmt::format("2 {}", unit);

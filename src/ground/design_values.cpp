@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "input/case/partial_factors.hpp"
 #include "results/referee.hpp"
 
@@ -56,9 +57,7 @@ class SoilFactors : public material::PartialDivision {
 
  private:
   void tell(const char* quantity, const char* symbol, const char* unit, double before, double after) {
-    // 30° is 0.5235… rad and comes back as 29.999999999999996.
-    const auto round = [](double x) { return std::strtod(fmt::format("{:.12g}", x).c_str(), nullptr); };
-    told_.push_back({name_, quantity, symbol, unit, round(before), round(after)});
+    told_.push_back({name_, quantity, symbol, unit, round_to_digits(before, 12), round_to_digits(after, 12)});
   }
   const std::string& name_;
   std::vector<results::DesignValue>& told_;

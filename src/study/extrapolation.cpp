@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace talus::study {
 namespace {
@@ -125,10 +126,10 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
     for (std::size_t i = 0; i < column.cells.size(); ++i) {
       if (column.cells[i].full.empty()) continue;
       const std::string others = describe_others(plan, plan.variants[i], key);
-      const double size = std::strtod(plan.variants[i].values[key].c_str(), nullptr);
+      const double size = read_number(plan.variants[i].values[key]);
       if (!(size > 0)) continue;
       if (!groups.contains(others)) order.push_back(others);
-      groups[others].try_emplace(size, std::strtod(column.cells[i].full.c_str(), nullptr));
+      groups[others].try_emplace(size, read_number(column.cells[i].full));
     }
     for (const std::string& name : order) {
       if (groups[name].size() < 2) continue;

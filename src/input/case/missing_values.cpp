@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 
+#include "base/encoding.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace talus::input {
 namespace {
@@ -52,8 +52,7 @@ std::optional<double> find_filling(const MeasuredColumn& column, std::size_t i, 
 }  // namespace
 
 bool is_missing(const std::string& cell, double code) {
-  std::string text;
-  for (const char c : cell) text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string text = to_lower(cell);
   for (const char* word : {"", "nan", "na", "n/a", "null", "none", "-", "--", "---"})
     if (text == word) return true;
   if (text[0] != '-') return false;
@@ -64,7 +63,7 @@ bool is_missing(const std::string& cell, double code) {
   }
   const bool are_nines =
       text.size() > 1 && std::all_of(text.begin() + 1, text.end(), [](char c) { return c == '9' || c == '.'; });
-  return are_nines && std::strtod(text.c_str(), nullptr) <= code;
+  return are_nines && read_number(text) <= code;
 }
 
 void add_missing_rows(MeasuredColumn& column) {

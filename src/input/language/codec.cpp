@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/nearest.hpp"
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 
 namespace talus::input {
@@ -206,7 +207,7 @@ bool decode_word(const Decoding& in, const toml::node& node, const std::string& 
 json encode_number(double si, const Spec& spec) {
   if (spec.unit.empty()) return si;
   // 35° is 0.6108… rad and comes back as 35.00000000000001: fifteen digits are what the conversions keep.
-  return std::strtod(fmt::format("{:.15g}", si / units::get_si_factor(spec.unit)).c_str(), nullptr);
+  return round_to_digits(si / units::get_si_factor(spec.unit), 15);
 }
 
 json write_number_schema(const Spec& spec) {

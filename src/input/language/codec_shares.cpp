@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "base/numbers.hpp"
 #include "input/language/codec_series.hpp"
 
 namespace talus::input {
@@ -22,7 +23,7 @@ bool decode_per_cent(const Decoding& in, const toml::node& node, const std::stri
   double fraction = 0;
   if (!decode_number(in, node, path, fraction)) return false;
   // 0.88 comes back from the fraction as 0.8800000000000001: fifteen digits are what the conversions keep.
-  out = std::strtod(fmt::format("{:.15g}", 100 * fraction).c_str(), nullptr);
+  out = round_to_digits(100 * fraction, 15);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "input/case/hydraulic.hpp"
 #include "report/content/boundary_lines.hpp"
 #include "report/words/numbers.hpp"
@@ -40,7 +41,7 @@ std::optional<Shown> read_series(const input::Hydraulic& h, const ShownUnits& un
     const input::TimeTable series = h.values();
     if (series.time.empty()) return std::nullopt;
     Shown shown{title, unit, series.time, {}};
-    for (const double v : series.value) shown.values.push_back(std::stod(fmt::format("{:.12g}", v / unit.si)));
+    for (const double v : series.value) shown.values.push_back(round_to_digits(v / unit.si, 12));
     return shown;
   };
   switch (h.condition) {

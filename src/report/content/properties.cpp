@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "ground/root_content.hpp"
 #include "report/content/soil_water.hpp"
 #include "report/words/numbers.hpp"
@@ -17,9 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-/// 30° comes back from radians as 29.999999999999996°.
 double drop_last_digits(double value) {
-  return std::stod(fmt::format("{:.12g}", value));
+  return round_to_digits(value, 12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "input/case/soil_water_law.hpp"
 #include "report/words/numbers.hpp"
 
@@ -63,7 +64,7 @@ json list_parameters(const input::PoreWater& soil, const ShownUnits& units, doub
                     {"title", title},
                     {"symbol", symbol},
                     {"unit", unit.name},
-                    {"value", std::stod(fmt::format("{:.12g}", value / unit.si))}});
+                    {"value", round_to_digits(value / unit.si, 12)}});
   };
   const bool is_van_genuchten = soil.retention == R::van_genuchten;
   const bool falls = is_van_genuchten || soil.retention == R::linear || soil.retention == R::exponential;

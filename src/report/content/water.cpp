@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "report/content/hydraulics.hpp"
 #include "report/content/soil_water.hpp"
 #include "report/words/numbers.hpp"
@@ -54,11 +55,8 @@ json list_properties(const input::Water& water) {
   json rows = json::array();
   const auto add = [&](const char* key, const char* title, const char* symbol, const char* unit, double value) {
     if (!std::isfinite(value)) return;
-    rows.push_back({{"key", key},
-                    {"title", title},
-                    {"symbol", symbol},
-                    {"unit", unit},
-                    {"value", std::stod(fmt::format("{:.12g}", value))}});
+    rows.push_back(
+        {{"key", key}, {"title", title}, {"symbol", symbol}, {"unit", unit}, {"value", round_to_digits(value, 12)}});
   };
   add("density", "density of the water", "ρ_w", "kg/m³", water.density);
   add("bulk_modulus", "bulk modulus of the water", "K_w", "MPa", water.bulk_modulus / 1e6);
