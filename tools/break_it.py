@@ -11,6 +11,8 @@ Campaigns:
   kills    kill -9 at random moments of a run, which `--resume` ends with the same bits
   disks    files that may grow to a random size only, then `--resume` without the limit: the same bits
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
+  files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
+  damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end with the same bits
 
 Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json and the table of docs/reliability.md. Ends with 1 where
 there was a fault.
@@ -26,6 +28,7 @@ import sys
 import tempfile
 import time
 
+from reliability.kept_files import try_damage, try_files
 from reliability.trial import ROOT, SMALL, Table, compare, damage, read_folder, run, seed
 
 COUNTS = ROOT / "docs" / "verification_data" / "reliability.json"
@@ -244,7 +247,8 @@ def try_calls(program, numbers, work):
     return table
 
 
-CAMPAIGNS = {"cases": try_cases, "meshes": try_meshes, "results": try_results, "kills": try_kills, "disks": try_disks, "calls": try_calls}
+CAMPAIGNS = {"cases": try_cases, "meshes": try_meshes, "results": try_results, "kills": try_kills, "disks": try_disks, "calls": try_calls,
+             "files": try_files, "damage": try_damage}
 
 
 def write_table(counts):
