@@ -13,6 +13,8 @@ Campaigns:
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
   files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
   damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end with the same bits
+  signals  SIGTERM and SIGINT at random shares of the processor time of every method, then `--resume`: the same bits
+  readers  `report`, `plot` and `collect` again and again beside a run, whose end must be whole
 
 Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json and the table of docs/reliability.md. Ends with 1 where
 there was a fault.
@@ -29,6 +31,7 @@ import tempfile
 import time
 
 from reliability.kept_files import try_damage, try_files
+from reliability.signals import try_readers, try_signals
 from reliability.trial import ROOT, SMALL, Table, compare, damage, read_folder, run, seed
 
 COUNTS = ROOT / "docs" / "verification_data" / "reliability.json"
@@ -248,7 +251,7 @@ def try_calls(program, numbers, work):
 
 
 CAMPAIGNS = {"cases": try_cases, "meshes": try_meshes, "results": try_results, "kills": try_kills, "disks": try_disks, "calls": try_calls,
-             "files": try_files, "damage": try_damage}
+             "files": try_files, "damage": try_damage, "signals": try_signals, "readers": try_readers}
 
 
 def write_table(counts):
