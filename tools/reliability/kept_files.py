@@ -148,7 +148,7 @@ def drop_own(found, folder):
 
 def refuse_target(program, name, work, folder, rng):
     """--overwrite of a folder that is not to be replaced: the label, the verdict and the fault."""
-    kind = rng.choice(("case inside", "current folder", "below the current folder", "home", "repository", "inside a repository", "no list"))
+    kind = rng.choice(("case inside", "current folder", "below the current folder", "home", "repository", "no list"))
     inside = folder / "sub"
     inside.mkdir(exist_ok=True)
     (inside / "x").write_text("mine")
@@ -165,7 +165,9 @@ def refuse_target(program, name, work, folder, rng):
     elif kind == "no list":
         (folder / "talus.files").unlink(missing_ok=True)
     else:
-        (rng.choice((folder, inside)) / ".git").mkdir()
+        path = rng.choice((folder, inside)) / ".git" / "HEAD"
+        path.parent.mkdir()
+        path.write_text("ref: refs/heads/main")
     before = drop_own(snapshot(folder), folder)
     verdict = run(program, command, cwd=cwd, env=env)
     fault = tell_difference(before, drop_own(snapshot(folder), folder)) or ("" if verdict.code == 3 else f"code {verdict.code} where 3 was expected")
