@@ -11,9 +11,11 @@ Campaigns:
   kills    kill -9 at random moments of a run, which `--resume` ends with the same bits
   disks    files that may grow to a random size only, then `--resume` without the limit: the same bits
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
+  names    hostile names in case files and lists of jobs: nothing outside the folder of results changes, nothing that is written steers what reads it
   files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
   damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end with the same bits
   signals  SIGTERM and SIGINT at random shares of the processor time of every method, then `--resume`: the same bits
+  inputs   what is no file in every place of a file, and case files that ask for too much: a sentence within 10 s of processor time and 500 MB
   readers  `report`, `plot` and `collect` again and again beside a run, whose end must be whole
 
 Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json and the table of docs/reliability.md. Ends with 1 where
@@ -30,7 +32,9 @@ import sys
 import tempfile
 import time
 
+from reliability.inputs import try_inputs
 from reliability.kept_files import try_damage, try_files
+from reliability.names import try_names
 from reliability.signals import try_readers, try_signals
 from reliability.trial import ROOT, SMALL, Table, compare, damage, read_folder, run, seed
 
@@ -251,7 +255,7 @@ def try_calls(program, numbers, work):
 
 
 CAMPAIGNS = {"cases": try_cases, "meshes": try_meshes, "results": try_results, "kills": try_kills, "disks": try_disks, "calls": try_calls,
-             "files": try_files, "damage": try_damage, "signals": try_signals, "readers": try_readers}
+             "names": try_names, "files": try_files, "damage": try_damage, "signals": try_signals, "inputs": try_inputs, "readers": try_readers}
 
 
 def write_table(counts):
