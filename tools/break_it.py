@@ -282,7 +282,8 @@ def main():
         work.mkdir(parents=True, exist_ok=True)
         begin = time.monotonic()
         table = CAMPAIGNS[options.campaign](options.program.resolve(), numbers, work)
-    told = {**table.tell(), "minutes": round((time.monotonic() - begin) / 60, 1)}
+    told = json.loads(json.dumps(table.tell()).replace(f"{work}/", ""))
+    told["minutes"] = round((time.monotonic() - begin) / 60, 1)
     print(f"{told['campaign']}: {told['tried']} tried in {told['minutes']} minutes, {len(told['faults'])} faults; codes {told['codes']}")
     if options.write:
         known = {one["campaign"]: one for one in json.loads(COUNTS.read_text())} if COUNTS.exists() else {}

@@ -3,10 +3,11 @@
 # What takes too long for every change: all tests with sanitizers and with clang, every source through the linter, and the campaigns
 # that try to break the program. Each part's minutes and end stand in the last lines; ends with 1 where one of them failed.
 # Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
+#        names files damage signals inputs readers
 set -uo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls)
+[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
 program=build/release/bin/talus
 told=()
 failed=0
@@ -24,6 +25,8 @@ do_part() {
     meshes) tools/break_it.py $program meshes --count 500 --write ;;
     results) tools/break_it.py $program results --count 1000 --write ;;
     kills | disks) tools/break_it.py $program "$1" --count 100 --write ;;
+    names | files | damage | inputs) tools/break_it.py $program "$1" --count 300 --write ;;
+    signals | readers) tools/break_it.py $program "$1" --count 60 --write ;;
     calls) tools/break_it.py $program calls --count 200 --write ;;
     *) echo "nightly: there is no part '$1'"; return 2 ;;
   esac
