@@ -27,6 +27,12 @@ case $target in
     run
     cp "$folder/run/summary.json" "$folder"
     rm -r "$folder/run" ;;
+  jobs)
+    "$program" study "$root/tests/page/uncertain.toml" --prepare "$folder/study" --jobs 3 -q --set lem.referee=false >/dev/null
+    "$program" study "$folder/study" --job 1 -q --threads 1 >/dev/null
+    cp "$folder/study/jobs.json" "$folder"
+    cp "$folder"/study/jobs/*/result.json "$folder"
+    rm -r "$folder/study" ;;
   results)
     run
     cp "$folder/run/results.vtkhdf" "$folder"
