@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
 constexpr double coarse_elements = 800;
-constexpr double probe_seconds = 0.1;
+constexpr double probe_seconds = 0.1, most_seconds = 1;  ///< of a stage, and of all together
 
 /// Ends the stage that is stepped for a moment.
 struct Enough {};
@@ -33,9 +33,9 @@ bool can_be_probed(const input::Case& data) {
          data.initial.result.empty() && data.initial.water.season == 0 && !data.stages.empty() && !has_library;
 }
 
-/// Steps of one point in a second of a stage, which is stepped for a moment.
+/// Steps of one point in a second of a stage, which is stepped for some `seconds`.
 template <int D>
-double measure(mpm::Body<D>& body, StagePlan<D> plan) {
+double measure(mpm::Body<D>& body, StagePlan<D> plan, double seconds) {
   plan.duration = 1e9;
   plan.until_rest = false;
   StageState state;
@@ -46,7 +46,7 @@ double measure(mpm::Body<D>& body, StagePlan<D> plan) {
   hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
     steps = now.steps;
     taken = std::chrono::duration<double>(Clock::now() - start).count();
-    if (taken > probe_seconds) throw Enough{};
+    if (taken > seconds) throw Enough{};
   };
   try {
     run_stage(body, plan, state, hooks);
@@ -72,11 +72,12 @@ Pace probe_in(const input::Case& data) {
   Pace pace;
   const input::Stage& first = data.stages.front();
   set_strength(body, coarse, first.cohesion, first.strength_factor.value_or(1));
+  const double each = std::min(probe_seconds, most_seconds / static_cast<double>(data.stages.size()));
   for (const input::Stage& stage : data.stages) {
     const StagePlan<D> plan = make_plan<D>(coarse, stage, height, 1);
     StagePace& here = pace.stages.emplace_back(StagePace{find_step(plan), 0});
-    // What a later stage does begins where the first has been stepped for a moment, and not where it would begin.
-    here.point_steps = measure(body, plan);
+    // A later stage is stepped from where the ones before it were left after a moment, not from where they end.
+    here.point_steps = measure(body, plan, each);
   }
   StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
   plan.step = data.strength_reduction.curve.step_settings;
