@@ -41,8 +41,8 @@ void check_frames(const fs::path& run) {
 void collect(const std::string& name) {
   if (!fs::is_directory(name)) throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", name));
   const std::vector<fs::path> runs = find_runs(name);
+  const ResultsLock lock(name, runs);  // a run that has just begun has no frames yet
   if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
-  const ResultsLock lock(name, runs);
   for (const fs::path& run : runs) {
     check_frames(run);
     const auto files = FileList::find(run / "results.vtkhdf");

@@ -43,6 +43,7 @@ TEST(Cell, IsNoFormula) {
 }
 
 TEST(Gnuplot, GetsNoControlCharacters) {
+  EXPECT_EQ(output::quote("]]>"), "']] >'");
   EXPECT_EQ(output::quote("a\n`rm`\x1b'"), "'a\\\\x0a`rm`\\\\x1b'''");
 }
 

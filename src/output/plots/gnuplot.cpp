@@ -136,6 +136,7 @@ std::string quote(const std::string& text) {
   std::string result = "'";
   for (const char c : make_printable(text)) {
     if (c == '\'') result += '\'';
+    if (c == '>' && result.ends_with("]]")) result += ' ';  // the end of a text in gnuplot's SVG
     if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
     result += c;
   }
