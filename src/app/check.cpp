@@ -14,7 +14,7 @@
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_case.hpp"
-#include "study/study_forecast.hpp"
+#include "study/whole_study.hpp"
 
 namespace talus::app {
 namespace {
@@ -84,7 +84,7 @@ std::string describe_points(const input::Case& data) {
                      count(data.stages.size(), "stage", "stages"), time);
 }
 
-/// What the soil is, and what each method calculates.
+/// One line on the soil and one on each method of the case, with its forecast.
 std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
   for (const run::MethodForecast& needs : run::forecast(data, true)) {
@@ -120,7 +120,7 @@ void add_check(CLI::App& app) {
     print(stdout,
           fmt::format("{}: no errors{}\n{}", options->file,
                       warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
-                      loaded.is_whole ? summarise(loaded.data) + study::describe_study(loaded, overrides)
+                      loaded.is_whole ? summarise(loaded.data) + study::forecast_study(loaded, overrides)
                                       : fmt::format("  {} of {}, no slope\n",
                                                     count(loaded.data.tests.size(), "element test", "element tests"),
                                                     count(loaded.data.materials.size(), "material", "materials"))));

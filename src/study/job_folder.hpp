@@ -47,7 +47,7 @@ class JobFolder {
 
   /// Where the job's result is, and its lock while it is calculated.
   std::filesystem::path result_folder(int job) const;
-  /// What a job has found; nothing where it has not ended, or where the result is not its own.
+  /// The result of a job; nothing where the job has not ended, or where the result is not its own.
   std::optional<results::JobResult> read_result(int job) const;
   /// A line on the result of another job that stands where that of `job` is expected; empty where it does not.
   std::string describe_strange(int job) const;

@@ -112,7 +112,7 @@ class VariantRuns {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Whether the study or one of its runs writes a file of that name, relative to the study's folder.
+/// Returns true for paths, relative to the study's folder, that the study or one of its runs writes.
 bool is_of_study(const StudyPlan& plan, const fs::path& file) {
   const std::string first = file.begin()->string(), name = file.filename().string();
   for (const char* own : {"jobs.json", "surfaces.json", "jobs.slurm", "study.json", "study.csv", "study.md",

@@ -10,7 +10,7 @@
 #include "run/forecast/probe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "study/study_forecast.hpp"
+#include "study/whole_study.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::run {
@@ -85,7 +85,7 @@ TEST(Forecast, AStudyTakesAsLongAsItsRuns) {
   const std::vector<input::Override> none;
   const auto describe_example = [&](const char* example) {
     const std::string file = std::string(TALUS_SOURCE_DIR "/examples/") + example;
-    return study::describe_study(input::read_case(file), none);
+    return study::forecast_study(input::read_case(file), none);
   };
   EXPECT_EQ(describe_example("rapid_drawdown/case.toml"), "");
   const std::string varied = describe_example("dry_slope/convergence_elements.toml");
