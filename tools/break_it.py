@@ -13,8 +13,8 @@ Campaigns:
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
   names    hostile names in case files and lists of jobs: nothing outside the folder of results changes, nothing that is written steers what reads it
   files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
-  damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end with the same bits
-  signals  SIGTERM and SIGINT at random shares of the processor time of every method, then `--resume`: the same bits
+  damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end bitwise identical
+  signals  SIGTERM and SIGINT at random shares of the processor time of every method, then `--resume`: bitwise identical
   inputs   what is no file in every place of a file, and case files that ask for too much: a sentence within 10 s of processor time and 500 MB
   readers  `report`, `plot` and `collect` again and again beside a run, whose end must be whole
 

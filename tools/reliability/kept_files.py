@@ -243,7 +243,7 @@ def judge_resume(verdict, folder, label, names, reference):
 
 
 def try_damage(program, numbers, work):
-    table = Table("damage", "a listed file lost, swapped, cut or changed after an interruption; `--resume` and `collect` name it, or end with the same bits")
+    table = Table("damage", "a listed file lost, swapped, cut or changed after an interruption; `--resume` and `collect` name it, or end bitwise identical")
     references = References(program, work)
     for number in numbers:
         rng = seed("damage", number)

@@ -116,7 +116,7 @@ def try_signals(program, numbers, work):
         table.add(f"{trial} ({name}, resumed)", ended,
                   f"not resumed: {ended.said.strip()[-200:]}" if ended.code != 0 else compare(reference, folder)
                   or ("no report" if name == REPORT and not (folder / "report.html").exists() else ""))
-    table.what = (f"SIGTERM and SIGINT at random moments of every method and of a report, then `--resume`: the same bits; ends within {largest_seconds:.2f} s of processor "
+    table.what = (f"SIGTERM and SIGINT at random moments of every method and of a report, then `--resume`: bitwise identical; ends within {largest_seconds:.2f} s of processor "
                   f"time and {largest_wall:.1f} s on the clock")
     return table
 

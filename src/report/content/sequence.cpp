@@ -54,7 +54,10 @@ class SequencePacker {
 
   json pack(Packer& packer) {
     const std::vector<std::size_t> chosen = choose_frames(plan_.frames.size(), budget_.frames);
-    for (const std::size_t i : chosen) frames_.push_back(read(plan_.frames[i], chosen.size()));
+    for (const std::size_t i : chosen) {
+      packer.throw_if_interrupted();
+      frames_.push_back(read(plan_.frames[i], chosen.size()));
+    }
     number_points();
     const std::size_t count = ids_.size();
 

@@ -30,7 +30,7 @@ struct PackedText {
 };
 
 /// Collects the arrays of a report. add_* return what the document says about the array and are cheap; the work is done
-/// by compress(), array by array. Both throw Error (interrupted) when a signal arrives that was not there before.
+/// by compress(), array by array. Both call throw_if_interrupted().
 class Packer {
  public:
   /// u16 with range. With `delta` every row along the first axis is stored as its difference to the row before it:
@@ -54,6 +54,9 @@ class Packer {
 
   std::vector<PackedText> compress(int threads) const;
 
+  /// Throws Error (interrupted) when a signal has arrived since the packer was made.
+  void throw_if_interrupted() const;
+
  private:
   struct Array {
     std::string id;
@@ -61,7 +64,6 @@ class Packer {
   };
   nlohmann::json keep(const std::string& id, const char* type, const std::vector<std::size_t>& shape, bool delta,
                       std::vector<std::uint8_t> bytes);
-  void throw_if_interrupted() const;
   const bool was_interrupted_ = is_interrupted();
   std::vector<Array> arrays_;
 };
