@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
 #include "input/list_files.hpp"
@@ -127,7 +128,7 @@ bool is_of_run(const input::Case& data, const fs::path& file) {
   if (file.parent_path().filename() == "frames") return output::find_frame_number(file).has_value();
   if (first != "sections") return has(run_files, name);
   return std::any_of(data.output.sections.begin(), data.output.sections.end(),
-                     [&](const input::SectionLine& line) { return name == line.name + ".csv"; });
+                     [&](const input::SectionLine& line) { return name == make_printable(line.name) + ".csv"; });
 }
 
 void check_replaced(const input::LoadedCase& loaded, const fs::path& folder, const IsWritten& is_written) {
