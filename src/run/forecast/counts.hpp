@@ -17,8 +17,8 @@ ElementCount count_elements(const mesh::Plan& plan);
 /// Smallest element size that the plan asks for [m].
 double find_smallest_size(const mesh::Plan& plan);
 
-/// Whether a coarse mesh of the section takes a second, as most do: Gmsh takes minutes for thousands of corners that
-/// lie nearer together than the elements are large.
+/// Returns true where a coarse mesh of the section takes about a second. Gmsh takes minutes for thousands of corners
+/// that lie nearer together than the elements are large.
 bool is_meshed_in_a_moment(const mesh::Plan& plan);
 
 }  // namespace talus::run

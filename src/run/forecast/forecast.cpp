@@ -31,13 +31,14 @@ constexpr double reduction_seconds = 1.3e-4, associated_seconds = 4e-5, reductio
 constexpr double matrix_bytes = 1600, matrix_power = 1.1;
 /// Seconds of proven bounds up to a last mesh of n triangles, c n^1.5, and bytes of a triangle.
 constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
-/// Triangles with which the referee of limit equilibrium usually ends, and the two programs of a search.
-constexpr double referee_triangles = 900, usual_triangles = 0.3;
-/// Seconds in which seepage goes on to the next time that is kept, per element.
+/// Triangles with which the referee of limit equilibrium usually ends, and the fraction of the allowed triangles with
+/// which a search for bounds does.
+constexpr double referee_triangles = 900, usual_fraction = 0.3;
+/// Seconds from one kept time of seepage to the next, per element.
 constexpr double flow_seconds = 4e-5;
 /// Times of a timeline that are usually chosen, and kept beside the corners of its series.
 constexpr double chosen_times = 20, kept_times = 128;
-/// Shares of their time after which stages and trials usually rest or fail.
+/// Fractions of their time after which stages come to rest, trials rest or fail, and slides come to rest.
 constexpr double until_rest = 0.2, until_decided = 0.2, until_deposited = 0.6;
 /// Seconds of a trial circle by one method with 50 slices.
 constexpr double circle_seconds = 3e-6;
@@ -110,19 +111,19 @@ MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
   f.method = input::Method::bounds;
   f.elements = bounds.triangles;
   f.most_seconds = bounds_seconds * std::pow(bounds.triangles, bounds_power);
-  f.seconds = bounds_seconds * std::pow(usual_triangles * bounds.triangles, bounds_power);
+  f.seconds = bounds_seconds * std::pow(usual_fraction * bounds.triangles, bounds_power);
   f.bytes = program_bytes + bounds_bytes * bounds.triangles;
   return f;
 }
 
-/// Steps of all stages and trials at most, and their time. `share`: of their time, after which they usually end.
+/// Adds the steps of all stages and trials at most, and their time.
 void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, double coarse_points) {
-  // A run goes on once more on elements twice as large.
+  // Each run is repeated on elements twice as large.
   const double twin = data.output.runout_meshes < 2 ? 1 : 1 + std::pow(0.5, f.dimension + 1);
-  const auto add = [&](double time, double share, const StagePace& here, double points, double runs) {
+  const auto add = [&](double time, double fraction, const StagePace& here, double points, double runs) {
     f.steps += time / here.step;
     const double seconds = runs * time / here.step * points / here.point_steps;
-    f.seconds += share * seconds;
+    f.seconds += fraction * seconds;
     f.most_seconds += seconds;
   };
   const bool reduces = data.analysis == input::AnalysisKind::strength_reduction;

@@ -17,7 +17,7 @@ struct MethodForecast {
   double points = 0;    ///< material points on it
   double surfaces = 0;  ///< trial surfaces of slices
   double bytes = 0;
-  double steps = 0;         ///< time steps, or linear systems
+  double steps = 0;         ///< time steps of all stages and trials
   double seconds = 0;       ///< on this machine, as such cases usually take
   double most_seconds = 0;  ///< where no stage or trial ends early, or no mesh is good enough before the last
   double times = 0;         ///< of a timeline
