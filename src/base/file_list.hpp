@@ -38,23 +38,24 @@ class FileList {
   std::shared_ptr<OpenList> open_;
 };
 
-/// What writers of files report; none does anything outside the folder of a FileList.
-/// Before `path` is replaced by a file of these bytes. Throws Error (folder_exists) when a file that no run wrote is in
-/// the way.
+// Writers of files call the following functions, which do nothing outside the folder of a FileList.
+
+/// Lists the content of `path` before a file of these bytes replaces it. Throws Error (folder_exists) when a file that
+/// no run wrote is in the way.
 void list_content(const std::filesystem::path& path, std::span<const std::byte> bytes);
-/// The same with the content of a finished temporary file.
+/// Lists the content of a finished temporary file in the same way.
 void list_content(const std::filesystem::path& path, const std::filesystem::path& temporary);
-/// Before the temporary file of `path` is made. Throws as list_content().
+/// Lists `path` before its temporary file is made. Throws as list_content().
 void list_temporary(const std::filesystem::path& path);
-/// When `path` is whole.
+/// Lists that `path` is whole.
 void list_whole(const std::filesystem::path& path);
-/// Before rows are appended to `path`.
+/// Lists `path` before rows are appended to it.
 void list_growing(const std::filesystem::path& path);
-/// When the rows so far are to be kept: check_listed() expects them, and more where the file still grows.
+/// Lists the rows so far: check_listed() expects them, and accepts more where the file still grows.
 void list_grown(const std::filesystem::path& path, bool still_grows);
-/// Before a folder is made.
+/// Lists a folder before it is made.
 void list_folder(const std::filesystem::path& folder);
-/// Before `path` is removed. Returns false where it is not listed and must stay.
+/// Lists that `path` is about to be removed. Returns false where it is not listed and must stay.
 bool list_removal(const std::filesystem::path& path);
 
 }  // namespace talus

@@ -17,8 +17,7 @@ inline constexpr std::size_t longest_file_name = 200;
 /// Why `name` is not that of one file in one folder, as the end of a sentence: "it holds '/'"; empty where it is.
 std::string find_name_fault(std::string_view name);
 
-/// Whether a folder of results may hold a file or folder of the program's own with this name, or Windows has a device
-/// of this name.
+/// Returns true for names that the program itself gives to files and folders of results, and for devices of Windows.
 bool is_reserved_name(std::string_view name);
 
 /// `folder` / (`name` + `ending`). Throws Error (wrong_input) for a name that find_name_fault() does not accept.

@@ -26,7 +26,7 @@ inline std::uint64_t mix_word(std::uint64_t state, std::uint64_t word) {
 class ContentHash {
  public:
   void add(std::span<const std::byte> bytes);
-  /// Of all bytes so far.
+  /// Hash of all bytes so far.
   std::uint64_t value() const;
 
  private:

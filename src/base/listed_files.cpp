@@ -29,7 +29,7 @@ std::string read_name(const std::string& text) {
   return name;
 }
 
-/// Whether the file is as the list has it; one that grows may have more.
+/// Returns true where the file has the listed size and content; a file that grows may be longer.
 bool is_as_listed(const fs::path& path, const ListedFile& listed, Compared compared) {
   std::error_code none;
   if (!fs::is_regular_file(fs::symlink_status(path, none))) return false;

@@ -25,7 +25,7 @@ struct FileContent {
   bool operator==(const FileContent&) const = default;
 };
 FileContent describe_content(std::span<const std::byte> bytes);
-/// That of the first `most` bytes of a file. Throws Error (wrong_input) when the file cannot be read.
+/// Size and hash of the first `most` bytes of a file. Throws Error (wrong_input) when the file cannot be read.
 FileContent describe_content(const std::filesystem::path& file, std::uint64_t most = UINT64_MAX);
 
 /// A file as the lines of a list leave it.
@@ -58,7 +58,6 @@ Listed read_list(const std::filesystem::path& folder);
 /// An absolute path without dots.
 std::filesystem::path make_absolute(const std::filesystem::path& path);
 
-/// Whether a folder has a list.
 bool has_list(const std::filesystem::path& folder);
 /// The nearest folder above a file that has a list, as an absolute path.
 std::optional<std::filesystem::path> find_listed_folder(const std::filesystem::path& file);
@@ -67,10 +66,10 @@ std::optional<std::filesystem::path> find_listed_folder(const std::filesystem::p
 /// whose name in the folder `is_needed` holds.
 void check_listed(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& is_needed);
 
-/// What is compared with a list: sizes, or contents as well.
+/// Sizes alone are compared with a list, or contents as well.
 enum class Compared { sizes, contents };
 
-/// What lies in a folder with a list.
+/// Files and folders below a folder with a list.
 struct SortedFiles {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> own;      ///< of a run, as it left them; relative to the folder, as all are

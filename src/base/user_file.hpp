@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// Largest files that are read [bytes], listed in docs/reliability.md.
+/// Largest files that are read [bytes], listed in docs/manual/command-line.md.
 namespace largest_file {
 inline constexpr std::uint64_t megabyte = 1'000'000;
 inline constexpr std::uint64_t case_file = 10 * megabyte;
@@ -22,7 +22,7 @@ inline constexpr std::uint64_t result = 1000 * megabyte;                        
 inline constexpr std::uint64_t any = std::numeric_limits<std::int64_t>::max();  ///< HDF5, which is not read whole
 }  // namespace largest_file
 
-/// What keeps a file from being read.
+/// The reason why a file cannot be read.
 struct FileFault {
   std::string why;  ///< the end of a sentence: "it is a folder, not a file"
   bool is_missing = false;

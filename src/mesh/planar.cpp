@@ -69,7 +69,7 @@ Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
   return parts;
 }
 
-/// Whether the rectangles around two polygons lie further than `tolerance` [m] from each other.
+/// Returns true where the bounding boxes of two polygons are more than `tolerance` [m] apart.
 bool are_boxes_apart(const Polyline& a, const Polyline& b, double tolerance) {
   for (std::size_t d = 0; d < 2; ++d) {
     const auto by_place = [d](const Point2& p, const Point2& q) { return p[d] < q[d]; };

@@ -38,7 +38,7 @@ struct NamedValue {
   std::string quantity;           ///< "moved_volume"
   std::optional<SliceMethod> by;  ///< of the slices, factors and accelerations
   double value = 0;               ///< [unit]
-  /// Of a number of a runout that depends on the mesh; nothing: the number is told without one.
+  /// Uncertainty of a runout by its mesh; nothing where the number has none.
   std::optional<MeshUncertainty> uncertainty = {};
 };
 

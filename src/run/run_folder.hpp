@@ -18,9 +18,9 @@ namespace talus::run {
 /// check_replaced() throws.
 void check_folder(const input::LoadedCase& loaded, const RunOptions& options);
 
-/// Whether files of these names, relative to a folder, are to be written there.
+/// Returns true for paths, relative to a folder, that are to be written there.
 using IsWritten = std::function<bool(const std::filesystem::path&)>;
-/// That of the run of a case.
+/// IsWritten of the run of a case.
 bool is_of_run(const input::Case& data, const std::filesystem::path& file);
 
 /// Throws Error (folder_exists) when --overwrite must not replace the folder: it is or holds a file of the case, the

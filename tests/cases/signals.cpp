@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every calculation looks for signals often enough to end within a second, and goes on from where it ended.
+// Every calculation looks for signals often enough to end within a second, and resumes.
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ class Signals : public testing::TestWithParam<Calculation> {
       std::filesystem::temp_directory_path() / ("talus_signals_" + GetParam().name + std::to_string(getpid()));
 };
 
-TEST_P(Signals, EndItWithinASecondAndItGoesOn) {
+TEST_P(Signals, EndItWithinASecondAndItResumes) {
   const auto whole = run(false, -1);
   ASSERT_TRUE(whole);
   const long looks = Looks::count;

@@ -10,8 +10,8 @@
 
 namespace talus::input {
 
-/// Whether the section has as few corners as the checks of geometry take, which compare each with all others; a fault
-/// where it has more.
+/// Returns false, and adds a fault, where the section has more corners than the checks of geometry take, which compare
+/// each with all others.
 bool check_extent(const Case& data, Findings& findings);
 /// Moves corners that nearly lie on another polygon onto it, with a warning that says so.
 void join_polygons(Case& data, Findings& findings);

@@ -107,7 +107,7 @@ class Reader {
   /// The table of that name; an empty one when it is not given, nullptr when it is no table.
   const toml::table* find_table(const std::string& name);
   std::vector<const toml::table*> find_tables(const std::string& name);
-  /// Whether a case may have so many tables at `path`; a fault where it may not.
+  /// Returns false, and adds a fault at `path`, where a case has more tables of one kind than it may.
   bool is_countable(std::size_t size, const std::string& path);
   /// Enters a table whose keys are names of the user's choice, and returns them in the order of the file.
   std::vector<std::string> enter_names(const std::string& name);

@@ -38,7 +38,7 @@ class ResultsWriter {
 /// of frames in the results. Throws Error (wrong_input) when there are none or one is damaged, Error (cannot_write).
 int collect(const std::filesystem::path& folder);
 
-/// Whether a folder has frames. A killed run may have made their folder and no frame yet, or a part of one.
+/// Returns true where a folder has a whole frame. A killed run may have made the folder of frames and no frame yet.
 bool holds_frames(const std::filesystem::path& folder);
 
 /// Removes frames and results from `folder`, for a run that overwrites them.
