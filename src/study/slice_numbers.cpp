@@ -31,8 +31,15 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
                            const SampledNumbers& sampled)
     : middle_values_(sampled.means) {
   static const std::map<std::string, Part> parts{
-      {"cohesion", Part::cohesion},    {"friction_angle", Part::friction},   {"cohesion_gradient", Part::gradient},
-      {"cohesion_level", Part::level}, {"pore_pressure_ratio", Part::ratio}, {"phi_b", Part::phi_b}};
+      {"cohesion", Part::cohesion},
+      {"cohesion_gradient", Part::gradient},
+      {"cohesion_level", Part::level},
+      {"undrained_strength", Part::cohesion},
+      {"undrained_gradient", Part::gradient},
+      {"undrained_level", Part::level},
+      {"friction_angle", Part::friction},
+      {"pore_pressure_ratio", Part::ratio},
+      {"phi_b", Part::phi_b}};
   const auto make = [&](const std::vector<double>& values) {
     return run::make_section(read_sample(base, overrides, sampled, values).data);
   };

@@ -104,6 +104,40 @@ TEST(SamplingSlices, SameBitsForAnyThreadsAndOnlyForTheSameSeed) {
   EXPECT_NE(one, read("other"));
 }
 
+/// A Tresca soil is one without friction, sampled on the same surfaces and not searched anew for every sample.
+TEST(SamplingSlices, TrescaHasTheFactorsOfFrictionlessSoil) {
+  const auto write = [](const std::string& soil, const std::string& key) {
+    std::string text = sampling_slope::write_case(sample + "samples = 40\n[[study.random]]\nkey = \"materials.soil." +
+                                                  key + "\"\ndistribution = \"lognormal\"\nvariation = 0.2\n");
+    const auto from = text.find("model ="), to = text.find("[analysis]");
+    return text.replace(from, to - from, soil);
+  };
+  const auto calculate = [](const std::string& text, const std::string& name) {
+    StudyOptions options;
+    options.folder = sampling_slope::make_folder(name);
+    options.threads = 1;
+    const auto result = run_sampling(input::read_case_text(text, "clay.toml", {}), {}, options);
+    return results::to_json(result.study).at("sampling");
+  };
+  const std::string weight = "unit_weight = 18\n", growing = "_gradient = 1.5\n";
+  for (const char* uncertain : {"", "_gradient"}) {
+    const std::string moduli = "young_modulus = \"10 MPa\"\npoisson_ratio = 0.49\n";
+    const json tresca = calculate(write("model = \"tresca\"\nundrained_strength = 30\nundrained_level = 15\nundrained" +
+                                            growing + weight + moduli,
+                                        uncertain[0] ? "undrained_gradient" : "undrained_strength"),
+                                  "tresca");
+    const json frictionless =
+        calculate(write("model = \"mohr_coulomb\"\ncohesion = 30\nfriction_angle = 0\ncohesion_level = 15\ncohesion" +
+                            growing + weight,
+                        uncertain[0] ? "cohesion_gradient" : "cohesion"),
+                  "frictionless");
+    EXPECT_GT(tresca.at("surfaces"), 0);
+    EXPECT_GT(tresca.at("factor").at("deviation"), 0);
+    for (const char* key : {"mean", "deviation", "count"})
+      EXPECT_EQ(tresca.at("factor").at(key), frictionless.at("factor").at(key)) << key << uncertain;
+  }
+}
+
 /// A key that slices take from the section: every sample has a search of its own, and a deeper crack never helps here.
 TEST(SamplingSlices, AKeyOfTheSectionIsSearchedSampleBySample) {
   const json block = run(sample + R"(samples = 6
