@@ -252,6 +252,8 @@ class CaseRun {
         points.prepare(*finished);
         points.open();
         points.calculate(*finished);
+        if (auto coarser = compare_with_coarser_mesh<D>(loaded_, *start, options, hash, *finished))
+          notes.push_back(std::move(*coarser));
         points.finish(*finished);
         finished->warnings.insert(finished->warnings.end(), notes.begin(), notes.end());
         finished->status = results::Status::finished;

@@ -295,6 +295,21 @@ TEST_F(Release, NothingMovesWhereElementsHandOverTheirStress) {
   }
 }
 
+// Each release has the uncertainty that a coarser mesh of its own leaves, those beside the first one too.
+TEST_F(Release, EveryMovingReleaseHasTheUncertaintyOfItsFront) {
+  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
+                           {{"materials.silt.cohesion", "0"},
+                            {"materials.silt.friction_angle", "15"},
+                            {"materials.silt.tensile_strength", "0"},
+                            {"stage", "[{ name = 'let go', duration = 2 }]"}});
+  const auto& releases = summary.at("timeline").at("releases");
+  ASSERT_EQ(releases.size(), 3u);
+  for (const auto& release : releases) {
+    EXPECT_GT(release.at("moved_volume").get<double>(), 0);
+    EXPECT_TRUE(release.contains("front_uncertainty")) << release;
+  }
+}
+
 // Finite elements lose their equilibrium where their factor passes 1.
 TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
   const std::vector<input::Override> weak{{"materials.silt.cohesion", "0.4"},
