@@ -3,7 +3,7 @@
 """Holds what documents name in backticks against the tree: files and folders, commands and their options, targets of make,
 tests, keys of a case, names of the sources, messages of the program. Exits with 1 and one line per claim that is not true.
 
-The number of the version is the same in all files, too.
+The number of the version is the same in all files, and every folder of src/ has its row in docs/architecture.md.
 
 Usage: check_claims.py | check_claims.py --self-test
 
@@ -275,8 +275,15 @@ def check_versions(root):
             yield f"{name}: the version is {found}, and in CMakeLists.txt {number}"
 
 
+def check_folders(root):
+    rows = re.findall(r"^\| `([\w/]+)/` \|", (root / "docs/architecture.md").read_text(encoding="utf-8"), flags=re.M)
+    folders = {path.parent.relative_to(root / "src").as_posix() for path in (root / "src").rglob("*.[ch]pp")}
+    yield from (f"docs/architecture.md: src/{folder}/ has no row" for folder in sorted(folders - set(rows)))
+
+
 def find_faults(root):
     yield from check_versions(root)
+    yield from check_folders(root)
     tree = Tree(root)
     for path in find_pages(root):
         name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
@@ -315,13 +322,13 @@ def run_self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         pages = {"README.md": "".join(f"`{claim}`\n" for claim in true), "docs/wrong.md": "".join(f"`{claim}`\n" for claim in false),
-                 "docs/blocks.md": blocks, "docs/old.md": "**Status:** replaced by 2\n\n`find_zero`\n", "CHANGELOG.md": "`find_zero`\n"}
+                 "docs/architecture.md": "| `app/` | x |\n| `input/case/` | x |\n", "docs/blocks.md": blocks, "docs/old.md": "**Status:** replaced by 2\n\n`find_zero`\n", "CHANGELOG.md": "`find_zero`\n"}
         for name, text in {**tree, **pages}.items():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text, encoding="utf-8")
         found = [fault.split(": ")[0] for fault in find_faults(root)]
     expected = [f"docs/wrong.md:{line}" for line in range(1, len(false) + 1)] + [
-        "docs/blocks.md:4", "docs/blocks.md:9", "CITATION.cff"]
+        "docs/blocks.md:4", "docs/blocks.md:9", "CITATION.cff", "docs/architecture.md"]
     return [f"self-test: the fault in {place} was not found" for place in expected if place not in found] + [
         f"self-test: {place} is no fault" for place in found if place not in expected]
 
