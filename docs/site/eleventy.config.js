@@ -44,9 +44,8 @@ export default function (config) {
     copyAssets();
     for (const file of files) copyTo(file, findFiles(file));
     records.sort((a, b) => (a.url < b.url ? -1 : a.url > b.url ? 1 : 0));
-    // Long lists are looked through on their own pages; here they would be a seventh of all records and answer every word.
-    const lists = ["where-is", "verification_data/published"];
-    const shown = records.filter(({ url }) => !lists.some((list) => url.startsWith(list)));
+    // A long list is looked through on its own page.
+    const shown = records.filter(({ url }) => !url.startsWith("verification_data/published"));
     const text = JSON.stringify(shown.map(({ source, ...found }) => found)); // `source` served the collecting only
     writeFileSync(path.join(site, "assets/search-records.js"), `window.talusRecords = ${text};\n`);
   });

@@ -58,7 +58,6 @@ const rest = [
     "How it is built",
     [
       "docs/architecture.md",
-      "docs/where-is.md",
       "docs/decisions/README.md",
       "CONTRIBUTING.md",
       "RELEASING.md",
