@@ -17,6 +17,8 @@ from .table import MISS, NOTE, Row, judge
 ELSEWHERE = {
     "SY": "tests physics.SeepageInfiltration, cases.WaterFlow; tools/verify_water.py",
     "TERZ": "tests physics.SeepageInfiltration, physics.TwoPhaseConsolidation, cases.WaterColumns; tools/verify_water.py",
+    "MANDEL": "test cases.WaterFlow.StripBetweenPlatesHasMandelsPressures; tools/verify_water.py --only poroelastic",
+    "RD-USACE-G": "tests physics.LemDrawdownUsace, physics.LemDrawdownStrength",
     "COL2D": "tools/verify_column_collapse.py",
     "GL-1-table": "test physics.SolidSlope.GriffithsAndLanesDisplacements; the factor: GL-1",
     "elem-study": "published T6 1.39 for GL-1, see its rows; linear triangles: the strength reduction theory page",
@@ -24,9 +26,7 @@ ELSEWHERE = {
 }
 NOT_COVERED = {
     "GA": "not verified: sharp wetting fronts (Green and Ampt) are not what Richards' equation gives",
-    "MANDEL": "not verified: no case or test of Mandel's slab",
     "RITTER": "not offered: free water has no material",
-    "RD-USACE-G": "not offered: staged undrained strengths of rapid drawdown",
 }
 
 
