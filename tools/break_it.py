@@ -8,9 +8,9 @@ Campaigns:
   cases    case files with words, numbers and lines changed, dropped and doubled: `check` must survive, and what it passes `run` must not refuse
   meshes   .msh files, in text and in binary, with bytes and numbers changed
   results  result files with bytes changed, cut and moved: `report`, `plot`, `collect` and `--resume` say so, or give the same numbers
-  kills    kill -9 at random moments of a run, which `--resume` ends with the same bits
-  disks    files that may grow to a random size only, then `--resume` without the limit: the same bits
-  calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
+  kills    kill -9 at random moments of a run, after which `--resume` gives bitwise identical results
+  disks    files that may grow to a random size only, then `--resume` without the limit: bitwise identical
+  calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: bitwise identical
   names    hostile names in case files and lists of jobs: nothing outside the folder of results changes, nothing that is written steers what reads it
   files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
   damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end bitwise identical
@@ -190,7 +190,7 @@ def try_results(program, numbers, work):
 
 
 def try_kills(program, numbers, work):
-    table = Table("kills", "kill -9 at up to three moments of a run, then `--resume`: the same bits")
+    table = Table("kills", "kill -9 at up to three moments of a run, then `--resume`: bitwise identical")
     reference = make_reference(program, work)
     seconds = measure_seconds(program, work)
     for number in numbers:
@@ -215,7 +215,7 @@ def check_half(program, work, folder, reference, verdict):
 
 
 def try_disks(program, numbers, work):
-    table = Table("disks", "files that may grow to a limit only, then `--resume` without it: the same bits")
+    table = Table("disks", "files that may grow to a limit only, then `--resume` without it: bitwise identical")
     reference = make_reference(program, work)
     largest = max(p.stat().st_size for p in (work / "good").rglob("*") if p.is_file()) // 1024 + 1
     for number in numbers:
@@ -228,7 +228,7 @@ def try_disks(program, numbers, work):
 
 
 def try_calls(program, numbers, work):
-    table = Table("calls", "the n-th write, rename, sync, open and allocation fails, then `--resume`: the same bits")
+    table = Table("calls", "the n-th write, rename, sync, open and allocation fails, then `--resume`: bitwise identical")
     reference = make_reference(program, work)
     library = work / "fail_nth.so"
     subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", library, ROOT / "tools" / "reliability" / "fail_nth.c", "-ldl"], check=True)
