@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The rules a machine can check: floors and file lengths, names in documents, formatting, and clang-tidy with .clang-tidy.
+# The rules a machine can check: floors and file lengths, names in documents, formatting, spelling, and clang-tidy with .clang-tidy.
 # Usage: tools/lint.sh [--changed | files …]; without files: every .cpp of src; --changed: those that the last ten commits changed.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -16,6 +16,13 @@ tools/check_functions.py || status=1
 tools/check_claims.py || status=1
 tools/format.sh --check || { echo "lint: make format mends the formatting."; status=1; }
 
+# tests/input has misspelled words on purpose.
+if command -v codespell >/dev/null; then
+  git ls-files -z -- . ':!tests/input' ':!*.csv' ':!*-lock.json' ':!*.svg' | xargs -0 codespell --ignore-words tools/lint/words.txt ||
+    { echo "lint: misspelled words; those that are right go into tools/lint/words.txt."; status=1; }
+else
+  echo "SKIP: codespell is missing (tools/apt-packages-dev.txt): spelling was NOT checked"
+fi
 files=("$@")
 if [ "${1-}" = --changed ]; then
   mapfile -t files < <(git diff --name-only --diff-filter=d "$(git rev-list --max-count=11 HEAD | tail -1)" -- 'src/*.cpp')
