@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The rules a machine can check: floors and file lengths, names in documents, formatting, spelling, and clang-tidy with .clang-tidy.
+# The rules a machine can check: floors and file lengths, names in documents, formatting, spelling, terms, and clang-tidy with .clang-tidy.
 # Usage: tools/lint.sh [--changed | files …]; without files: every .cpp of src; --changed: those that the last ten commits changed.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -23,9 +23,20 @@ if command -v codespell >/dev/null; then
 else
   echo "SKIP: codespell is missing (tools/apt-packages-dev.txt): spelling was NOT checked"
 fi
+# Terms in the pages that the last ten commits changed; older pages are rewritten one by one.
+base=$(git rev-list --max-count=11 HEAD | tail -1)
+mapfile -t pages < <(git diff --name-only --diff-filter=d "$base" -- 'docs/*.md' 'examples/*.md')
+if [ ${#pages[@]} -eq 0 ]; then
+  :
+elif [ -x tools/lint/node_modules/.bin/textlint ]; then
+  tools/lint/node_modules/.bin/textlint --config tools/lint/textlintrc.cjs --format unix "${pages[@]}" || status=1
+else
+  echo "SKIP: tools/lint/node_modules is missing (npm ci in tools/lint): terms in the pages were NOT checked"
+fi
+
 files=("$@")
 if [ "${1-}" = --changed ]; then
-  mapfile -t files < <(git diff --name-only --diff-filter=d "$(git rev-list --max-count=11 HEAD | tail -1)" -- 'src/*.cpp')
+  mapfile -t files < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp')
   [ ${#files[@]} -gt 0 ] || { echo "lint: the last ten commits changed no source."; exit $status; }
 fi
 [ ${#files[@]} -gt 0 ] || mapfile -t files < <(find src -name '*.cpp' | sort)
