@@ -195,8 +195,8 @@ class MohrCoulomb {
   struct Edge {
     double inverse[4];           ///< inverse of the planes' hardening matrix
     double first[3], second[3];  ///< C:b of the two planes
-    // many: principal stresses stand in registers, each by its name
     template <class T>
+    // NOLINTNEXTLINE(readability-function-size): principal stresses in registers, each by its name
     TALUS_KERNEL void apply(T f, T g, T s1, T s2, T s3, T& a, T& b, T& c) const {
       const T l = inverse[0] * f + inverse[1] * g, m = inverse[2] * f + inverse[3] * g;
       a = s1 - l * first[0] - m * second[0];

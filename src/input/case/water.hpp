@@ -90,7 +90,8 @@ void describe(Visitor& v, Water& w) {
         "were measured at rest.");
 }
 
-template <class Visitor>  // long: a list of keys, one after the other
+template <class Visitor>
+// NOLINTNEXTLINE(readability-function-size): a list of keys
 void describe(Visitor& v, PoreWater& w) {
   using R = RetentionCurve;
   using K = ConductivityCurve;

@@ -136,7 +136,8 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
 /// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, puts the
 /// relative velocity right (T14.11). What a phase may not do there its supports take. Changes `v` and `w` [m/s] and
 /// returns whether it did.
-template <int D>  // many: two phases, each with its mass and its velocity
+template <int D>
+// NOLINTNEXTLINE(readability-function-size): two phases, each with its mass and velocity
 bool limit_inflow(const Body<D>& body, int i, const SurfaceNode<D>& s, double solid_mass, double water_mass,
                   double content, std::type_identity_t<Vec<D>>& v, std::type_identity_t<Vec<D>>& w) {
   if (!s.limits) return false;

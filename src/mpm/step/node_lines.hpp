@@ -12,8 +12,8 @@
 
 namespace talus::mpm {
 
-// long: its parts, in functions of their own, are contracted to other fused operations: other bits
 template <class B, int D = B::dimension>
+// NOLINTNEXTLINE(readability-function-size): in parts it gets other fused operations, so other bits
 TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
   const auto& layout = *body.layout;
   const double cutoff = 1e-12 * body.smallest_mass;

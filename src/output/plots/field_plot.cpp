@@ -64,7 +64,7 @@ bool is_signed(const std::vector<double>& values) {
 
 }  // namespace
 
-// long: the commands of one picture, in the order in which gnuplot wants them
+// NOLINTNEXTLINE(readability-function-size): the commands of one picture, in the order of gnuplot
 void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   const std::size_t count = plot.values.size();
   if (count == 0 || plot.positions.size() != 3 * count)
