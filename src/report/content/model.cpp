@@ -102,6 +102,15 @@ json describe_crack(const input::TensionCrack& crack, const ShownUnits& units) {
                                                : ", without water")}};
 }
 
+/// Depth of the deepest dry crack that the search added to a surface without equilibrium [m]; 0 without one.
+double find_added_crack(const results::RunResult& run) {
+  double depth = 0;
+  if (!run.slices) return depth;
+  for (const auto* list : {&run.slices->critical, &run.slices->noncircular})
+    for (const results::CriticalSurface& c : *list) depth = std::max(depth, c.crack.value_or(0));
+  return depth;
+}
+
 /// For the pictures of slices: x [m] and loads [Pa].
 json list_surcharges(const input::Case& data) {
   json list = json::array();
@@ -295,7 +304,13 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
   }
   json loads = has_weight ? list_loads(data, dimension, units) : json::array();
   const bool has_crack = data.lem.crack.depth > 0 && asks_for(folder, Method::lem);
+  const double added_crack = has_crack ? 0 : find_added_crack(folder.run);
   if (has_crack) loads.push_back(describe_crack(data.lem.crack, units));
+  if (added_crack > 0)
+    loads.push_back({{"name", "tension crack"},
+                     {"text", fmt::format("the search added a dry crack, {} deep at most, to slip surfaces that have no "
+                                          "equilibrium without it",
+                                          show(added_crack, units.length))}});
   json model{{"dimension", dimension},
              {"bounds", find_bounds(folder, dimension, plane, space)},
              {"slope_height", folder.run.slope_height.value_or(0)},
@@ -309,6 +324,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
              {"stages", list_stages(folder, units)},
              {"mesh", mesh}};
   if (has_crack) model["crack"] = {{"depth", data.lem.crack.depth}, {"water", data.lem.crack.water}};
+  if (added_crack > 0) model["crack"] = {{"depth", added_crack}, {"water", 0}};
   return model;
 }
 
