@@ -55,7 +55,7 @@ std::size_t memory_per_point(const talus::mpm::Body<D>& body) {
                       count_bytes(m.nodes, m.elements, m.neighbours, m.volumes, m.gradients, m.altitudes);
   total += count_bytes(w.constraint_of_node, w.constraints, w.surface_of_node, w.moments, w.volume, w.stretch,
                        w.mean_saturation, w.mean_pressure, w.surplus, w.sums, w.motion, w.average, w.smoothed,
-                       w.open_sides, w.facing, w.load, w.mixture_load);
+                       w.open_sides, w.facing, w.load, w.darcy_load);
   return total / static_cast<std::size_t>(p.size());
 }
 
@@ -77,7 +77,7 @@ talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const
   if (flags.contains("seepage"))
     for (auto& surface : y.body.water.surfaces) surface.kind = talus::mpm::SurfaceKind::seepage;
   if (flags.contains("seeps")) {
-    y.options.mixture = true;
+    y.options.darcy = true;
     y.options.dt = 0.9 * talus::mpm::find_critical_step(y.body, y.options).dt;
     talus::mpm::gather_nodal_sums(y.body, y.options);
   }
@@ -153,8 +153,8 @@ void print_solver(talus::bench::Yardstick<D>& y, Steps<D>& stepper) {
   double rounds = 0, iterations = 0;
   for (int s = 0; s < steps; ++s) {
     stepper.run(1);
-    rounds += y.body.water.mixture.rounds;
-    iterations += y.body.water.mixture.iterations;
+    rounds += y.body.water.darcy.rounds;
+    iterations += y.body.water.darcy.iterations;
   }
   fmt::print("step {:.3g} s; rounds {:.1f}, iterations {:.1f} a step\n", y.options.dt, rounds / steps,
              iterations / steps);
@@ -182,7 +182,7 @@ void run(const std::string& name, int threads, int warm, int steps, int repeats,
   if (stepper.on_device())
     fmt::print("on the device: {}, {:.0f} bytes/point\n", talus::mpm::get_device_name(),
                static_cast<double>(count_bytes(talus::mpm::make_device_image(y.body, threads))) / points);
-  if (y.options.mixture) print_solver(y, stepper);
+  if (y.options.darcy) print_solver(y, stepper);
   if (flags.contains("kernels")) stepper.print_kernels(steps);
   if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }

@@ -44,7 +44,7 @@ struct StudyCommand {
 };
 
 /// Runs `calculate`, which writes the tables into `folder`, then the report, and prints the tables.
-void tell_study(const StudyCommand& command, const std::filesystem::path& folder,
+void print_study(const StudyCommand& command, const std::filesystem::path& folder,
                 const std::function<study::StudyOutcome()>& calculate) {
   study::StudyOutcome outcome;
   do_and_report(folder, !command.no_report, [&] { outcome = calculate(); });
@@ -83,7 +83,7 @@ void collect_jobs(const StudyCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   const study::StudyOptions options = command.make_options(command.input.file, progress);
-  tell_study(command, options.folder, [&] { return study::collect_jobs(options); });
+  print_study(command, options.folder, [&] { return study::collect_jobs(options); });
 }
 
 void run_study(const StudyCommand& command) {
@@ -94,7 +94,7 @@ void run_study(const StudyCommand& command) {
   const study::StudyOptions options = command.make_options(
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder,
       progress);
-  tell_study(command, options.folder, [&] { return study::calculate_study(base, overrides, options); });
+  print_study(command, options.folder, [&] { return study::calculate_study(base, overrides, options); });
 }
 
 /// What the words of the command line mean together.

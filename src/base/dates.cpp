@@ -24,7 +24,7 @@ std::optional<double> parse_date(const std::string& text) {
   return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
 }
 
-std::string say_date(double seconds) {
+std::string format_date(double seconds) {
   const auto minutes = static_cast<long long>(std::llround(seconds / 60));
   const long long days = minutes >= 0 ? minutes / 1440 : -((1439 - minutes) / 1440);
   const int rest = static_cast<int>(minutes - 1440 * days);

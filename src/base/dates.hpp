@@ -12,6 +12,6 @@ namespace talus {
 std::optional<double> parse_date(const std::string& text);
 
 /// "2023-07-01", with " 06:00" where it is not midnight, to the nearest minute.
-std::string say_date(double seconds);
+std::string format_date(double seconds);
 
 }  // namespace talus

@@ -97,9 +97,9 @@ void lead_ranks(const std::function<void()>& work) {
   }
   Bytes bytes = outcome.bytes();
   ranks.broadcast(bytes);
-  Message told(std::move(bytes));
-  const auto code = told.get<ExitCode>();
-  const std::vector<char> sentence = told.get_list<char>();
+  Message result(std::move(bytes));
+  const auto code = result.get<ExitCode>();
+  const std::vector<char> sentence = result.get_list<char>();
   if (code != ExitCode::success) throw Error(code, std::string(sentence.begin(), sentence.end()));
 }
 

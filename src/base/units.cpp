@@ -241,7 +241,7 @@ std::string get_dimension_example(const std::string& unit) {
   return dimension ? dimension->example : fmt::format("2 {}", unit);
 }
 
-std::string say_time(double seconds) {
+std::string format_time(double seconds) {
   constexpr double minute = 60, hour = 3600, day = 86400;
   const double size = std::abs(seconds);
   if (size < 2 * minute) return fmt::format("{:.4g} s", seconds);

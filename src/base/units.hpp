@@ -36,6 +36,6 @@ std::string get_dimension_name(const std::string& unit);
 std::string get_dimension_example(const std::string& unit);
 
 /// A time as people say it: "90 s", "12.5 min", "6 h", "3 days".
-std::string say_time(double seconds);
+std::string format_time(double seconds);
 
 }  // namespace talus::units

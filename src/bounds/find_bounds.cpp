@@ -115,7 +115,7 @@ class BoundsSearch {
       result_.problem =
           refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
     }
-    tell_end();
+    mark_end();
     refuse_contradiction();
     return std::move(result_);
   }
@@ -178,7 +178,7 @@ class BoundsSearch {
   }
 
   /// A bound of an earlier mesh stays one where the search stopped on a later mesh.
-  void tell_end() {
+  void mark_end() {
     if (result_.lower > 0) result_.stopped = std::exchange(result_.no_lower, "");
     if (!std::isfinite(result_.upper)) return;
     if (result_.stopped.empty()) result_.stopped = result_.no_upper;

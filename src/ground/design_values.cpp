@@ -31,8 +31,8 @@ std::vector<results::PartialFactor> list_values(const input::PartialFactorValues
 /// Changes numbers of one soil and records each change.
 class SoilFactors : public material::PartialDivision {
  public:
-  SoilFactors(const std::string& name, const input::PartialFactorValues& v, std::vector<results::DesignValue>& told)
-      : name_(name), told_(told) {
+  SoilFactors(const std::string& name, const input::PartialFactorValues& v, std::vector<results::DesignValue>& out)
+      : name_(name), results_(out) {
     cohesion = v.cohesion;
     friction = v.friction;
     undrained = v.undrained;
@@ -57,20 +57,20 @@ class SoilFactors : public material::PartialDivision {
 
  private:
   void tell(const char* quantity, const char* symbol, const char* unit, double before, double after) {
-    told_.push_back({name_, quantity, symbol, unit, round_to_digits(before, 12), round_to_digits(after, 12)});
+    results_.push_back({name_, quantity, symbol, unit, round_to_digits(before, 12), round_to_digits(after, 12)});
   }
   const std::string& name_;
-  std::vector<results::DesignValue>& told_;
+  std::vector<results::DesignValue>& results_;
 };
 
 void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v,
-                 std::vector<results::DesignValue>& told) {
+                 std::vector<results::DesignValue>& out) {
   if (!m.traits().serves_slices)
     throw Error(ExitCode::wrong_input,
                 fmt::format("material '{}' has no cohesion and friction angle that partial factors could divide; take "
                             "[partial_factors] out, or give the soil the model {}",
                             name, material::list_sliceable()));
-  SoilFactors soil(name, v, told);
+  SoilFactors soil(name, v, out);
   material::divide_strength(m.model, m, soil);
   soil.divide_angle(m.slices.phi_b, v.friction, "friction angle of suction", "φ_b");
   soil.divide(m.slices.unit_weight, v.weight, "unit weight", "γ", "kN/m3", kilo);
@@ -93,8 +93,8 @@ DesignValues apply_partial_factors(const input::Case& data) {
   if (!given.is_active()) return result;
   result.resistance = given.resistance;
   const input::PartialFactorValues v = input::divide_by_permanent(given);
-  results::DesignStatement& told = result.statement.emplace();
-  for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, told.materials);
+  results::DesignStatement& out = result.statement.emplace();
+  for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, out.materials);
   for (input::Roots& roots : result.data.roots) {
     if (roots.cohesion) *roots.cohesion /= v.cohesion;
     if (roots.bundle)  // the cohesion of a bundle is proportional to the roots' strength
@@ -105,20 +105,20 @@ DesignValues apply_partial_factors(const input::Case& data) {
   for (input::Surcharge& s : result.data.surcharges) {
     const double factor = s.variable ? v.variable_load : 1;
     for (double& q : s.load) q *= factor;
-    told.surcharges.push_back({s.name, s.variable, factor});
+    out.surcharges.push_back({s.name, s.variable, factor});
   }
   if (given.permanent_load != 1)
-    told.notes.push_back(
+    out.notes.push_back(
         fmt::format("γ_G = {:g} multiplies the weight of soil and water and the permanent loads alike (single source). "
                     "The calculation divides strengths in kPa by γ_G and multiplies variable loads by γ_Q/γ_G = {:g}, "
                     "which gives the same factor of safety.",
                     given.permanent_load, v.variable_load));
   if (!data.surcharges.empty())
-    told.notes.push_back(
+    out.notes.push_back(
         "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");
-  told.set = given.set;
-  told.values = list_values(given);
-  told.text = fmt::format("Partial factors {}: {}.", given.set, list_words(told.values));
+  out.set = given.set;
+  out.values = list_values(given);
+  out.text = fmt::format("Partial factors {}: {}.", given.set, list_words(out.values));
   return result;
 }
 

@@ -39,8 +39,8 @@ double find_mean(const std::array<double, D + 1>& corners, const F& find) {
 }  // namespace
 
 template <int D>
-HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told) {
-  const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, told);
+HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* result) {
+  const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, result);
   const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
   HeldWater<D> water;
   water.unit_weight.assign(mesh.elements.size(), 0.0);
@@ -106,7 +106,7 @@ Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<dou
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                \
-  template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, ToldWater*);           \
+  template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);           \
   template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&, \
                                       std::vector<std::array<double, D + 1>>&);                             \
   template Vec<D> find_earthquake<D>(const input::Case&, const std::vector<std::array<double, 2>>&);

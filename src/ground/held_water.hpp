@@ -23,7 +23,7 @@ struct HeldWater {
 
 /// From the water table or the seepage of the case, and from r_u. `told` as in find_nodal_pressure().
 template <int D>
-HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told = nullptr);
+HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* summary = nullptr);
 
 /// The part of it that follows from r_u alone, over soil of these unit weights [N/m³]. False: no soil has one.
 template <int D>

@@ -126,15 +126,15 @@ input::Case close_sides(input::Case data) {
 }
 
 template <int D>
-std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told) {
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* out) {
   std::vector<double> pressure(mesh.nodes.size(), 0.0);
   const input::InitialWater& initial = data.initial.water;
   if (needs_seepage(data)) {
     InitialWater<D> water = find_initial_water<D>(data, mesh);
-    if (told != nullptr) *told = tell_water<D>(data, mesh, water.seepage, water.season);
+    if (out != nullptr) *out = make_water_result<D>(data, mesh, water.seepage, water.season);
     if (!water.nodal.empty()) return std::move(water.nodal);
-  } else if (told != nullptr) {
-    *told = tell_water_table(data);
+  } else if (out != nullptr) {
+    *out = make_water_table_result(data);
   }
   if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return pressure;
   check_upright(data, "a water table");
@@ -237,7 +237,7 @@ Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const 
   return line;
 }
 
-template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, ToldWater*);
-template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, ToldWater*);
+template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, WaterResult*);
+template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, WaterResult*);
 
 }  // namespace talus::ground

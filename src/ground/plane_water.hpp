@@ -48,7 +48,7 @@ bool takes_water(const input::Case& data, const input::Material& soil);
 /// Pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water. With a season before
 /// the run: of its end. `told` receives what results keep of them.
 template <int D>
-std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told = nullptr);
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* summary = nullptr);
 
 /// The case with bottom, left and right side held where it names no boundary at all: water does not pass them unless a
 /// [[hydraulic]] opens them.

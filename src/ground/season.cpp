@@ -124,9 +124,9 @@ template <int D>
 void keep_states(const input::Case& data, const fem::SeepageModel<D>& model,
                  const std::vector<fem::SeepageResult<D>>& states, SeasonRecord& record) {
   for (std::size_t i = kept_interval - 1; i < states.size(); i += kept_interval) {
-    record.states.push_back(tell_state<D>(data, states[i], results::WaterFlow::transient, states[i].time));
+    record.states.push_back(make_state_result<D>(data, states[i], results::WaterFlow::transient, states[i].time));
     if constexpr (D == 2)
-      record.fields.push_back(tell_field<D>(*model.mesh, states[i], results::WaterFlow::transient, states[i].time));
+      record.fields.push_back(make_field_result<D>(*model.mesh, states[i], results::WaterFlow::transient, states[i].time));
   }
 }
 
@@ -185,32 +185,32 @@ Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model,
   return {std::move(flow.history.states.back()), std::move(flow.record)};
 }
 
-results::Season tell_season(const SeasonRecord& r) {
+results::Season make_season_result(const SeasonRecord& r) {
   const SeasonRecord::Row& last = r.rows.back();
-  results::Season told;
-  told.duration = last.time - r.rows.front().time;
-  told.initial = r.initial;
-  told.growth = last.stored;
-  told.inflow = last.inflow;
-  told.outflow = last.outflow;
-  told.runoff = last.runoff;
-  told.potential = last.potential;
-  told.transpired = last.transpired;
-  told.error = r.find_error();
-  told.steps = r.steps;
-  told.rejected = r.rejected;
-  told.iterations = r.iterations;
+  results::Season result;
+  result.duration = last.time - r.rows.front().time;
+  result.initial = r.initial;
+  result.growth = last.stored;
+  result.inflow = last.inflow;
+  result.outflow = last.outflow;
+  result.runoff = last.runoff;
+  result.potential = last.potential;
+  result.transpired = last.transpired;
+  result.error = r.find_error();
+  result.steps = r.steps;
+  result.rejected = r.rejected;
+  result.iterations = r.iterations;
   for (const fem::Discharge& d : r.discharges)
-    if (d.standing != 0) told.standing = told.standing.value_or(0) + d.standing;
-  for (const fem::Discharge& d : r.discharges) told.surfaces.push_back({d.name, d.inflow, d.outflow, d.runoff});
-  for (const fem::Uptake& u : r.uptakes) told.plants.push_back({u.name, u.potential, u.actual});
+    if (d.standing != 0) result.standing = result.standing.value_or(0) + d.standing;
+  for (const fem::Discharge& d : r.discharges) result.surfaces.push_back({d.name, d.inflow, d.outflow, d.runoff});
+  for (const fem::Uptake& u : r.uptakes) result.plants.push_back({u.name, u.potential, u.actual});
   for (std::size_t i = 0; i < r.depths.size(); ++i) {
     const auto &first = r.rows.front().layers[i], &now = last.layers[i];
     double driest = 0;
     for (const SeasonRecord::Row& row : r.rows) driest = std::max(driest, row.layers[i].greatest);
-    told.layers.push_back({r.depths[i], first.mean, now.mean, now.least, now.greatest, driest});
+    result.layers.push_back({r.depths[i], first.mean, now.mean, now.least, now.greatest, driest});
   }
-  return told;
+  return result;
 }
 
 void write_season(const std::filesystem::path& path, const SeasonRecord& r) {

@@ -66,7 +66,7 @@ template <int D>
 Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
 
 /// Its results.
-results::Season tell_season(const SeasonRecord& record);
+results::Season make_season_result(const SeasonRecord& record);
 
 /// season.csv: the rows. Throws Error (cannot_write).
 void write_season(const std::filesystem::path& path, const SeasonRecord& record);

@@ -37,7 +37,7 @@ results::Point shorten_place(double x, double y) {
 }
 
 template <int D>
-void tell_sides(const fem::SeepageResult<D>& r, std::vector<results::Discharge>& discharges,
+void add_side_discharges(const fem::SeepageResult<D>& r, std::vector<results::Discharge>& discharges,
                 std::vector<results::SeepageExit>& exits) {
   for (const fem::Discharge& d : r.discharges) discharges.push_back({d.name, d.inflow, d.outflow, d.runoff});
   for (const fem::FaceExtent<D>& e : r.exits) exits.push_back({e.name, to_list(e.highest), to_list(e.lowest)});
@@ -53,10 +53,10 @@ Polyline look_for_ground(const input::Case& data) {
   }
 }
 
-std::vector<results::StandingWater> tell_ponds(const std::vector<Pond>& ponds) {
-  std::vector<results::StandingWater> told;
-  for (const Pond& p : ponds) told.push_back({p.from, p.to, p.level_from, p.level_to});
-  return told;
+std::vector<results::StandingWater> make_ponds_result(const std::vector<Pond>& ponds) {
+  std::vector<results::StandingWater> result;
+  for (const Pond& p : ponds) result.push_back({p.from, p.to, p.level_from, p.level_to});
+  return result;
 }
 
 /// The elements of soil with pore water; `mesh` is that of the flow calculation.
@@ -126,7 +126,7 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
 }
 
 /// The water table of the case; nothing in a case without.
-std::optional<results::WaterState> tell_table_state(const input::Case& data, double time) {
+std::optional<results::WaterState> make_table_state_result(const input::Case& data, double time) {
   const input::InitialWater& initial = data.initial.water;
   if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return std::nullopt;
   const Polyline ground = look_for_ground(data);
@@ -134,7 +134,7 @@ std::optional<results::WaterState> tell_table_state(const input::Case& data, dou
   results::WaterState state;
   state.time = time;
   const std::vector<Pond> ponds = find_ponds(data, ground, time);
-  state.ponds = tell_ponds(ponds);
+  state.ponds = make_ponds_result(ponds);
   split_table(initial.water_table, ponds, ground, state);
   return state;
 }
@@ -148,78 +148,78 @@ results::WaterFields lay_fields(const input::Case& data, const Polyline& ground)
     for (const double side : {-1e-6, 1e-6}) places.push_back(x[0] + side * (right - left));
   std::sort(places.begin(), places.end());
   std::erase_if(places, [&](double x) { return x < left || x > right; });
-  results::WaterFields told;
-  told.unit_weight = find_water_weight(data);
-  results::WaterField& field = told.states.emplace_back();
+  results::WaterFields result;
+  result.unit_weight = find_water_weight(data);
+  results::WaterField& field = result.states.emplace_back();
   for (const double x : places)
     for (int r = 0; r <= rows; ++r) {
       const double y = base + (find_level(ground, x) - base) * r / rows;
-      const double p = told.unit_weight * (find_water_table(data.initial.water.water_table, x) - y);
-      told.nodes.push_back(shorten_place(x, y));
+      const double p = result.unit_weight * (find_water_table(data.initial.water.water_table, x) - y);
+      result.nodes.push_back(shorten_place(x, y));
       field.pressure.push_back(shorten(std::max(p, -data.initial.water.largest_suction)));
     }
   for (int c = 0; c + 1 < static_cast<int>(places.size()); ++c)
     for (int r = 0; r < rows; ++r) {
       const int a = c * (rows + 1) + r, b = a + rows + 1;
-      told.elements.push_back({a, b, b + 1});
-      told.elements.push_back({a, b + 1, a + 1});
+      result.elements.push_back({a, b, b + 1});
+      result.elements.push_back({a, b + 1, a + 1});
     }
-  return told;
+  return result;
 }
 
 }  // namespace
 
 template <int D>
-results::Seepage tell_seepage(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& r) {
-  results::Seepage told;
-  told.inflow = r.inflow;
-  told.outflow = r.outflow;
-  told.balance_error = r.balance_error;
-  told.iterations = r.iterations;
-  told.undecided = r.undecided;
+results::Seepage make_seepage_result(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& r) {
+  results::Seepage result;
+  result.inflow = r.inflow;
+  result.outflow = r.outflow;
+  result.balance_error = r.balance_error;
+  result.iterations = r.iterations;
+  result.undecided = r.undecided;
   const auto driest =
       static_cast<std::size_t>(std::max_element(r.pressure.begin(), r.pressure.end()) - r.pressure.begin());
-  told.largest_suction = r.pressure[driest];
-  told.largest_suction_at = to_list(mesh.nodes[driest]);
-  tell_sides<D>(r, told.discharges, told.exits);
+  result.largest_suction = r.pressure[driest];
+  result.largest_suction_at = to_list(mesh.nodes[driest]);
+  add_side_discharges<D>(r, result.discharges, result.exits);
   for (const auto& line : r.water_table) {
-    auto& points = told.water_table.emplace_back();
+    auto& points = result.water_table.emplace_back();
     for (const auto& x : line) points.push_back(to_list(x));
   }
-  return told;
+  return result;
 }
 
 template <int D>
-results::WaterState tell_state(const input::Case& data, const fem::SeepageResult<D>& r, results::WaterFlow flow,
+results::WaterState make_state_result(const input::Case& data, const fem::SeepageResult<D>& r, results::WaterFlow flow,
                                double time) {
-  results::WaterState told;
-  told.flow = flow;
-  told.time = time;
-  told.inflow = r.inflow;
-  told.outflow = r.outflow;
-  told.storage_rate = r.storage_rate;
-  tell_sides<D>(r, told.discharges, told.exits);
+  results::WaterState result;
+  result.flow = flow;
+  result.time = time;
+  result.inflow = r.inflow;
+  result.outflow = r.outflow;
+  result.storage_rate = r.storage_rate;
+  add_side_discharges<D>(r, result.discharges, result.exits);
   if constexpr (D == 2)
-    for (const auto& line : r.water_table) told.water_table.emplace_back(line.begin(), line.end());
+    for (const auto& line : r.water_table) result.water_table.emplace_back(line.begin(), line.end());
   if (const Polyline ground = look_for_ground(data); !ground.empty())
-    told.ponds = tell_ponds(find_ponds(data, ground, time));
-  return told;
+    result.ponds = make_ponds_result(find_ponds(data, ground, time));
+  return result;
 }
 
 template <int D>
-results::WaterField tell_field(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& r, results::WaterFlow flow,
+results::WaterField make_field_result(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& r, results::WaterFlow flow,
                                double time) {
-  results::WaterField told;
-  told.flow = flow;
-  told.time = time;
-  for (const double p : r.pressure) told.pressure.push_back(-shorten(p));
+  results::WaterField result;
+  result.flow = flow;
+  result.time = time;
+  for (const double p : r.pressure) result.pressure.push_back(-shorten(p));
   for (int e = 0; e < wet_mesh.element_count(); ++e) {
     if (wet_mesh.element_region[e] == mesh::empty_region) continue;
-    told.saturation.push_back(shorten(r.saturation[e]));
-    auto& velocity = told.velocity.emplace_back();
+    result.saturation.push_back(shorten(r.saturation[e]));
+    auto& velocity = result.velocity.emplace_back();
     for (const double v : r.velocity[e]) velocity.push_back(shorten(v));
   }
-  return told;
+  return result;
 }
 
 std::optional<results::WaterFields> begin_fields(const input::Case& data, const mesh::Mesh<2>& wet_mesh) {
@@ -232,21 +232,21 @@ std::optional<results::WaterFields> begin_fields(const input::Case& data, const 
 }
 
 template <int D>
-ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
+WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh,
                      const std::optional<fem::SeepageResult<D>>& steady, const std::optional<SeasonRecord>& season) {
-  ToldWater told;
-  if (data.initial.water.known) return told;  // who found it has told of it
-  if (!steady && !season) return tell_water_table(data);
+  WaterResult result;
+  if (data.initial.water.known) return result;  // who found it has told of it
+  if (!steady && !season) return make_water_table_result(data);
   const double start = season ? season->rows.front().time : 0;
-  std::vector<results::WaterState>& states = told.states.emplace();
+  std::vector<results::WaterState>& states = result.states.emplace();
   if (steady) {
-    told.seepage = tell_seepage<D>(mesh, *steady);
-    states.push_back(tell_state<D>(data, *steady, results::WaterFlow::steady, start));
-  } else if (auto first = tell_table_state(data, start)) {
+    result.seepage = make_seepage_result<D>(mesh, *steady);
+    states.push_back(make_state_result<D>(data, *steady, results::WaterFlow::steady, start));
+  } else if (auto first = make_table_state_result(data, start)) {
     states.push_back(std::move(*first));
   }
   if (season) {
-    told.season = tell_season(*season);
+    result.season = make_season_result(*season);
     states.insert(states.end(), season->states.begin(), season->states.end());
   }
   if constexpr (D == 2) {
@@ -254,52 +254,52 @@ ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
     for (int e = 0; e < mesh.element_count(); ++e)
       if (const input::Material* soil = find_soil(data, mesh, e); soil == nullptr || !soil->water.is_wet())
         wet.element_region[e] = mesh::empty_region;
-    told.fields = begin_fields(data, wet);
-    if (!told.fields) return told;
-    auto& fields = told.fields->states;
-    if (steady) fields.push_back(tell_field<2>(wet, *steady, results::WaterFlow::steady, start));
+    result.fields = begin_fields(data, wet);
+    if (!result.fields) return result;
+    auto& fields = result.fields->states;
+    if (steady) fields.push_back(make_field_result<2>(wet, *steady, results::WaterFlow::steady, start));
     if (season) fields.insert(fields.end(), season->fields.begin(), season->fields.end());
   }
-  return told;
+  return result;
 }
 
-ToldWater tell_water_table(const input::Case& data) {
-  ToldWater told;
-  if (auto state = tell_table_state(data, 0)) {
-    told.states = std::vector{std::move(*state)};
-    told.fields = lay_fields(data, look_for_ground(data));
+WaterResult make_water_table_result(const input::Case& data) {
+  WaterResult result;
+  if (auto state = make_table_state_result(data, 0)) {
+    result.states = std::vector{std::move(*state)};
+    result.fields = lay_fields(data, look_for_ground(data));
   }
-  return told;
+  return result;
 }
 
-void add_lowered_state(const input::Case& data, const Polyline& table, ToldWater& told) {
+void add_lowered_state(const input::Case& data, const Polyline& table, WaterResult& result) {
   const Polyline ground = look_for_ground(data);
   if (ground.empty()) return;
-  if (!told.states) told.states.emplace();
-  results::WaterState& state = told.states->emplace_back();
+  if (!result.states) result.states.emplace();
+  results::WaterState& state = result.states->emplace_back();
   state.flow = results::WaterFlow::lowered;
   split_table(table, {}, ground, state);
-  if (!told.fields) return;
-  results::WaterField& field = told.fields->states.emplace_back();
+  if (!result.fields) return;
+  results::WaterField& field = result.fields->states.emplace_back();
   field.flow = state.flow;
-  for (const results::Point& x : told.fields->nodes)
-    field.pressure.push_back(shorten(std::max(told.fields->unit_weight * (find_water_table(table, x[0]) - x[1]),
+  for (const results::Point& x : result.fields->nodes)
+    field.pressure.push_back(shorten(std::max(result.fields->unit_weight * (find_water_table(table, x[0]) - x[1]),
                                               -data.initial.water.largest_suction)));
 }
 
-void give(const ToldWater& water, results::RunResult& run) {
+void give(const WaterResult& water, results::RunResult& run) {
   if (!run.seepage) run.seepage = water.seepage;
   if (!run.season) run.season = water.season;
   if (!run.water_states) run.water_states = water.states;
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                         \
-  template results::Seepage tell_seepage<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&);                     \
-  template results::WaterState tell_state<D>(const input::Case&, const fem::SeepageResult<D>&, results::WaterFlow,   \
+  template results::Seepage make_seepage_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&);                     \
+  template results::WaterState make_state_result<D>(const input::Case&, const fem::SeepageResult<D>&, results::WaterFlow,   \
                                              double);                                                                \
-  template results::WaterField tell_field<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&, results::WaterFlow, \
+  template results::WaterField make_field_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&, results::WaterFlow, \
                                              double);                                                                \
-  template ToldWater tell_water<D>(const input::Case&, const mesh::Mesh<D>&,                                         \
+  template WaterResult make_water_result<D>(const input::Case&, const mesh::Mesh<D>&,                                         \
                                    const std::optional<fem::SeepageResult<D>>&, const std::optional<SeasonRecord>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

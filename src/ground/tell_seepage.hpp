@@ -18,7 +18,7 @@ struct RunResult;
 namespace talus::ground {
 
 /// The parts of a result that are about the pore water before the first stage or trial.
-struct ToldWater {
+struct WaterResult {
   std::optional<results::Seepage> seepage;  ///< steady
   std::optional<results::Season> season;
   std::optional<std::vector<results::WaterState>> states;  ///< in time
@@ -27,25 +27,25 @@ struct ToldWater {
 
 /// Of seepage, steady and through a season, on this mesh.
 template <int D>
-ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
+WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh,
                      const std::optional<fem::SeepageResult<D>>& steady, const std::optional<SeasonRecord>& season);
 
 /// Of a plane case whose water stands at rest under a table; nothing for others.
-ToldWater tell_water_table(const input::Case& data);
+WaterResult make_water_table_result(const input::Case& data);
 
 /// Adds the state after a rapid drawdown to `table`.
-void add_lowered_state(const input::Case& data, const Polyline& table, ToldWater& told);
+void add_lowered_state(const input::Case& data, const Polyline& table, WaterResult& summary);
 
 /// Gives a run what it has not got from another method.
-void give(const ToldWater& water, results::RunResult& run);
+void give(const WaterResult& water, results::RunResult& run);
 
 /// Flow by side, where water comes out, the water table and the largest suction.
 template <int D>
-results::Seepage tell_seepage(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage);
+results::Seepage make_seepage_result(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage);
 
 /// One state of a flow calculation at the time `time` [s], with the water that stood on the ground then.
 template <int D>
-results::WaterState tell_state(const input::Case& data, const fem::SeepageResult<D>& seepage, results::WaterFlow flow,
+results::WaterState make_state_result(const input::Case& data, const fem::SeepageResult<D>& seepage, results::WaterFlow flow,
                                double time);
 
 /// Fields without states on the elements of `wet_mesh` that take part; nothing where they are more than a report draws.
@@ -53,7 +53,7 @@ std::optional<results::WaterFields> begin_fields(const input::Case& data, const 
 
 /// Its fields on the elements of `mesh` that take part.
 template <int D>
-results::WaterField tell_field(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& seepage,
+results::WaterField make_field_result(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& seepage,
                                results::WaterFlow flow, double time);
 
 }  // namespace talus::ground

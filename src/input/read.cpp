@@ -124,9 +124,9 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   if (!findings.empty()) return std::nullopt;
   std::vector<std::string> replaced;
   if (loaded.is_whole) replaced = replace_harmful(loaded.data);
-  nlohmann::json told = echo(loaded.data, findings.places);
-  if (!loaded.is_whole) drop_absent_blocks(told, findings.places);
-  loaded.echo = JsonTree(std::move(told));
+  nlohmann::json result = echo(loaded.data, findings.places);
+  if (!loaded.is_whole) drop_absent_blocks(result, findings.places);
+  loaded.echo = JsonTree(std::move(result));
   normalise_directions(loaded.data);
   loaded.warnings = findings.sort_warnings(loaded.data.unusual);
   for (std::string& sentence : replaced) loaded.warnings.push_back({name, 0, 0, std::move(sentence)});

@@ -120,7 +120,7 @@ results::Calibration calibrate(const input::Case& data, const CalibrationOptions
       throw Error(error.code(), fmt::format("the search cannot begin at the values of 'start': {}", error.what()));
     }
     result.evaluations += searches.back().evaluations;
-    result.starts.push_back(searches.back().told);
+    result.starts.push_back(searches.back().summary);
     if (result.starts[k].misfit < result.starts[result.best].misfit) result.best = k;
   }
   const std::vector<double> places = snap(searches[result.best].places);

@@ -134,7 +134,7 @@ Search search(const CalibrationModel& model, const std::vector<double>& from, co
   ceres::Solve(settings, &problem, &summary);
   if (residuals.failure) std::rethrow_exception(residuals.failure);
   refuse_when_interrupted();
-  result.told = {model.find_values(from),
+  result.summary = {model.find_values(from),
                  model.find_values(result.places),
                  summary.final_cost,
                  summary.initial_cost,

@@ -18,7 +18,7 @@ struct SearchOptions {
 };
 
 struct Search {
-  results::CalibrationSearch told;
+  results::CalibrationSearch summary;
   std::vector<double> places;  ///< at which it ended, of the parameters in their ranges, 0 … 1
   long evaluations = 0;
   std::string log;

@@ -14,7 +14,7 @@ using input::PointTestKind;
 // Axial is y; lateral directions are x and z; shear is xy.
 constexpr Voigt axial{0, 1, 0, 0, 0, 0}, lateral{1, 0, 1, 0, 0, 0}, lateral_mean{0.5, 0, 0.5, 0, 0, 0};
 constexpr Voigt shear{0, 0, 0, 1, 0, 0}, all_round{1, 1, 1, 0, 0, 0};
-constexpr Voigt at_constant_volume{-0.5, 1, -0.5, 0, 0, 0}, difference{-0.5, 1, -0.5, 0, 0, 0};
+constexpr Voigt at_constant_volume{-0.5, 1, -0.5, 0, 0, 0}, stress_difference{-0.5, 1, -0.5, 0, 0, 0};
 
 Voigt scale(const Voigt& v, double factor) {
   Voigt out;
@@ -79,7 +79,7 @@ PointStep make_step(const PointTest& test, const Cell& start, double from, doubl
       if (by_strain)
         step.fixed = scale(at_constant_volume, -d);
       else
-        step.add(at_constant_volume, difference, -(to - start.radial));
+        step.add(at_constant_volume, stress_difference, -(to - start.radial));
       break;
     case PointTestKind::simple_shear:
       if (by_strain)

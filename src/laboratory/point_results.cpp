@@ -108,8 +108,8 @@ Shown show_quantity(const std::string& name, const std::string& stress_unit) {
   const input::PointQuantity& q = *input::find_point_quantity(name);
   Shown shown{{name, std::string(q.title) + (*q.symbol == '\0' ? "" : " ") + q.symbol, q.unit}, 1};
   if (q.kind == PointQuantityKind::stress)
-    shown = {{name, shown.told.title, stress_unit}, units::get_si_factor(stress_unit)};
-  if (q.kind == PointQuantityKind::strain) shown = {{name, shown.told.title, "%"}, 1e-2};
+    shown = {{name, shown.summary.title, stress_unit}, units::get_si_factor(stress_unit)};
+  if (q.kind == PointQuantityKind::strain) shown = {{name, shown.summary.title, "%"}, 1e-2};
   return shown;
 }
 
@@ -162,21 +162,21 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
 
 results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file) {
   const PointRow& peak = find_peak(curve);
-  results::PointTest told;
-  told.name = test.name;
-  told.material = test.material;
-  told.kind = name_kind(test);
-  told.path = describe_path(test);
-  told.set = describe_settings(test);
-  told.file = file;
-  told.steps = curve.rows.size() - 1;
-  told.turns = curve.turns;
-  told.stopped = curve.stopped;
-  told.peak_q = peak.q;
-  told.peak_q_strain = peak.*choose_strain(test);
+  results::PointTest result;
+  result.name = test.name;
+  result.material = test.material;
+  result.kind = name_kind(test);
+  result.path = describe_path(test);
+  result.set = describe_settings(test);
+  result.file = file;
+  result.steps = curve.rows.size() - 1;
+  result.turns = curve.turns;
+  result.stopped = curve.stopped;
+  result.peak_q = peak.q;
+  result.peak_q_strain = peak.*choose_strain(test);
   for (const input::PointQuantity& q : input::list_point_quantities())
-    told.end[q.name] = get_quantity(curve.rows.back(), q.name);
-  return told;
+    result.end[q.name] = get_quantity(curve.rows.back(), q.name);
+  return result;
 }
 
 }  // namespace talus::laboratory

@@ -17,7 +17,7 @@ std::string write_point_table(const PointCurve& curve, const std::string& stress
 
 /// A quantity as people read it: stresses in a unit of the case, strains in per cent.
 struct Shown {
-  results::ShownQuantity told;
+  results::ShownQuantity summary;
   double factor = 1;  ///< one of its unit in SI
 };
 Shown show_quantity(const std::string& name, const std::string& stress_unit);

@@ -17,7 +17,7 @@ using input::PointControl;
 using input::PointTest;
 using input::PointTestKind;
 
-constexpr double most_strain = 2;  ///< [-]; beyond it, a soil that flows is stopped
+constexpr double largest_strain = 2;  ///< [-]; beyond it, a soil that flows is stopped
 
 PointRow make_row(const PointTest& test, const PointSoil& soil, const PointState& state, const Voigt& strain,
                   double time) {
@@ -107,7 +107,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
       throw Error(ExitCode::unstable, fmt::format("the model gives no number at step {} of {}", i, values.size() - 1));
     // A step that was followed in part has taken the soil to where it gives way.
     if (follows || increment != Voigt{}) curve.rows.push_back(row);
-    if (!follows || (step.free_count > 0 && largest > most_strain)) {
+    if (!follows || (step.free_count > 0 && largest > largest_strain)) {
       if (!follows && controller.has_model_failed()) {
         soil.throw_failure();
         throw Error(ExitCode::unstable, fmt::format("the model of '{}' gives no number {}, however small the step",

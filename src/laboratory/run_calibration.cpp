@@ -31,8 +31,8 @@ double round_off(double value) {
 /// From SI to what people read.
 void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
   const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
-  c.x = x.told;
-  c.y = y.told;
+  c.x = x.summary;
+  c.y = y.summary;
   for (double& v : c.at) v = round_off(v / x.factor);
   for (std::vector<double>* list : {&c.measured, &c.before, &c.fitted})
     for (double& v : *list) v = round_off(v / y.factor);
@@ -43,21 +43,21 @@ void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
 }
 
 /// From the units of the soils to those of the keys, and the value as --set takes it.
-void show_parameters(results::Calibration& told, const input::Calibration& calibration) {
-  for (std::size_t i = 0; i < told.parameters.size(); ++i) {
-    results::CalibratedParameter& p = told.parameters[i];
+void show_parameters(results::Calibration& result, const input::Calibration& calibration) {
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    results::CalibratedParameter& p = result.parameters[i];
     const double factor = calibration.parameters[i].factor;
     for (double* v : {&p.start, &p.value, &p.low, &p.high}) *v /= factor;
     if (p.error) *p.error /= factor;
-    for (results::CalibrationSearch& s : told.starts) s.from[i] /= factor, s.to[i] /= factor;
+    for (results::CalibrationSearch& s : result.starts) s.from[i] /= factor, s.to[i] /= factor;
     // Six digits are more than any calibration determines; a value at its limit must not be rounded past it.
     p.text = p.limit == AtLimit::no ? fmt::format("{:.6g}", p.value) : output::to_shortest(p.value);
   }
 }
 
-std::string write_parameter_table(const results::Calibration& told) {
+std::string write_parameter_table(const results::Calibration& result) {
   std::string text = "parameter,unit,start,fitted,standard_error,min,max,limit\n";
-  for (const results::CalibratedParameter& p : told.parameters)
+  for (const results::CalibratedParameter& p : result.parameters)
     text += fmt::format("{},{},{:.10g},{:.10g},{},{:.10g},{:.10g},{}\n", p.key, p.unit.empty() ? "-" : p.unit, p.start,
                         p.value, p.error ? fmt::format("{:.6g}", *p.error) : "", p.low, p.high,
                         p.limit == AtLimit::no    ? ""
@@ -66,26 +66,26 @@ std::string write_parameter_table(const results::Calibration& told) {
   return text;
 }
 
-std::string write_correlation_table(const results::Calibration& told) {
+std::string write_correlation_table(const results::Calibration& result) {
   std::string text = "parameter";
-  for (const results::CalibratedParameter& p : told.parameters) text += "," + p.key;
+  for (const results::CalibratedParameter& p : result.parameters) text += "," + p.key;
   text += '\n';
-  for (std::size_t i = 0; i < told.parameters.size(); ++i) {
-    text += told.parameters[i].key;
-    for (const auto& c : told.correlation[i]) text += c ? fmt::format(",{:.6f}", *c) : ",";
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    text += result.parameters[i].key;
+    for (const auto& c : result.correlation[i]) text += c ? fmt::format(",{:.6f}", *c) : ",";
     text += '\n';
   }
   return text;
 }
 
 /// Of curves in SI: rounded ones would not give their differences.
-std::string write_curve_table(const results::Calibration& told, const std::string& stress_unit) {
+std::string write_curve_table(const results::Calibration& result, const std::string& stress_unit) {
   std::string text = "test,x,x_unit,y,y_unit,x_value,measured,with_start,fitted,difference,standard_error\n";
-  for (const results::CalibratedCurve& c : told.curves) {
+  for (const results::CalibratedCurve& c : result.curves) {
     const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
     for (std::size_t i = 0; i < c.at.size(); ++i)
       text += fmt::format("{},{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}\n", output::quote_field(c.test),
-                          c.x.name, x.told.unit, c.y.name, y.told.unit, c.at[i] / x.factor, c.measured[i] / y.factor,
+                          c.x.name, x.summary.unit, c.y.name, y.summary.unit, c.at[i] / x.factor, c.measured[i] / y.factor,
                           c.before[i] / y.factor, c.fitted[i] / y.factor, (c.fitted[i] - c.measured[i]) / y.factor,
                           c.deviation / y.factor);
   }
@@ -102,19 +102,19 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
                             loaded.file));
   const auto start = std::chrono::steady_clock::now();
   std::string log;
-  results::Calibration told = calibrate(loaded.data, run.options, &log);
-  told.title = loaded.data.title;
-  told.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
-  told.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  results::Calibration result = calibrate(loaded.data, run.options, &log);
+  result.title = loaded.data.title;
+  result.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
+  result.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (run.options.progress != nullptr) run.options.progress->clear();
   const std::string& unit = loaded.data.output.stress_unit;
-  const std::string curves = write_curve_table(told, unit);
-  for (results::CalibratedCurve& c : told.curves) show_curve(c, unit);
-  show_parameters(told, *loaded.data.calibration);
+  const std::string curves = write_curve_table(result, unit);
+  for (results::CalibratedCurve& c : result.curves) show_curve(c, unit);
+  show_parameters(result, *loaded.data.calibration);
 
   // The element tests once more, with the fitted soils: tables, pictures and the report's first half.
   std::vector<input::Override> changes = run.overrides;
-  for (const results::CalibratedParameter& p : told.parameters) changes.push_back({p.key, p.text});
+  for (const results::CalibratedParameter& p : result.parameters) changes.push_back({p.key, p.text});
   const input::LoadedCase fitted =
       input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
   run_point_tests(fitted, {run.folder, {}, run.pictures});
@@ -122,12 +122,12 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   const fs::path folder = run.folder / "calibration";
   FolderLock lock(folder);
   lock.take();
-  write_atomically(folder / "parameters.csv", write_parameter_table(told));
-  write_atomically(folder / "correlation.csv", write_correlation_table(told));
+  write_atomically(folder / "parameters.csv", write_parameter_table(result));
+  write_atomically(folder / "correlation.csv", write_correlation_table(result));
   write_atomically(folder / "curves.csv", curves);
   write_atomically(folder / "solver.txt", log);
-  results::write_file(folder / "calibration.json", told, 1);
-  return told;
+  results::write_file(folder / "calibration.json", result, 1);
+  return result;
 }
 
 std::string write_calibration_digest(const results::Calibration& calibration) {

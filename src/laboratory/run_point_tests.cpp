@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_drawn = 250;  ///< rows of a test in a picture, so that its script stays small
+constexpr std::size_t most_plotted = 250;  ///< rows of a test in a picture, so that its script stays small
 
 /// Numbers of the tests that are wanted.
 std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std::vector<std::string>& wanted) {
@@ -56,19 +56,19 @@ std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std
 }
 
 output::PointPlot make_plot(const results::PointGroup& group, const std::vector<input::PointTest>& tests,
-                            const std::vector<PointCurve>& curves, const results::PointTests& told) {
-  output::PointPlot plot{told.title.empty() ? group.title : told.title + ": " + group.title, {}, {}};
+                            const std::vector<PointCurve>& curves, const results::PointTests& out) {
+  output::PointPlot plot{out.title.empty() ? group.title : out.title + ": " + group.title, {}, {}};
   for (std::size_t i = 0; i < group.tests.size(); ++i)
     plot.lines.push_back({tests[group.tests[i]].name, group.colour[i], group.dash[i]});
   for (const results::PointPanel& panel : group.panels) {
-    const Shown x = show_quantity(panel.x, told.units.stress), y = show_quantity(panel.y, told.units.stress);
-    const auto label = [](const Shown& q) { return output::make_label(q.told.title, q.told.unit); };
+    const Shown x = show_quantity(panel.x, out.units.stress), y = show_quantity(panel.y, out.units.stress);
+    const auto label = [](const Shown& q) { return output::make_label(q.summary.title, q.summary.unit); };
     output::PointDiagram diagram{label(x), label(y), panel.log_x, {}, {}};
     for (const std::size_t i : group.tests)
       for (const auto& [q, list] : {std::pair{&x, &diagram.x}, std::pair{&y, &diagram.y}}) {
         std::vector<double>& values = list->emplace_back();
-        for (const std::size_t k : choose_drawn(curves[i], most_drawn))
-          values.push_back(get_quantity(curves[i].rows[k], q->told.name) / q->factor);
+        for (const std::size_t k : choose_drawn(curves[i], most_plotted))
+          values.push_back(get_quantity(curves[i].rows[k], q->summary.name) / q->factor);
       }
     plot.diagrams.push_back(std::move(diagram));
   }
@@ -119,9 +119,9 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
     group.picture = group.id + "." + options.pictures;
     output::draw(make_plot(group, tests, curves, result), join_name(folder, group.picture));
   }
-  result.project = run::tell_project(loaded.data);
+  result.project = run::make_project(loaded.data);
   result.input = loaded.echo;
-  result.provenance = run::tell_provenance(loaded, hash_text(loaded.echo.write()), 1);
+  result.provenance = run::make_provenance(loaded, hash_text(loaded.echo.write()), 1);
   result.point_results = find_results(loaded.data, tests, curves);
   result.comparisons = run::compare_results(loaded.data, result);
   result.timing.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -147,7 +147,7 @@ Properties External::list_properties(const Input& in) {
   return list;
 }
 
-std::string External::tell_model(const Input& in) {
+std::string External::describe_model(const Input& in) {
   const ExternalParameters& p = in.get<ExternalParameters>();
   return fmt::format("external: UMAT '{}' of {}", p.symbol, p.library);
 }

@@ -94,7 +94,7 @@ class External {
   static External make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
   static Properties list_properties(const Input& in);
-  static std::string tell_model(const Input& in);
+  static std::string describe_model(const Input& in);
   static double find_oedometric_modulus(const Input& in) { return in.get<ExternalParameters>().constrained_modulus; }
   /// Names the material to the UMAT, and finds its library from the folder of the case.
   template <class FindFile>

@@ -40,10 +40,10 @@ Properties list_root_properties(Model model, const SoilNumbers& in, double conte
   return list;
 }
 
-std::string tell_model(Model model, const SoilNumbers& in) {
+std::string describe_model(Model model, const SoilNumbers& in) {
   std::string title = get_traits(model).title;
   Laws::visit(model, [&]<class L>() {
-    if constexpr (requires { L::tell_model(in); }) title = L::tell_model(in);
+    if constexpr (requires { L::describe_model(in); }) title = L::describe_model(in);
   });
   return title;
 }

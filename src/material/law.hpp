@@ -101,7 +101,7 @@ Properties list_properties(Model model, const SoilNumbers& in);
 /// Those that follow from the roots, of which the soil has at most `content` [%].
 Properties list_root_properties(Model model, const SoilNumbers& in, double content);
 /// The name of the soil's model in reports.
-std::string tell_model(Model model, const SoilNumbers& in);
+std::string describe_model(Model model, const SoilNumbers& in);
 /// Cohesion and friction angle; nothing of an elastic soil, nor of one that serves no slices.
 std::optional<SliceStrength> find_slice_strength(Model model, const SoilNumbers& in);
 void divide_strength(Model model, SoilNumbers& in, PartialDivision& division);

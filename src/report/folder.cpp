@@ -51,7 +51,7 @@ void note_dimension(ResultFolder& folder) {
 }
 
 /// Element tests themselves give what a report needs of a run.
-results::RunResult tell_as_run(const results::PointTests& tests) {
+results::RunResult make_run_of_tests(const results::PointTests& tests) {
   results::RunResult run;
   run.title = tests.title;
   run.project = tests.project;
@@ -97,7 +97,7 @@ ResultFolder open_folder(const fs::path& path) {
   if (!run && !folder.study_result && !folder.frames && folder.trials.empty()) {
     if (folder.tests) {
       folder.has_tests_alone = true;
-      folder.run = tell_as_run(*folder.tests);
+      folder.run = make_run_of_tests(*folder.tests);
       folder.data = input::read_echo(folder.run.input);
       return folder;
     }

@@ -133,7 +133,7 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
 json make_tests_report(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   document["kind"] = "tests";
-  document["answer"] = make_answer_of(say_point_tests(folder));
+  document["answer"] = make_answer_of(format_point_tests(folder));
   document["warnings"] = folder.run.warnings;
   document["methods"] = json::array();
   document["assumptions"] = list_point_assumptions();

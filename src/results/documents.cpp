@@ -29,7 +29,7 @@ class SchemaWriter {
     key(name, T{}, about);
   }
   template <class T>
-  void told(const char* name, const T& value, const About& about) {
+  void derived(const char* name, const T& value, const About& about) {
     key(name, value, about);
   }
   template <class T>
@@ -123,7 +123,7 @@ class TableWriter {
     key(name, T{}, about);
   }
   template <class T>
-  void told(const char* name, const T& value, const About& about) {
+  void derived(const char* name, const T& value, const About& about) {
     key(name, value, about);
   }
   template <class T>

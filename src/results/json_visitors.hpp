@@ -51,7 +51,7 @@ class JsonWriter {
   }
   /// What follows from other members: written, never read.
   template <class T>
-  void told(const char* name, const T& value, const About& about) {
+  void derived(const char* name, const T& value, const About& about) {
     key(name, value, about);
   }
 
@@ -132,7 +132,7 @@ class JsonReader {
     key(name, member, about);
   }
   template <class T>
-  void told(const char* /*name*/, const T& /*value*/, const About& /*about*/) {}
+  void derived(const char* /*name*/, const T& /*value*/, const About& /*about*/) {}
   template <class T>
   void merge(const char* sign, std::optional<T>& block) {
     if (object_.contains(sign)) describe(*this, block.emplace());

@@ -153,7 +153,7 @@ class Values {
     if (timeline.chosen) return;
     for (const TimedFactor& f : timeline.factors)
       add_factor(fmt::format("{}{:.15g}]", factor_at, f.time),
-                 fmt::format("factor of safety at {}", units::say_time(f.time)), f.factor);
+                 fmt::format("factor of safety at {}", units::format_time(f.time)), f.factor);
   }
 
   void add_factors(const PointFactors& factors) {

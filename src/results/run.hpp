@@ -235,7 +235,7 @@ void describe(V& v, R& r) {
   v.maybe("season", r.season, {"", "rain and transpiration before the run"});
   v.maybe("water_states", r.water_states, {"", "where the water stood, up to the state that the methods began with"});
   v.maybe("methods", r.methods, {"", "the methods beside one another"});
-  v.told("main_factor", find_main_factor(r), {"", "main factor of safety"});
+  v.derived("main_factor", find_main_factor(r), {"", "main factor of safety"});
   v.key("results", r.results, {"", "results by name"});
   v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
   v.maybe("timing", r.timing, {"", "seconds"});

@@ -37,15 +37,15 @@ void find_failure(Timeline& t) {
   }
 }
 
-std::string say_moment(const Timeline& t, double time) {
-  std::string text = units::say_time(time);
-  if (const auto zero = t.start ? parse_date(*t.start) : std::nullopt) text += " (" + say_date(*zero + time) + ")";
+std::string format_moment(const Timeline& t, double time) {
+  std::string text = units::format_time(time);
+  if (const auto zero = t.start ? parse_date(*t.start) : std::nullopt) text += " (" + format_date(*zero + time) + ")";
   return text;
 }
 
-std::string say_failure(const Timeline& t) {
+std::string format_failure(const Timeline& t) {
   if (!t.least) return "No slip surface was admissible at any time.";
-  const std::string least = fmt::format("It is least at {}, {:.3f}.", say_moment(t, *t.least_time), *t.least);
+  const std::string least = fmt::format("It is least at {}, {:.3f}.", format_moment(t, *t.least_time), *t.least);
   if (t.fails_from_start) return fmt::format("The factor of safety is below {:g} from the start. {}", t.target, least);
   if (!t.failure)
     return fmt::format("The factor of safety stays at or above {:g} at all {} times that were tried. {}", t.target,
@@ -53,28 +53,28 @@ std::string say_failure(const Timeline& t) {
   const FailureTime& f = *t.failure;
   std::string text =
       fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
-                  say_moment(t, f.from), say_moment(t, f.to), f.factor_from, f.factor_to);
+                  format_moment(t, f.from), format_moment(t, f.to), f.factor_from, f.factor_to);
   if (f.earliest < f.from || f.latest != f.to)
     text += fmt::format("Allowing ± {:g} % for the search, it fails {}. ", 100 * search_scatter,
-                        f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
-                                 : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
+                        f.latest ? fmt::format("between {} and {}", format_moment(t, f.earliest), format_moment(t, *f.latest))
+                                 : fmt::format("after {}, or not at all", format_moment(t, f.earliest)));
   return text + least;
 }
 
 namespace {
 
 /// When finite elements lose equilibrium, with a space behind it; empty where nobody asked.
-std::string say_loss(const Timeline& t) {
+std::string format_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
   if (!loss.from)
-    return fmt::format("Finite elements with the strength as given do not converge at {}. ", say_moment(t, *loss.to));
+    return fmt::format("Finite elements with the strength as given do not converge at {}. ", format_moment(t, *loss.to));
   return fmt::format("Finite elements with the strength as given converge at {} and not at {}. ",
-                     say_moment(t, *loss.from), say_moment(t, *loss.to));
+                     format_moment(t, *loss.from), format_moment(t, *loss.to));
 }
 
 /// What the points began with, behind a space; empty where not with finite elements.
-std::string say_start(const std::vector<Release>& releases) {
+std::string format_start(const std::vector<Release>& releases) {
   double most = 1;
   bool any = false;
   for (const Release& r : releases)
@@ -89,7 +89,7 @@ std::string say_start(const std::vector<Release>& releases) {
 
 }  // namespace
 
-std::string say_releases(const Timeline& t) {
+std::string format_releases(const Timeline& t) {
   if (t.releases.empty()) return "";
   const auto say = [](const Release& r, const char* before) {
     if (r.error) return fmt::format("their run did not end: {}", *r.error);
@@ -100,13 +100,13 @@ std::string say_releases(const Timeline& t) {
                        r.limits && r.limits->front ? ", where the box ends" : "");
   };
   const Release& first = t.releases.front();
-  std::string text = say_loss(t);
-  text += fmt::format("Material points take over at {}: {}", say_moment(t, first.time),
+  std::string text = format_loss(t);
+  text += fmt::format("Material points take over at {}: {}", format_moment(t, first.time),
                       say(first, first.rests ? "comes to rest, is let go and " : ""));
   for (std::size_t i = 1; i < t.releases.size(); ++i)
-    text += fmt::format(" When they do so {} {}, {}", units::say_time(std::abs(t.releases[i].time - first.time)),
+    text += fmt::format(" When they do so {} {}, {}", units::format_time(std::abs(t.releases[i].time - first.time)),
                         t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i], ""));
-  text += say_start(t.releases);
+  text += format_start(t.releases);
   return text;
 }
 

@@ -193,12 +193,12 @@ const TimedReduction* find_least_reduction(const Timeline& timeline);
 void find_failure(Timeline& timeline);
 
 /// "2.5 days", with " (2023-03-03 12:00)" where the date of time 0 is known.
-std::string say_moment(const Timeline& timeline, double time);
+std::string format_moment(const Timeline& timeline, double time);
 
 /// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
-std::string say_failure(const Timeline& timeline);
+std::string format_failure(const Timeline& timeline);
 
 /// What moved after the releases, and how much of it hangs on their time; empty where there are none.
-std::string say_releases(const Timeline& timeline);
+std::string format_releases(const Timeline& timeline);
 
 }  // namespace talus::results

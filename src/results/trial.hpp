@@ -32,13 +32,13 @@ void describe(V& v, R& r) {
 }
 
 /// The calculation became unstable, went back to an earlier state and on from there with other settings.
-struct Setback {
+struct Retry {
   double time = 0, back_to = 0;  ///< [s]
   double courant = 0;            ///< from there on
   std::string smoothing;         ///< from there on, as the case file calls it
   std::string reason;            ///< what moved faster than soil can, and where
 };
-template <class V, As<Setback> R>
+template <class V, As<Retry> R>
 void describe(V& v, R& r) {
   v.key("time", r.time, {"s", "when it became unstable"});
   v.key("back_to", r.back_to, {"s", "where it went on from"});
@@ -74,7 +74,7 @@ struct Stage {
   double wall = 0;  ///< [s]
   std::optional<Preconsolidation> preconsolidation;
   std::optional<MovingSoil> moving;              ///< it was to end at rest, and did not
-  std::optional<std::vector<Setback>> setbacks;  ///< in the order in which they happened
+  std::optional<std::vector<Retry>> setbacks;  ///< in the order in which they happened
 };
 template <class V, As<Stage> R>
 void describe(V& v, R& r) {
@@ -127,7 +127,7 @@ struct Trial {
   double force_ratio = 0;    ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ at the end
   double speed = 0;          ///< largest nodal speed at the end [m/s]
   double largest_speed = 0;  ///< in the whole trial [m/s]
-  std::optional<std::vector<Setback>> setbacks;
+  std::optional<std::vector<Retry>> setbacks;
 };
 template <class V, As<Trial> R>
 void describe(V& v, R& r) {
@@ -246,7 +246,7 @@ template <class V, As<MeshFactor> R>
 void describe(V& v, R& r) {
   v.key("size", r.size, {"m", "size of the elements"});
   v.key("points", r.points, {"", "material points"});
-  v.told("factor", r.factor(), {"", "factor of safety on this mesh"});
+  v.derived("factor", r.factor(), {"", "factor of safety on this mesh"});
   v.key("lower", r.lower, {"", "largest factor that came to rest"});
   v.key("upper", r.upper, {"", "smallest factor that ran away"});
   v.key("undecided", r.undecided, {"", "whether a trial neither rested nor ran away"});

@@ -57,11 +57,11 @@ std::string write_main_factor(const results::RunResult& run) {
                : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
   if (run.timeline && run.timeline->least == factor)
     return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
-                       results::say_moment(*run.timeline, *run.timeline->least_time));
+                       results::format_moment(*run.timeline, *run.timeline->least_time));
   const results::TimedReduction* later = run.timeline ? results::find_least_reduction(*run.timeline) : nullptr;
   if (later != nullptr && later->runs.front().factor == factor)
     return fmt::format("Factor of safety {:.3f}{} (finite elements, at {})\n", *factor,
-                       write_interval(later->runs.front().interval), results::say_moment(*run.timeline, later->time));
+                       write_interval(later->runs.front().interval), results::format_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
   const results::ElementRun* elements = results::find_governing_elements(run);
@@ -244,17 +244,17 @@ std::string write_state(const results::WaterState& state, const Units& in) {
 std::string write_timeline(const results::Timeline& t) {
   std::string text = "  " + pad("Time", t.start ? 30 : 15) + "Factor   Slip surface\n";
   for (const results::TimedFactor& f : t.factors)
-    text += "  " + pad(results::say_moment(t, f.time), t.start ? 30 : 15) +
+    text += "  " + pad(results::format_moment(t, f.time), t.start ? 30 : 15) +
             (f.factor ? fmt::format("{:6.3f}   {}, {}{}\n", *f.factor, f.surface.title, f.source,
                                     f.refusal.empty() ? "" : " (" + f.refusal + ")")
                       : std::string("  none\n"));
   for (const results::TimedReduction& e : t.elements)
     for (const results::ElementRun& r : e.runs)
-      text += "  " + pad(results::say_moment(t, e.time), t.start ? 30 : 15) +
+      text += "  " + pad(results::format_moment(t, e.time), t.start ? 30 : 15) +
               fmt::format("{:6.3f}   finite elements, {}{}\n", r.factor,
                           r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", write_interval(r.interval));
-  text += results::say_failure(t) + "\n";
-  if (const std::string releases = results::say_releases(t); !releases.empty()) text += releases + "\n";
+  text += results::format_failure(t) + "\n";
+  if (const std::string releases = results::format_releases(t); !releases.empty()) text += releases + "\n";
   return text;
 }
 

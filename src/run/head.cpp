@@ -30,45 +30,45 @@ std::string find_machine() {
 
 }  // namespace
 
-results::Project tell_project(const input::Case& data) {
+results::Project make_project(const input::Case& data) {
   const input::Project& p = data.project;
   return {data.title, p.name, p.client, p.author, p.checked_by, p.revision, p.notes};
 }
 
-results::Provenance tell_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
-  results::Provenance told;
-  told.program = "talus";
-  told.version = version;
-  told.commit = commit;
-  told.compiler = compiler;
-  told.build_type = build_type;
-  told.architecture = architecture;
-  told.level = instruction_level;
-  told.lane_width = lane_width;
-  told.machine = find_machine();
-  told.threads = threads;
-  told.started = now_as_text();
-  told.case_file = loaded.file;
-  told.input_hash = input_hash;
-  return told;
+results::Provenance make_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
+  results::Provenance result;
+  result.program = "talus";
+  result.version = version;
+  result.commit = commit;
+  result.compiler = compiler;
+  result.build_type = build_type;
+  result.architecture = architecture;
+  result.level = instruction_level;
+  result.lane_width = lane_width;
+  result.machine = find_machine();
+  result.threads = threads;
+  result.started = now_as_text();
+  result.case_file = loaded.file;
+  result.input_hash = input_hash;
+  return result;
 }
 
-results::DisplayUnits tell_units(const input::Output& output) {
+results::DisplayUnits make_display_units(const input::Output& output) {
   return {output.length_unit, output.displacement_unit, output.stress_unit};
 }
 
 results::RunResult begin_result(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
   results::RunResult run;
   run.title = loaded.data.title;
-  run.project = tell_project(loaded.data);
-  run.provenance = tell_provenance(loaded, input_hash, threads);
-  run.units = tell_units(loaded.data.output);
+  run.project = make_project(loaded.data);
+  run.provenance = make_provenance(loaded, input_hash, threads);
+  run.units = make_display_units(loaded.data.output);
   for (const mesh::Polygon& p : loaded.data.mesh.polygons) run.outlines.emplace_back(p.points.begin(), p.points.end());
   run.input = loaded.echo;
   return run;
 }
 
-std::string say_length(const results::RunResult& run, double metres, int digits) {
+std::string format_length(const results::RunResult& run, double metres, int digits) {
   return fmt::format("{:.{}g} {}", metres / units::get_si_factor(run.units.length), digits, run.units.length);
 }
 

@@ -28,19 +28,19 @@ results::Comparison compare_with(const input::Case& data, const input::Compare& 
   const auto known = result ? result : input::find_possible_name(data, compare.name);
   const std::string unit = compare.value.unit.empty() && known ? known->unit : compare.value.unit;
   const Found found = result ? find(compare.name) : Found{std::nullopt, "the case leaves this result out"};
-  results::Comparison told;
-  told.name = compare.name;
-  told.title = known ? known->title : compare.name;
-  told.unit = {unit, units::get_si_factor(unit)};
-  told.computed = found.value;
-  told.published = input::to_si(compare.value);
-  told.tolerance = input::find_tolerance(compare);
-  told.tolerance_text = compare.tolerance.text;
-  told.source = compare.source;
-  told.note = found.value || !result ? found.note : "the run did not reach this result";
+  results::Comparison out;
+  out.name = compare.name;
+  out.title = known ? known->title : compare.name;
+  out.unit = {unit, units::get_si_factor(unit)};
+  out.computed = found.value;
+  out.published = input::to_si(compare.value);
+  out.tolerance = input::find_tolerance(compare);
+  out.tolerance_text = compare.tolerance.text;
+  out.source = compare.source;
+  out.note = found.value || !result ? found.note : "the run did not reach this result";
   // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.
-  told.passes = found.value && std::abs(*found.value - told.published) <= told.tolerance * (1 + 1e-12);
-  return told;
+  out.passes = found.value && std::abs(*found.value - out.published) <= out.tolerance * (1 + 1e-12);
+  return out;
 }
 
 Found find_in_run(const results::RunResult& run, const std::string& name) {

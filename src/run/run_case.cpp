@@ -119,7 +119,7 @@ class CaseRun {
     if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
-    run_.provenance.device = tell_device();
+    run_.provenance.device = describe_device();
     releases_ = has_points && data.timeline && data.timeline->release;
     if (releases_) {
       check_points(data);
@@ -208,19 +208,19 @@ class CaseRun {
   void reduce_in_time() {
     for (ReductionCase& reduction : timeline_->list_reductions()) {
       RunOptions options = options_;
-      options.folder = join_name(options.folder, reduction.told.folder);
+      options.folder = join_name(options.folder, reduction.summary.folder);
       make_folder(options.folder);
       results::RunResult found;
       ElementRun<D> elements(reduction.data, false, options,
-                             hash_text(fmt::format("{}{:a}", hash_, reduction.told.time)));
+                             hash_text(fmt::format("{}{:a}", hash_, reduction.summary.time)));
       elements.prepare();
       elements.calculate();
-      elements.tell(found);
+      elements.write_result(found);
       if (found.elements) {
-        reduction.told.error = found.elements->error;
-        reduction.told.runs = std::move(found.elements->runs);
+        reduction.summary.error = found.elements->error;
+        reduction.summary.runs = std::move(found.elements->runs);
       }
-      timeline_->add_reduction(std::move(reduction.told));
+      timeline_->add_reduction(std::move(reduction.summary));
     }
   }
 
@@ -239,8 +239,8 @@ class CaseRun {
   /// The same at another time, in a folder of its own.
   void run_beside(ReleaseCase& other) {
     RunOptions options = options_;
-    options.folder = join_name(options.folder, other.told.folder);
-    const std::string hash = hash_text(fmt::format("{}{:a}", hash_, other.told.time));
+    options.folder = join_name(options.folder, other.summary.folder);
+    const std::string hash = hash_text(fmt::format("{}{:a}", hash_, other.summary.time));
     const auto why = attempt(options, false, [&] {
       auto finished = load_finished(options, hash);
       if (!finished) {
@@ -260,22 +260,22 @@ class CaseRun {
         results::write_file(options.folder / summary_file, *finished);
         points.forget();
       }
-      tell_release(*finished, other.told);
+      make_release_result(*finished, other.summary);
     });
-    other.told.error = why;
-    told_beside_.push_back(other.told);
+    other.summary.error = why;
+    results_beside_.push_back(other.summary);
   }
 
-  static void tell_release(const results::RunResult& run, results::Release& told) {
-    if (run.stress_start) told.start_factor = run.stress_start->factor;
-    if (run.stages && run.stages->size() > 1) told.rests = run.stages->front().end == results::StageEnd::rest;
+  static void make_release_result(const results::RunResult& run, results::Release& out) {
+    if (run.stress_start) out.start_factor = run.stress_start->factor;
+    if (run.stages && run.stages->size() > 1) out.rests = run.stages->front().end == results::StageEnd::rest;
     if (!run.runout) return;
-    told.largest_displacement = run.runout->largest_displacement;
-    told.moved_volume = run.runout->moved_volume;
-    told.front_advance = run.runout->front_advance;
-    told.toe_distance = run.runout->toe_distance;
-    told.front_uncertainty = results::RunoutUncertainty(*run.runout).front_advance;
-    told.limits = run.runout->limits;
+    out.largest_displacement = run.runout->largest_displacement;
+    out.moved_volume = run.runout->moved_volume;
+    out.front_advance = run.runout->front_advance;
+    out.toe_distance = run.runout->toe_distance;
+    out.front_uncertainty = results::RunoutUncertainty(*run.runout).front_advance;
+    out.limits = run.runout->limits;
   }
 
   /// A factor for the bounds to begin with; they do not depend on it.
@@ -306,14 +306,14 @@ class CaseRun {
     timing.wall = std::chrono::duration<double>(Clock::now() - start_).count();
     if (points_) {
       timing.cpu = find_process_seconds() - cpu_start_;
-      timing.stage_steps = points_->tell_stage_seconds();
+      timing.stage_steps = points_->get_stage_seconds();
       timing.parts = points_->list_parts(*timing.cpu);
     }
-    if (slices_) slices_->tell(run_);
-    if (elements_) elements_->tell(run_);
-    if (bounds_) bounds_->tell(run_);
+    if (slices_) slices_->write_result(run_);
+    if (elements_) elements_->write_result(run_);
+    if (bounds_) bounds_->write_result(run_);
     judge_elements();
-    tell_timeline();
+    make_timeline_result();
     if (!points_) timing.parts = list_parts();
     keep_water();
     compare();
@@ -337,16 +337,16 @@ class CaseRun {
       if (r.flow == results::Flow::associated || !is_nonassociated(data)) r.verdict = referee.judge(r.factor);
   }
 
-  void tell_timeline() {
+  void make_timeline_result() {
     if (!timeline_) return;
     if (released_) {
-      results::Release told = released_->told;
-      tell_release(run_, told);
-      if (!is_followed_) told.error = run_.error;
-      timeline_->add_release(std::move(told));
+      results::Release out = released_->summary;
+      make_release_result(run_, out);
+      if (!is_followed_) out.error = run_.error;
+      timeline_->add_release(std::move(out));
     }
-    for (const results::Release& other : told_beside_) timeline_->add_release(other);
-    timeline_->tell(run_);
+    for (const results::Release& other : results_beside_) timeline_->add_release(other);
+    timeline_->write_result(run_);
   }
 
   /// water.json: the fields of the water that the methods began with; timeline_water.json: those in time.
@@ -396,7 +396,7 @@ class CaseRun {
   bool releases_ = false;  ///< material points take over from the timeline
   std::unique_ptr<const ReleaseCase> released_;
   std::vector<ReleaseCase> beside_;
-  std::vector<results::Release> told_beside_;  ///< of those that ran
+  std::vector<results::Release> results_beside_;  ///< of those that ran
   bool is_followed_ = false;                   ///< the material points of the run itself came to their end
   std::unique_ptr<const input::Case> point_case_;
   std::vector<std::string> point_notes_;  ///< of the earthquake that the points follow, and of their coarser mesh
@@ -410,7 +410,7 @@ results::RunResult renew(results::RunResult run, const input::Case& data, const 
   const FileList files(options.folder);
   const nlohmann::json before = results::to_json(run);
   run.title = data.title;
-  run.project = tell_project(data);
+  run.project = make_project(data);
   if (run.mesh) read_output(run, data, options.folder);
   run.results = list_results(data, run);
   run.comparisons = compare_results(data, run);

@@ -78,7 +78,7 @@ std::string describe_others(const StudyPlan& plan, const Variant& variant, std::
   std::string text;
   for (std::size_t k = 0; k < plan.names.size(); ++k) {
     if (k == but) continue;
-    const std::string& unit = plan.told.vary[k].unit;
+    const std::string& unit = plan.summary.vary[k].unit;
     text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", plan.names[k], variant.values[k],
                         unit.empty() ? "" : " " + unit);
   }
@@ -118,7 +118,7 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
                                                                const std::vector<results::StudyColumn>& table) {
   if (!plan.extrapolated) return std::nullopt;
   const std::size_t key = *plan.extrapolated;
-  results::StudyExtrapolation found{plan.told.vary[key].key, plan.told.vary[key].unit, {}};
+  results::StudyExtrapolation found{plan.summary.vary[key].key, plan.summary.vary[key].unit, {}};
   for (const results::StudyColumn& column : table) {
     if (column.kind != results::ColumnKind::factor) continue;
     std::vector<std::string> order;  // groups as they come

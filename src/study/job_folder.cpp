@@ -105,24 +105,24 @@ input::LoadedCase JobFolder::read_case() const {
 }
 
 Variant JobFolder::read_variant(const input::LoadedCase& base, int number) const {
-  const results::JobVariant& told = jobs_.variants.at(static_cast<std::size_t>(number));
+  const results::JobVariant& out = jobs_.variants.at(static_cast<std::size_t>(number));
   Variant variant;
-  variant.name = told.folder;
-  variant.label = told.label;
-  for (const results::JobChange& c : told.changes) variant.changes.push_back({c.key, c.value});
+  variant.name = out.folder;
+  variant.label = out.label;
+  for (const results::JobChange& c : out.changes) variant.changes.push_back({c.key, c.value});
   variant.loaded = input::read_case_text(base.text, base.file, variant.changes);
   variant.input_hash = input::hash_input(variant.loaded.echo);
   return variant;
 }
 
 std::vector<lem::Surface> JobFolder::read_surfaces() const {
-  const auto told = results::find_file<results::JobSurfaces>(folder_ / "surfaces.json");
-  if (!told || told->study != hash_)
+  const auto out = results::find_file<results::JobSurfaces>(folder_ / "surfaces.json");
+  if (!out || out->study != hash_)
     throw Error(ExitCode::wrong_input,
                 fmt::format("'{}' is not there or belongs to other jobs; prepare them again with --overwrite",
                             (folder_ / "surfaces.json").string()));
   std::vector<lem::Surface> surfaces;
-  for (const results::JobSurface& s : told->surfaces) {
+  for (const results::JobSurface& s : out->surfaces) {
     lem::Surface& surface = surfaces.emplace_back();
     surface.name = s.name;
     if (s.circle) surface.circle = lem::Circle{{(*s.circle)[0], (*s.circle)[1]}, (*s.circle)[2]};
@@ -161,7 +161,7 @@ void JobFolder::write_result(int job, results::JobResult result) const {
   results::write_file(result_folder(job) / "result.json", result, -1, "the job can be repeated");
 }
 
-std::string JobFolder::say_how(const char* what, const std::vector<int>& jobs) const {
+std::string JobFolder::format_how(const char* what, const std::vector<int>& jobs) const {
   const std::string each = jobs.size() == 1 ? std::to_string(jobs.front()) : "K for each K";
   return fmt::format("to {} {}, in '{}': sbatch --array={} jobs.slurm, or talus study . --job {}", what,
                      jobs.size() == 1 ? "it" : "them", folder_.string(), write_ranges(jobs), each);

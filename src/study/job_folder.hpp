@@ -54,7 +54,7 @@ class JobFolder {
   void write_result(int job, results::JobResult result) const;
 
   /// What a person types to calculate or repeat (`what`) the jobs with these numbers.
-  std::string say_how(const char* what, const std::vector<int>& jobs) const;
+  std::string format_how(const char* what, const std::vector<int>& jobs) const;
 
  private:
   std::filesystem::path folder_;  ///< absolute

@@ -67,7 +67,7 @@ std::vector<results::JobPart> cut_work(int count, int asked, int worth) {
   return parts;
 }
 
-std::vector<results::JobChange> tell_changes(const std::vector<input::Override>& overrides) {
+std::vector<results::JobChange> make_changes_result(const std::vector<input::Override>& overrides) {
   std::vector<results::JobChange> changes;
   for (const input::Override& o : overrides) changes.push_back({o.key, o.value});
   return changes;
@@ -110,9 +110,9 @@ class CaseCopy {
   }
 
   std::vector<results::JobFile> tell() const {
-    std::vector<results::JobFile> told;
-    for (const auto& [name, text] : files_) told.push_back({name, hash_text(text)});
-    return told;
+    std::vector<results::JobFile> out;
+    for (const auto& [name, text] : files_) out.push_back({name, hash_text(text)});
+    return out;
   }
 
   void write(const fs::path& folder) const {
@@ -129,18 +129,18 @@ class CaseCopy {
   std::vector<std::pair<std::string, std::string>> files_;  ///< name and content, the case first
 };
 
-results::JobSurfaces tell_surfaces(const std::vector<lem::Surface>& surfaces, const std::string& study) {
-  results::JobSurfaces told;
-  told.study = study;
+results::JobSurfaces make_surfaces_result(const std::vector<lem::Surface>& surfaces, const std::string& study) {
+  results::JobSurfaces out;
+  out.study = study;
   for (const lem::Surface& s : surfaces) {
-    results::JobSurface& surface = told.surfaces.emplace_back();
+    results::JobSurface& surface = out.surfaces.emplace_back();
     surface.name = s.name;
     if (s.circle) surface.circle = {s.circle->centre[0], s.circle->centre[1], s.circle->radius};
     surface.line = s.line;
     surface.from = s.from;
     surface.to = s.to;
   }
-  return told;
+  return out;
 }
 
 std::string write_script(int jobs) {
@@ -184,9 +184,9 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   jobs.title = base.data.title;
   jobs.case_file = base.file;
   jobs.files = copy.tell();
-  jobs.changes = tell_changes(overrides);
+  jobs.changes = make_changes_result(overrides);
   jobs.work = planned.by_slices ? results::JobWork::slice_samples : results::JobWork::runs;
-  for (const Variant& v : planned.plan.variants) jobs.variants.push_back({v.name, v.label, tell_changes(v.changes)});
+  for (const Variant& v : planned.plan.variants) jobs.variants.push_back({v.name, v.label, make_changes_result(v.changes)});
   jobs.jobs = cut_work(planned.count(), options.jobs, planned.worth);
   const std::string text = results::to_json(jobs).dump(1) + "\n";
 
@@ -204,7 +204,7 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   make_folder(folder / "jobs");
   for (std::size_t k = 0; k < jobs.jobs.size(); ++k) files->add_folder(fmt::format("jobs/{}", k));
   copy.write(folder);
-  if (planned.by_slices) results::write_file(folder / "surfaces.json", tell_surfaces(surfaces, hash_text(text)), -1);
+  if (planned.by_slices) results::write_file(folder / "surfaces.json", make_surfaces_result(surfaces, hash_text(text)), -1);
   write_atomically(folder / "jobs.slurm", write_script(static_cast<int>(jobs.jobs.size())));
   write_atomically(folder / "jobs.json", text);  // last: with it the folder is prepared
 }

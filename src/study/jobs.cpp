@@ -26,10 +26,10 @@ std::optional<Error> calculate_own_runs(const JobFolder& folder, const results::
   const std::vector<StudyRow> rows = run_variants(plan, options, [](const auto&) {});
   for (const StudyRow& row : rows) {
     // What was stopped, or is being calculated elsewhere, has not ended.
-    if (row.told.status == results::VariantStatus::not_started || row.code == ExitCode::interrupted)
+    if (row.summary.status == results::VariantStatus::not_started || row.code == ExitCode::interrupted)
       throw Error(ExitCode::interrupted, "interrupted; the same job goes on from here");
-    if (row.code == ExitCode::folder_exists) throw Error(row.code, row.told.reason);
-    result.variants.push_back(row.told);
+    if (row.code == ExitCode::folder_exists) throw Error(row.code, row.summary.reason);
+    result.variants.push_back(row.summary);
     result.codes.push_back(static_cast<int>(row.code));
   }
   return find_failure(rows);
@@ -80,12 +80,12 @@ std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan
     for (int i = part.first; i < part.end; ++i) {
       const auto at = static_cast<std::size_t>(i), own = static_cast<std::size_t>(i - part.first);
       StudyRow& row = rows.at(at);
-      row.told = all.results[job]->variants[own];
+      row.summary = all.results[job]->variants[own];
       row.code = static_cast<ExitCode>(all.results[job]->codes[own]);
       const std::filesystem::path run = join_name(folder.folder(), plan.variants[at].name);
       row.result = load_variant(run);
       if (row.result && row.result->provenance.input_hash != plan.variants[at].input_hash) row.result.reset();
-      if (row.told.status == results::VariantStatus::finished) check_row(run, row);
+      if (row.summary.status == results::VariantStatus::finished) check_row(run, row);
     }
   }
   return rows;
@@ -115,20 +115,20 @@ std::string describe_strange(const JobFolder& folder, const JobStates& states) {
 }
 
 /// What is said of jobs that are missing or failed; `failure` is that of the runs.
-std::optional<Error> tell_states(const JobFolder& folder, const JobStates& states,
+std::optional<Error> make_states_result(const JobFolder& folder, const JobStates& states,
                                  const std::optional<Error>& failure) {
   std::string failed;
   if (!states.failed.empty())
     failed = fmt::format("\n{} of {} jobs {} failures: {}; {}", states.failed.size(), states.count,
                          states.failed.size() == 1 ? "has" : "have", write_ranges(states.failed),
-                         folder.say_how("repeat", states.failed));
+                         folder.format_how("repeat", states.failed));
   failed += describe_strange(folder, states);
   if (states.missing.empty())
     return failure ? std::optional(Error(failure->code(), failure->what() + failed)) : failure;
   return Error(ExitCode::interrupted,
                fmt::format("{} of {} jobs {} missing: {}; {}{}", states.missing.size(), states.count,
                            states.missing.size() == 1 ? "is" : "are", write_ranges(states.missing),
-                           folder.say_how("calculate", states.missing), failed));
+                           folder.format_how("calculate", states.missing), failed));
 }
 
 }  // namespace
@@ -167,9 +167,9 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
   if (all.states.missing == every)
     throw Error(ExitCode::interrupted,
                 fmt::format("none of the {} jobs has ended: there is nothing to collect yet; {}{}", every.size(),
-                            folder.say_how("calculate", every), describe_strange(folder, all.states)));
+                            folder.format_how("calculate", every), describe_strange(folder, all.states)));
   if (folder.jobs().work == results::JobWork::slice_samples && !all.states.missing.empty())
-    throw Error(*tell_states(folder, all.states, std::nullopt));
+    throw Error(*make_states_result(folder, all.states, std::nullopt));
   const input::LoadedCase base = folder.read_case();
   const std::vector<input::Override> overrides = folder.overrides();
   FolderLock lock(folder.folder());
@@ -177,11 +177,11 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
   const FileList files(folder.folder());
   if (base.data.study.mode != input::StudyMode::sample) {
     StudyPlan plan = plan_study(base, overrides);
-    plan.told.case_file = folder.jobs().case_file;
+    plan.summary.case_file = folder.jobs().case_file;
     const std::vector<StudyRow> rows = gather_rows(folder, plan, all);
     write_study(plan, rows, folder.folder());
     return {write_study_markdown(plan, rows, describe_study(plan, rows)),
-            tell_states(folder, all.states, find_failure(rows))};
+            make_states_result(folder, all.states, find_failure(rows))};
   }
   SampleSet set = draw_samples(base);
   SamplingResult result;
@@ -192,11 +192,11 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
     calculate_slices(base, overrides, options, set, &known);
   } else {
     StudyPlan plan = plan_samples(base, overrides, set);
-    plan.told.case_file = folder.jobs().case_file;
+    plan.summary.case_file = folder.jobs().case_file;
     const std::vector<StudyRow> rows = gather_rows(folder, plan, all);
     write_study(plan, rows, folder.folder());
-    result.study = tell_runs(base, plan, rows, all.seconds, set);
-    result.failure = tell_states(folder, all.states, find_failure(rows));
+    result.study = make_runs_result(base, plan, rows, all.seconds, set);
+    result.failure = make_states_result(folder, all.states, find_failure(rows));
   }
   write_sampling(base, folder.folder(), set, result);
   return {std::move(result.markdown), std::move(result.failure)};

@@ -70,7 +70,7 @@ double find_lognormal_index(double mean, double deviation) {
   return std::log(mean / std::sqrt(1 + v * v)) / std::sqrt(std::log1p(v * v));
 }
 
-void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor, results::Sampling& told) {
+void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor, results::Sampling& result) {
   const std::vector<Marginal>& numbers = sampled.marginals;
   const std::optional<double> mean = factor(sampled.means);
   if (!mean) return;
@@ -96,10 +96,10 @@ void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor,
     }
   const double deviation = std::sqrt(std::max(0.0, variance));
   if (deviation == 0) return;
-  told.first_order = {*mean, deviation, (*mean - 1) / deviation, find_lognormal_index(*mean, deviation)};
+  result.first_order = {*mean, deviation, (*mean - 1) / deviation, find_lognormal_index(*mean, deviation)};
   const auto length = [](const results::TornadoBar& bar) { return std::abs(bar.high_factor - bar.low_factor); };
   std::stable_sort(bars.begin(), bars.end(), [&](const auto& a, const auto& b) { return length(a) > length(b); });
-  told.tornado = std::move(bars);
+  result.tornado = std::move(bars);
 }
 
 std::optional<results::DesignPointEstimate> find_design_point(const SampledNumbers& sampled, const FactorOf& factor) {

@@ -19,7 +19,7 @@ double find_lognormal_index(double mean, double deviation);
 /// Mean-value first-order second-moment, where F is taken as linear in the numbers: `told.first_order`, and F at one
 /// deviation below and above the mean of each number, the others at their means: `told.tornado`, longest bar first.
 /// Neither where a factor is missing.
-void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor, results::Sampling& told);
+void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor, results::Sampling& summary);
 
 /// Hasofer and Lind's (1974) index: the distance of the failure surface F = 1 from the origin of independent normal
 /// scores, found by Rackwitz and Fiessler's (1978) iteration with a line search; negative where the slope fails at the

@@ -45,13 +45,13 @@ SampleSet draw_samples(const input::LoadedCase& base) {
     const results::SampledValues found = find_moments(values);
     set.sampled.numbers[j].sampled = {found.mean, found.deviation, found.smallest, found.largest};
   }
-  set.told.samples = sampling.samples;
-  set.told.seed = sampling.seed;
-  set.told.plan = is_latin ? results::SampleDraw::latin_hypercube : results::SampleDraw::random;
-  set.told.replicates = replicates;
-  set.told.method = input::find_method(sampling.method);
-  set.told.numbers = set.sampled.numbers;
-  set.told.notes = set.sampled.notes;
+  set.summary.samples = sampling.samples;
+  set.summary.seed = sampling.seed;
+  set.summary.plan = is_latin ? results::SampleDraw::latin_hypercube : results::SampleDraw::random;
+  set.summary.replicates = replicates;
+  set.summary.method = input::find_method(sampling.method);
+  set.summary.numbers = set.sampled.numbers;
+  set.summary.notes = set.sampled.notes;
   return set;
 }
 
@@ -68,19 +68,19 @@ bool is_by_slices(const input::LoadedCase& base) {
 results::StudyResult begin_sampling(const input::LoadedCase& base, int threads) {
   results::StudyResult study = begin_study(base);
   study.units.stress = base.data.output.stress_unit;
-  study.project = run::tell_project(base.data);
-  study.provenance = run::tell_provenance(base, input::hash_input(base.echo), threads);
+  study.project = run::make_project(base.data);
+  study.provenance = run::make_provenance(base, input::hash_input(base.echo), threads);
   study.input = base.echo;
   return study;
 }
 
 void write_sampling(const input::LoadedCase& base, const std::filesystem::path& folder, SampleSet& set,
                     SamplingResult& result) {
-  tell_samples(base.data.study.sampling, set);
-  result.study.sampling = set.told;
+  make_samples_result(base.data.study.sampling, set);
+  result.study.sampling = set.summary;
   write_atomically(folder / "samples.csv", write_samples(set));
   results::write_file(folder / "study.json", result.study);
-  result.markdown = write_sampling_markdown(base.data.title, set.told);
+  result.markdown = write_sampling_markdown(base.data.title, set.summary);
   write_atomically(folder / "study.md", make_printable(result.markdown, true));
 }
 
@@ -103,7 +103,7 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
     const std::vector<StudyRow> rows = run_study(plan, options);  // it takes the lock itself
     result.failure = find_failure(rows);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    result.study = tell_runs(base, plan, rows, passed.count(), set);
+    result.study = make_runs_result(base, plan, rows, passed.count(), set);
     lock.take();
     files = std::make_unique<FileList>(options.folder);
   }

@@ -24,7 +24,7 @@ struct SampleSet {
   std::vector<double> factor;        ///< per sample; NaN where there is none; empty where none is asked for
   std::vector<double> runout;        ///< per sample [m], NaN where there is none; empty without material points
   std::vector<double> failure_time;  ///< per sample [s], NaN where it does not fail; empty without a timeline
-  results::Sampling told;
+  results::Sampling summary;
 
   std::size_t size() const { return values.empty() ? 0 : values[0].size(); }
   std::vector<double> get_sample(std::size_t i) const;
@@ -65,11 +65,11 @@ StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::O
                        const SampleSet& set);
 
 /// Factors and runouts of the samples from their runs. Returns the study's own table.
-results::StudyResult tell_runs(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
+results::StudyResult make_runs_result(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
                                double seconds, SampleSet& set);
 
 /// Completes `set.told` with the statistics of the samples.
-void tell_samples(const input::Sampling& asked, SampleSet& set);
+void make_samples_result(const input::Sampling& asked, SampleSet& set);
 
 /// study.md of it.
 std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling);

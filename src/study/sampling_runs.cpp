@@ -36,7 +36,7 @@ std::vector<std::string> list_factors(Method method) {
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const bool ended = rows[i].told.status == results::VariantStatus::finished && rows[i].result;
+    const bool ended = rows[i].summary.status == results::VariantStatus::finished && rows[i].result;
     values.push_back(ended ? run::find_result(*rows[i].result, name).value_or(none) : none);
   }
   return values;
@@ -47,7 +47,7 @@ std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
   std::vector<double> times;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     times.push_back(none);
-    if (rows[i].told.status != results::VariantStatus::finished || !rows[i].result || !rows[i].result->timeline)
+    if (rows[i].summary.status != results::VariantStatus::finished || !rows[i].result || !rows[i].result->timeline)
       continue;
     const results::Timeline& timeline = *rows[i].result->timeline;
     if (timeline.fails_from_start) times.back() = 0;
@@ -60,13 +60,13 @@ std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
 
 StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::Override>& given, const SampleSet& set) {
   std::vector<input::Override> overrides = given;
-  overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.told.method))});
+  overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.summary.method))});
   // Samples scatter by more than the mesh does, and each of them would be run on two.
-  if (set.told.method == Method::mpm) overrides.push_back({"output.runout_meshes", "1"});
+  if (set.summary.method == Method::mpm) overrides.push_back({"output.runout_meshes", "1"});
   StudyPlan plan;
-  plan.told = begin_study(base);
+  plan.summary = begin_study(base);
   for (const results::UncertainNumber& n : set.sampled.numbers) {
-    plan.told.vary.push_back({n.key, n.unit, {}});
+    plan.summary.vary.push_back({n.key, n.unit, {}});
     plan.names.push_back(n.name);
   }
   const std::size_t digits = std::to_string(set.size()).size();
@@ -90,9 +90,9 @@ StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::O
   return plan;
 }
 
-results::StudyResult tell_runs(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
+results::StudyResult make_runs_result(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
                                double seconds, SampleSet& set) {
-  const Method method = set.told.method;
+  const Method method = set.summary.method;
   const std::string factor = find_name(rows, list_factors(method));
   if (!factor.empty()) set.factor = take(rows, factor);
   if (method == Method::lem) set.failure_time = take_failure_times(rows);
@@ -102,16 +102,16 @@ results::StudyResult tell_runs(const input::LoadedCase& base, const StudyPlan& p
       names.push_back(fmt::format("runout[{:g}].toe_distance", f));
     if (const std::string name = find_name(rows, names); !name.empty()) {
       set.runout = take(rows, name);
-      set.told.runout.emplace().name = name;
+      set.summary.runout.emplace().name = name;
     }
   }
-  set.told.method_title = method == Method::fem   ? "Finite elements"
+  set.summary.method_title = method == Method::fem   ? "Finite elements"
                           : method == Method::lem ? "Slices, the least factor in time"
                                                   : "Material points";
-  set.told.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
+  set.summary.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
   if (set.factor.empty() && set.runout.empty())
-    set.told.notes.push_back("No run has come to a factor of safety or a runout.");
-  set.told.seconds = seconds;
+    set.summary.notes.push_back("No run has come to a factor of safety or a runout.");
+  set.summary.seconds = seconds;
   return describe_study(plan, rows);
 }
 

@@ -71,7 +71,7 @@ class SliceSampling {
           better.insert(better.end(), searched[k]->surfaces.begin(), searched[k]->surfaces.end());
       }
       if (check.samples > 0) check.mean = sum / check.samples;
-      set_.told.check = check;
+      set_.summary.check = check;
       if (check.largest <= good_enough || round == most_rounds) return;
       slices_.add(better);
       calculate();
@@ -88,7 +88,7 @@ class SliceSampling {
     });
     // The nearest to failure stand in front; the others are drawn from what is behind them. Another round takes others:
     // those that were searched are exact now.
-    RandomStream random(set_.told.seed, check_stream - static_cast<std::uint64_t>(round));
+    RandomStream random(set_.summary.seed, check_stream - static_cast<std::uint64_t>(round));
     const std::size_t skipped = std::min(order.size(), critical_checks * static_cast<std::size_t>(round));
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(skipped));
     const std::size_t count = std::min(order.size(), critical_checks + random_checks);
@@ -134,13 +134,13 @@ void note_referee(const input::LoadedCase& base, const std::vector<input::Overri
     const std::optional<double> factor = slices.find(values, work);
     if (!factor) return;
     const input::LoadedCase sample = read_sample(base, overrides, set.sampled, values);
-    set.told.notes.push_back(
+    set.summary.notes.push_back(
         describe_referee(where, run::search_referee_interval(sample.data, factor, quiet), *factor));
   };
   judge("at the means", set.sampled.means);
-  if (!set.told.design_point) return;
+  if (!set.summary.design_point) return;
   std::vector<double> values;
-  for (const results::DesignPointValue& v : set.told.design_point->values) values.push_back(v.value);
+  for (const results::DesignPointValue& v : set.summary.design_point->values) values.push_back(v.value);
   judge("at the design point", values);
 }
 
@@ -169,18 +169,18 @@ std::unique_ptr<SliceFactor> begin_slices(const input::LoadedCase& base, const s
                                           const StudyOptions& options, SampleSet& set) {
   if (options.progress != nullptr) options.progress->show("searching for the critical surfaces");
   auto slices = std::make_unique<SliceFactor>(base, overrides, set.sampled, options.threads);
-  results::Sampling& told = set.told;
+  results::Sampling& result = set.summary;
   SliceFactor::Workspace work;
   const FactorOf factor = [&](const std::vector<double>& values) { return slices->find(values, work); };
-  estimate_first_order(set.sampled, factor, told);
+  estimate_first_order(set.sampled, factor, result);
   // With a search for every sample the iteration would cost more than it is worth.
-  if (!slices->is_full()) told.design_point = find_design_point(set.sampled, factor);
-  if (told.design_point) {
+  if (!slices->is_full()) result.design_point = find_design_point(set.sampled, factor);
+  if (result.design_point) {
     // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.
     std::vector<double> values;
-    for (const results::DesignPointValue& v : told.design_point->values) values.push_back(v.value);
+    for (const results::DesignPointValue& v : result.design_point->values) values.push_back(v.value);
     if (const auto searched = slices->search(values)) slices->add(searched->surfaces);
-    told.design_point = find_design_point(set.sampled, factor);
+    result.design_point = find_design_point(set.sampled, factor);
   }
   return slices;
 }
@@ -190,7 +190,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   const auto start = std::chrono::steady_clock::now();
   const std::unique_ptr<SliceFactor> found = begin_slices(base, overrides, options, set);
   SliceFactor& slices = *found;
-  results::Sampling& told = set.told;
+  results::Sampling& result = set.summary;
   SliceSampling sampling(slices, options, set);
   if (known != nullptr)
     set.factor = known->factors;
@@ -198,38 +198,38 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
     sampling.calculate();
   const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
-  told.surfaces = slices.count_surfaces();
+  result.surfaces = slices.count_surfaces();
   const std::string title = get_title(slices.method());
-  told.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
-                                       : fmt::format("{} on {} surfaces", title, told.surfaces);
-  for (const std::string& note : slices.numbers().notes()) told.notes.push_back(note);
+  result.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
+                                       : fmt::format("{} on {} surfaces", title, result.surfaces);
+  for (const std::string& note : slices.numbers().notes()) result.notes.push_back(note);
   if (!slices.numbers().idle_keys().empty())
-    told.notes.push_back(
+    result.notes.push_back(
         fmt::format("Slices do not use {}: it has no effect here.", list_keys(slices.numbers().idle_keys())));
   if (slices.is_full()) {
-    told.notes.push_back(
+    result.notes.push_back(
         fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",
                     list_keys(slices.numbers().section_keys())));
   } else if (is_checked) {
-    if (told.check)
-      told.notes.push_back(
+    if (result.check)
+      result.notes.push_back(
           fmt::format("Every sample was evaluated on {} surfaces from searches at the means, at {} other "
                       "combinations of values and near failure. Searches for {} samples themselves gave "
                       "factors lower by {:.2f} % at most, {:.2f} % on average.",
-                      told.surfaces, slices.count_corners(), told.check->samples,
-                      100 * std::max(0.0, told.check->largest), 100 * told.check->mean));
+                      result.surfaces, slices.count_corners(), result.check->samples,
+                      100 * std::max(0.0, result.check->largest), 100 * result.check->mean));
   } else {
-    told.notes.push_back("Only the surfaces that the case gives were evaluated.");
+    result.notes.push_back("Only the surfaces that the case gives were evaluated.");
   }
-  if (!told.first_order)
-    told.notes.push_back(
+  if (!result.first_order)
+    result.notes.push_back(
         "Within one deviation of the means some values have no factor: there is no first-order estimate and "
         "no tornado.");
-  if (told.design_point && !told.design_point->converged)
-    told.notes.push_back("The search for the most probable failure did not converge: its index is only an indication.");
+  if (result.design_point && !result.design_point->converged)
+    result.notes.push_back("The search for the most probable failure did not converge: its index is only an indication.");
   note_referee(base, overrides, options, slices, set);
-  told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (known != nullptr) told.seconds += known->seconds;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (known != nullptr) result.seconds += known->seconds;
 }
 
 }  // namespace talus::study

@@ -94,7 +94,7 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
     const results::SampleShare s = estimate_share(so_far, static_cast<long>(i + 1), asked.confidence);
     failure.growth.push_back({static_cast<double>(i + 1), s.probability, s.lower, s.upper});
   }
-  if (const auto& check = set.told.check; check && check->largest > 0) {
+  if (const auto& check = set.summary.check; check && check->largest > 0) {
     const double share_of = 1 / (1 + check->largest);
     const auto shifted =
         std::count_if(there.values.begin(), there.values.end(), [&](double f) { return f * share_of < 1; });
@@ -126,7 +126,7 @@ std::vector<results::RankCorrelation> describe_ranks(const SampleSet& set, const
 }
 
 /// How probable it is that the soil comes farther than a distance.
-void tell_runout(const input::Sampling& asked, const SampleSet& set, results::SampledRunout& runout) {
+void make_runout_result(const input::Sampling& asked, const SampleSet& set, results::SampledRunout& runout) {
   const Present there(set.runout);
   const auto exceed = [&](double distance) {
     const auto count = std::count_if(there.values.begin(), there.values.end(), [&](double r) { return r > distance; });
@@ -148,23 +148,23 @@ void tell_runout(const input::Sampling& asked, const SampleSet& set, results::Sa
 
 }  // namespace
 
-void tell_samples(const input::Sampling& asked, SampleSet& set) {
-  results::Sampling& told = set.told;
-  told.correlations = describe_correlations(set);
+void make_samples_result(const input::Sampling& asked, SampleSet& set) {
+  results::Sampling& out = set.summary;
+  out.correlations = describe_correlations(set);
   if (std::any_of(set.failure_time.begin(), set.failure_time.end(), [](double t) { return std::isfinite(t); })) {
     std::vector<double> days = set.failure_time;
     for (double& time : days) time /= seconds_of_day;
-    told.failure_time = describe_values(days);
+    out.failure_time = describe_values(days);
   }
-  if (told.runout) tell_runout(asked, set, *told.runout);
-  told.samples_file = "samples.csv";
+  if (out.runout) make_runout_result(asked, set, *out.runout);
+  out.samples_file = "samples.csv";
   if (set.factor.empty()) return;
-  told.factor = describe_values(set.factor);
-  told.failure = describe_failure(asked, set);
-  told.fits = describe_fits(*told.factor);
-  told.ranks = describe_ranks(set, set.factor);
-  if (const long none = told.factor->none; none > 0)
-    told.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
+  out.factor = describe_values(set.factor);
+  out.failure = describe_failure(asked, set);
+  out.fits = describe_fits(*out.factor);
+  out.ranks = describe_ranks(set, set.factor);
+  if (const long none = out.factor->none; none > 0)
+    out.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
 }
 
 }  // namespace talus::study

@@ -90,7 +90,7 @@ std::string write_sampling_markdown(const std::string& title, const results::Sam
 
 std::string write_samples(const SampleSet& set) {
   std::string text = "sample";
-  for (const results::UncertainNumber& n : set.told.numbers)
+  for (const results::UncertainNumber& n : set.summary.numbers)
     text += "," + output::quote_field(output::make_label(n.key, n.unit));
   if (!set.factor.empty()) text += ",factor of safety";
   if (!set.runout.empty()) text += ",runout beyond the toe [m]";

@@ -64,13 +64,13 @@ class VariantRuns {
     run.overwrite = options_.overwrite;
     try {
       row.result = run::run_case(variant.loaded, run);
-      row.told.status = VariantStatus::finished;
+      row.summary.status = VariantStatus::finished;
       return;
     } catch (...) {  // not even a defect of the program in one variant must lose the results of the others
       const Failure failure = explain_failure(std::current_exception());
       row.code = failure.code;
-      row.told.reason = failure.sentence;
-      row.told.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
+      row.summary.reason = failure.sentence;
+      row.summary.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
                         : row.code == ExitCode::interrupted ? VariantStatus::interrupted
                                                             : VariantStatus::failed;
     }
@@ -193,11 +193,11 @@ void check_row(const fs::path& folder, StudyRow& row) try {
                                                    (folder / "summary.json").string()));
   run::require_list(folder);
   run::check_kept(folder);
-  row.told.status = VariantStatus::finished;
+  row.summary.status = VariantStatus::finished;
 } catch (const Error& error) {
   row.code = error.code();
-  row.told.reason = error.what();
-  row.told.status = VariantStatus::failed;
+  row.summary.reason = error.what();
+  row.summary.status = VariantStatus::failed;
 }
 
 void check_variants(const StudyPlan& plan, const StudyOptions& options) {
@@ -218,8 +218,8 @@ void check_variants(const StudyPlan& plan, const StudyOptions& options) {
 std::vector<StudyRow> begin_rows(const StudyPlan& plan) {
   std::vector<StudyRow> rows(plan.variants.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].told.name = plan.variants[i].label;
-    rows[i].told.folder = plan.variants[i].name;
+    rows[i].summary.name = plan.variants[i].label;
+    rows[i].summary.folder = plan.variants[i].name;
   }
   return rows;
 }
@@ -248,14 +248,14 @@ std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {
   std::string reasons;
   std::size_t finished = 0;
   for (const StudyRow& row : rows) {
-    if (row.told.status == VariantStatus::finished) {
+    if (row.summary.status == VariantStatus::finished) {
       ++finished;
       continue;
     }
     // A variant that was not started has no error of its own: only an interruption keeps one from starting.
-    const ExitCode own = row.told.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
+    const ExitCode own = row.summary.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
     if (rank(own) > rank(code)) code = own;
-    if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", row.told.folder, row.told.reason);
+    if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", row.summary.folder, row.summary.reason);
   }
   if (finished == rows.size()) return std::nullopt;
   const std::string what =

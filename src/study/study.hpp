@@ -28,7 +28,7 @@ struct StudyOptions {
 
 /// How a variant went.
 struct StudyRow {
-  results::StudyVariant told;
+  results::StudyVariant summary;
   ExitCode code = ExitCode::success;
   bool kept = false;                         ///< finished in an earlier call and not run again
   std::optional<results::RunResult> result;  ///< the run's, as far as it came

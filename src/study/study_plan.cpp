@@ -123,19 +123,19 @@ Variant name_variant(const input::Study& study, const std::vector<std::string>& 
 }  // namespace
 
 results::StudyResult begin_study(const input::LoadedCase& base) {
-  results::StudyResult told;
-  told.title = base.data.title;
-  told.case_file = base.file;
-  told.mode = input::find_key(base.echo, "study.mode")->text;
-  told.units = {base.data.output.displacement_unit, base.data.output.length_unit, std::nullopt};
-  return told;
+  results::StudyResult result;
+  result.title = base.data.title;
+  result.case_file = base.file;
+  result.mode = input::find_key(base.echo, "study.mode")->text;
+  result.units = {base.data.output.displacement_unit, base.data.output.length_unit, std::nullopt};
+  return result;
 }
 
 StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides) {
   check_study(base);
   const input::Study& study = base.data.study;
   StudyPlan plan;
-  plan.told = begin_study(base);
+  plan.summary = begin_study(base);
   plan.factors = study.factors;
   if (base.data.analysis == input::AnalysisKind::run)
     for (const input::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
@@ -143,7 +143,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
   for (const input::Vary& v : study.vary) paths.push_back(v.key);
   for (const std::string& path : paths) {
     if (path == study.extrapolate && !plan.extrapolated) plan.extrapolated = plan.names.size();
-    plan.told.vary.push_back({path, "", {}});
+    plan.summary.vary.push_back({path, "", {}});
     plan.names.push_back(shorten_path(path, paths));
   }
 
@@ -166,7 +166,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     }
     const auto [same, is_new] = known_cases.try_emplace(input::write_calculated(variant.loaded.echo), variant.label);
     if (!is_new) {
-      plan.told.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
+      plan.summary.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
       numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
       continue;
     }
@@ -174,7 +174,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     for (int i = 2; !names.insert(variant.name).second; ++i) variant.name = fmt::format("{}_{}", name, i);
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
       const auto key = input::find_key(variant.loaded.echo, study.vary[k].key);
-      if (key && !key->unit.empty()) plan.told.vary[k].unit = key->unit;
+      if (key && !key->unit.empty()) plan.summary.vary[k].unit = key->unit;
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(key ? key->text : text);
     }

@@ -22,7 +22,7 @@ struct Variant {
 };
 
 struct StudyPlan {
-  results::StudyResult told;          ///< before anything is calculated: keys without their values, values that make
+  results::StudyResult summary;          ///< before anything is calculated: keys without their values, values that make
                                       ///< no variant of their own as notes
   std::vector<std::string> names;     ///< of the keys: the last part, or as many as tell it from the others
   std::vector<double> factors;        ///< strength reduction factors whose displacement the table lists

@@ -26,18 +26,18 @@ constexpr double smallest_share = 1e-5;
 
 void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture) {
   output::TablePlot plot;
-  plot.title = plan.told.title;
+  plot.title = plan.summary.title;
   plot.x_label = "strength reduction factor";
-  plot.y_label = output::make_label("displacement", plan.told.units.displacement);
+  plot.y_label = output::make_label("displacement", plan.summary.units.displacement);
   plot.log_y = true;  // displacements of the variants differ by powers of ten
-  const double unit = units::get_si_factor(plan.told.units.displacement);
+  const double unit = units::get_si_factor(plan.summary.units.displacement);
   double largest = 0;
   for (const StudyRow& row : rows)
     if (row.result && row.result->curve)
       for (const results::Trial& t : row.result->curve->points) largest = std::max(largest, t.displacement / unit);
   for (const StudyRow& row : rows) {
     if (!row.result || !row.result->curve) continue;
-    output::PlotSeries series{row.told.name, {}, {}};
+    output::PlotSeries series{row.summary.name, {}, {}};
     for (const results::Trial& t : row.result->curve->points) {
       if (!(t.displacement / unit > smallest_share * largest)) continue;
       series.x.push_back(t.factor);
@@ -49,20 +49,20 @@ void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const 
 }
 
 void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const fs::path& folder) {
-  const double unit = units::get_si_factor(plan.told.units.displacement);
+  const double unit = units::get_si_factor(plan.summary.units.displacement);
   std::set<std::string> names;
   for (const std::string& monitor : plan.monitors) {
     output::TablePlot plot;
-    plot.title = plan.told.title.empty() ? monitor : fmt::format("{}: {}", plan.told.title, monitor);
+    plot.title = plan.summary.title.empty() ? monitor : fmt::format("{}: {}", plan.summary.title, monitor);
     plot.is_history = true;
     plot.x_label = "time [s]";
-    plot.y_label = output::make_label("displacement", plan.told.units.displacement);
+    plot.y_label = output::make_label("displacement", plan.summary.units.displacement);
     for (const StudyRow& row : rows) {
-      const fs::path file = join_name(folder, row.told.folder) / "monitors.csv";
+      const fs::path file = join_name(folder, row.summary.folder) / "monitors.csv";
       if (!row.result || !row.result->clock || !fs::exists(file)) continue;
       const results::Clock& clock = *row.result->clock;
       const run::MonitorPath path = run::read_monitor_path(output::read_history(file), monitor, clock);
-      output::PlotSeries series{row.told.name, path.time, path.displacement};
+      output::PlotSeries series{row.summary.name, path.time, path.displacement};
       for (double& u : series.y) u /= unit;
       plot.series.push_back(std::move(series));
     }

@@ -133,7 +133,7 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
                 [&](const RunResult& r) { return run::find_result(r, fmt::format("onset[{}]", name)); });
   for (const std::string& name : plan.monitors) {
     const auto get_end = [&](const RunResult& r) { return run::find_result(r, fmt::format("displacement[{}]", name)); };
-    columns.add("displacement of " + name, plan.told.units.displacement, "{:.4g}", false, get_end);
+    columns.add("displacement of " + name, plan.summary.units.displacement, "{:.4g}", false, get_end);
     const auto& base = rows[plan.reference].result;
     const bool moves = base && run::find_result(*base, fmt::format("onset[{}]", name));
     const std::optional<double> reference = moves ? get_end(*base) : std::nullopt;
@@ -162,17 +162,17 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
   Columns columns(rows);
   StudyColumn names = begin_column("variant", "variant", ""), ends = begin_column("result", "result", "");
   for (const StudyRow& row : rows) {
-    names.cells.push_back({row.told.folder, row.told.name});
-    ends.cells.push_back({to_word(row.told.status), to_word(row.told.status)});
+    names.cells.push_back({row.summary.folder, row.summary.name});
+    ends.cells.push_back({to_word(row.summary.status), to_word(row.summary.status)});
   }
   columns.table.push_back(std::move(names));
   for (std::size_t k = 0; k < plan.names.size(); ++k) {
-    StudyColumn column = begin_column(plan.told.vary[k].key, plan.names[k], plan.told.vary[k].unit);
+    StudyColumn column = begin_column(plan.summary.vary[k].key, plan.names[k], plan.summary.vary[k].unit);
     for (const Variant& v : plan.variants) column.cells.push_back({v.values[k], v.values[k]});
     columns.table.push_back(std::move(column));
   }
   for (const double f : plan.factors)
-    columns.add(fmt::format("displacement at SRF {:g}", f), plan.told.units.displacement, "{:.4g}", true,
+    columns.add(fmt::format("displacement at SRF {:g}", f), plan.summary.units.displacement, "{:.4g}", true,
                 [f](const RunResult& r) { return get_displacement(r, f); });
   columns.add_factor("governing", "main_factor", ColumnKind::governing);
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
@@ -199,18 +199,18 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
     columns.add_factor(title, name);
   for (const double f : list_runout_factors(rows))
     columns.add(
-        fmt::format("front advance at SRF {:g}", f), plan.told.units.length, "{:.3g}", false,
+        fmt::format("front advance at SRF {:g}", f), plan.summary.units.length, "{:.3g}", false,
         [f](const RunResult& r) { return get_front_advance(r, f); }, ColumnKind::runout);
   add_motion(plan, rows, columns);
   columns.add(
-      "largest displacement", plan.told.units.displacement, "{:.4g}", false,
+      "largest displacement", plan.summary.units.displacement, "{:.4g}", false,
       [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); }, ColumnKind::displacement);
   for (const auto& [name, number] : {std::pair{"front advance", &Runout::front_advance},
                                      {"runout beyond the toe", &Runout::toe_distance},
                                      {"crest retreat", &Runout::crest_retreat},
                                      {"advance of the centre", &Runout::centre_advance}})
     columns.add(
-        name, plan.told.units.length, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
+        name, plan.summary.units.length, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
         number == &Runout::front_advance ? ColumnKind::runout : ColumnKind::other);
   const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
     return !row.result || !row.result->mesh || row.result->mesh->dimension == 2;
@@ -261,12 +261,12 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
   }
   std::string remarks;
   for (const StudyRow& row : rows) {
-    const std::string& label = row.told.name;
-    if (!row.told.reason.empty()) remarks += fmt::format("- {}: {}\n", label, row.told.reason);
+    const std::string& label = row.summary.name;
+    if (!row.summary.reason.empty()) remarks += fmt::format("- {}: {}\n", label, row.summary.reason);
     if (!row.result) continue;
     for (const std::string& warning : row.result->warnings) remarks += fmt::format("- {}: {}\n", label, warning);
     remarks += explain_missing_factors(*row.result, label);
-    if (row.told.status != results::VariantStatus::finished || !row.result->curve) continue;
+    if (row.summary.status != results::VariantStatus::finished || !row.result->curve) continue;
     for (const double f : plan.factors)
       if (!get_displacement(*row.result, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
   }
@@ -276,7 +276,7 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
 }
 
 results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
-  results::StudyResult study = plan.told;
+  results::StudyResult study = plan.summary;
   study.reference = plan.variants[plan.reference].label;
   for (const Variant& v : plan.variants)
     for (std::size_t k = 0; k < v.values.size(); ++k)
@@ -284,7 +284,7 @@ results::StudyResult describe_study(const StudyPlan& plan, const std::vector<Stu
           std::find(values.begin(), values.end(), v.values[k]) == values.end())
         values.push_back(v.values[k]);
   study.columns = make_study_table(plan, rows);
-  for (const StudyRow& row : rows) study.variants.push_back(row.told);
+  for (const StudyRow& row : rows) study.variants.push_back(row.summary);
   study.extrapolation = extrapolate_factors(plan, study.columns);
   return study;
 }

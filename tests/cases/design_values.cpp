@@ -157,13 +157,13 @@ TEST(DesignValues, WarnOfFactoredActionsBesideAnEarthquake) {
 /// What the report's table of design values says is what the case has.
 TEST(DesignValues, StatementSaysWhatWasChanged) {
   const DesignValues d = apply_partial_factors(read("[partial_factors]\nset = \"DA3\"\n"));
-  std::map<std::string, std::pair<double, double>> told;
-  for (const results::DesignValue& row : d.statement->materials) told[row.symbol] = {row.characteristic, row.design};
-  EXPECT_NEAR(told.at("c'").first, 2, 1e-12);
-  EXPECT_NEAR(told.at("c'").second, 1.6, 1e-12);
-  EXPECT_NEAR(told.at("φ'").first, 30, 1e-10);
-  EXPECT_NEAR(told.at("φ'").second, 24.7913, 1e-4);
-  EXPECT_FALSE(told.contains("γ"));  // its factor is 1
+  std::map<std::string, std::pair<double, double>> result;
+  for (const results::DesignValue& row : d.statement->materials) result[row.symbol] = {row.characteristic, row.design};
+  EXPECT_NEAR(result.at("c'").first, 2, 1e-12);
+  EXPECT_NEAR(result.at("c'").second, 1.6, 1e-12);
+  EXPECT_NEAR(result.at("φ'").first, 30, 1e-10);
+  EXPECT_NEAR(result.at("φ'").second, 24.7913, 1e-4);
+  EXPECT_FALSE(result.contains("γ"));  // its factor is 1
   EXPECT_FALSE(apply_partial_factors(read("")).statement);
 }
 

@@ -32,14 +32,14 @@ class RunoutMeshes : public MethodsTest {
 
 TEST_F(RunoutMeshes, TheCoarserIsTheCaseWithElementsTwiceAsLarge) {
   const json fine = collapse("0.1").at("runout");
-  const json& told = fine.at("coarser_mesh");
+  const json& out = fine.at("coarser_mesh");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "coarser_mesh" / "summary.json"));
   const json coarse = collapse("0.2", {{"output.runout_meshes", "1"}}).at("runout");
   EXPECT_FALSE(coarse.contains("coarser_mesh"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "coarser_mesh")) << "of the run that this one overwrote";
-  EXPECT_EQ(told.at("size"), 0.2);
+  EXPECT_EQ(out.at("size"), 0.2);
   for (const char* key : {"front_advance", "toe_distance", "crest_retreat", "moved_volume", "highest_ground"})
-    EXPECT_EQ(told.at(key), coarse.at(key)) << key;
+    EXPECT_EQ(out.at(key), coarse.at(key)) << key;
   EXPECT_GT(fine.at("front_advance"), coarse.at("front_advance")) << "a finer mesh has a thinner front";
 }
 

@@ -62,14 +62,14 @@ TEST_F(StartStress, ASlopeThatFallsBeginsWithTheLeastStrengthThatHoldsIt) {
         .data;
   };
   EXPECT_FALSE(run::find_balance(divide(1), 1).stands);
-  results::StressStart told;
-  const auto known = run::find_start_stress(divide(1), 1, told);
-  EXPECT_LT(told.factor, 1);
-  EXPECT_GT(told.factor, 0.5);
-  EXPECT_LT(told.force_residual, 1e-4);
+  results::StressStart result;
+  const auto known = run::find_start_stress(divide(1), 1, result);
+  EXPECT_LT(result.factor, 1);
+  EXPECT_GT(result.factor, 0.5);
+  EXPECT_LT(result.force_residual, 1e-4);
   // The strength that is missing: with it the slope stands, with a hundredth less it does not.
-  EXPECT_TRUE(run::find_balance(divide(told.factor), 1).stands);
-  EXPECT_FALSE(run::find_balance(divide(told.factor + 0.0101), 1).stands);
+  EXPECT_TRUE(run::find_balance(divide(result.factor), 1).stands);
+  EXPECT_FALSE(run::find_balance(divide(result.factor + 0.0101), 1).stands);
 }
 
 TEST_F(StartStress, SaysWhatACaseLacks) {

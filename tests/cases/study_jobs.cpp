@@ -251,9 +251,9 @@ TEST(StudyJobs, AFailureIsKeptAndRepeated) {
 TEST(StudyJobs, NamesInTheListOfJobsStayInItsFolder) {
   const fs::path folder = make_test_folder(), jobs = folder / "jobs";
   prepare(cohesion_study, jobs, 0);
-  const auto told = *results::read_file<results::StudyJobs>(jobs / "jobs.json");
+  const auto result = *results::read_file<results::StudyJobs>(jobs / "jobs.json");
   const auto refusal = [&](const std::function<void(results::StudyJobs&)>& change) {
-    results::StudyJobs changed = told;
+    results::StudyJobs changed = result;
     change(changed);
     results::write_file(jobs / "jobs.json", changed);
     return say([&] { calculate_job(jobs, 1, 1, nullptr); });

@@ -31,8 +31,8 @@ key = "mesh.size"
 values = [2.5]
 )");
   EXPECT_EQ(list_names(plan), (std::vector<std::string>{"base", "cohesion_4_kPa", "cohesion_8", "size_2.5"}));
-  EXPECT_EQ(plan.told.vary[0].unit, "kPa");
-  EXPECT_EQ(plan.told.vary[1].unit, "m");
+  EXPECT_EQ(plan.summary.vary[0].unit, "kPa");
+  EXPECT_EQ(plan.summary.vary[1].unit, "m");
   const std::vector<std::vector<std::string>> values{{"2", "3"}, {"4", "3"}, {"8", "3"}, {"2", "2.5"}};
   const double cohesions[] = {2000, 4000, 8000, 2000}, sizes[] = {3, 3, 3, 2.5};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -58,8 +58,8 @@ values = [3, 2.5]
   EXPECT_EQ(list_names(plan),
             (std::vector<std::string>{"base", "cohesion_2__size_2.5", "cohesion_4__size_3", "cohesion_4__size_2.5",
                                       "cohesion_8__size_3", "cohesion_8__size_2.5"}));
-  ASSERT_EQ(plan.told.notes.size(), 1u);
-  EXPECT_EQ(plan.told.notes[0], "cohesion = 2, size = 3 is the same case as base.");
+  ASSERT_EQ(plan.summary.notes.size(), 1u);
+  EXPECT_EQ(plan.summary.notes[0], "cohesion = 2, size = 3 is the same case as base.");
 }
 
 TEST(StudyPlan, ChangesKeysTogetherUnderOneName) {
@@ -79,7 +79,7 @@ values = )";
   EXPECT_EQ(list_names(plan), (std::vector<std::string>{"base", "firm", "stiff"}));
   EXPECT_EQ(plan.variants[1].values, (std::vector<std::string>{"4", "2.5"}));
   EXPECT_EQ(plan.variants[2].values, (std::vector<std::string>{"8", "2"}));
-  EXPECT_EQ(plan.told.mode, "together");
+  EXPECT_EQ(plan.summary.mode, "together");
   try {
     plan_text(study + "[2.5]");
     FAIL() << "one size for two cohesions";

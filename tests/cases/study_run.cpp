@@ -100,7 +100,7 @@ TEST(Study, InterruptedStartsNoOtherVariantAndGoesOnLater) {
   request_interrupt();
   auto rows = run_study(plan, write_to(folder));
   request_interrupt(false);
-  for (const StudyRow& row : rows) EXPECT_EQ(row.told.status, results::VariantStatus::not_started);
+  for (const StudyRow& row : rows) EXPECT_EQ(row.summary.status, results::VariantStatus::not_started);
   ASSERT_TRUE(find_failure(rows));
   EXPECT_EQ(find_failure(rows)->code(), ExitCode::interrupted);
   rows = run_study(plan, write_to(folder, true));
@@ -120,9 +120,9 @@ values = [1e9, 8]
   const fs::path folder = make_test_folder();
   const auto rows = run_study(plan, write_to(folder));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0].told.status, results::VariantStatus::finished);
-  EXPECT_EQ(rows[1].told.status, results::VariantStatus::unstable);
-  EXPECT_EQ(rows[2].told.status, results::VariantStatus::finished);
+  EXPECT_EQ(rows[0].summary.status, results::VariantStatus::finished);
+  EXPECT_EQ(rows[1].summary.status, results::VariantStatus::unstable);
+  EXPECT_EQ(rows[2].summary.status, results::VariantStatus::finished);
   const auto failure = find_failure(rows);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->code(), ExitCode::unstable);

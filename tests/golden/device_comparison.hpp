@@ -35,7 +35,7 @@ void expect_same_water(const mpm::Body<D>& engine, const mpm::Body<D>& device, c
     mass.add(p.water_mass, q.water_mass);
     for (std::size_t d = 0; d < D; ++d) velocity.add(p.water_velocity[d], q.water_velocity[d]);
   }
-  const mpm::MixtureWater<D>&m = engine.water.mixture, &n = device.water.mixture;
+  const mpm::DarcyWater<D>&m = engine.water.darcy, &n = device.water.darcy;
   ASSERT_EQ(m.pressure.size(), n.pressure.size());
   for (std::size_t i = 0; i < m.pressure.size(); ++i) {
     ASSERT_EQ(std::isnan(m.pressure[i]), std::isnan(n.pressure[i])) << name << ", node " << i;

@@ -12,8 +12,8 @@ namespace talus {
 namespace {
 
 using namespace golden;
-using reference::MixtureBody;
-using reference::MixtureSettings;
+using reference::DarcyBody;
+using reference::DarcySettings;
 using reference::Smoothing;
 
 struct Case {
@@ -41,20 +41,20 @@ struct WetCase {
 
 template <int D>
 WetCase<D> make_case(const reference::WetBody<D>& wet, const Case& c) {
-  MixtureBody<D> plain{wet};
+  DarcyBody<D> plain{wet};
   for (auto& p : plain.points) p.w = p.v;
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.time_step = 0.5 * reference::smallest_altitude(wet.mesh) / std::sqrt(5e6 * 0.7 / 0.52 / 2000);
   settings.mixed = c.mixed;
   settings.frozen = c.frozen;
   settings.smoothing = c.smoothing;
   WetCase<D> made{translate<D>(plain, reference::wet_slope_curves(), 3),
                   translate(settings, static_cast<const reference::WetBody<D>&>(plain))};
-  made.options.mixture = true;
+  made.options.darcy = true;
   made.options.monitor = true;
   made.options.pressure_tolerance = 1e-13;
   if (c.given)
-    for (const auto& x : plain.mesh.nodes) made.body.water.mixture.pressure.push_back(9810 * (x[D - 1] - 1.7));
+    for (const auto& x : plain.mesh.nodes) made.body.water.darcy.pressure.push_back(9810 * (x[D - 1] - 1.7));
   return made;
 }
 
@@ -125,7 +125,7 @@ TEST(DeviceWater, OrderOfThreadsChangesNoBit) {
     const mpm::Body<2> forwards = run_on_device(made, steps, {}), other = run_on_device(made, steps, how);
     EXPECT_EQ(forwards.points.data, other.points.data);
     EXPECT_EQ(forwards.points.id, other.points.id);
-    EXPECT_EQ(forwards.water.mixture.own, other.water.mixture.own);
+    EXPECT_EQ(forwards.water.darcy.own, other.water.darcy.own);
     EXPECT_EQ(forwards.work.pore_water, other.work.pore_water);
   };
   compare_bits({.backwards = true}, 60);

@@ -12,8 +12,8 @@
 namespace talus {
 namespace {
 
-using reference::MixtureBody;
-using reference::MixtureSettings;
+using reference::DarcyBody;
+using reference::DarcySettings;
 using reference::Smoothing;
 
 template <int D>
@@ -32,7 +32,7 @@ struct Case {
 
 /// As a volume that smoothing leads may become: below that of the grains, with the water of a thousandth of itself.
 template <int D>
-void shrink(MixtureBody<D>& plain, mpm::Body<D>& body) {
+void shrink(DarcyBody<D>& plain, mpm::Body<D>& body) {
   using P = mpm::Points<D>;
   int small = 0;
   for (auto& point : plain.points) {
@@ -52,9 +52,9 @@ template <int D>
 void expect_same(const reference::WetBody<D>& wet, const Case& c, int steps) {
   SCOPED_TRACE(c.name);
   const reference::Curves curves = reference::wet_slope_curves();
-  MixtureBody<D> plain{wet};
+  DarcyBody<D> plain{wet};
   for (auto& p : plain.points) p.w = p.v;
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.time_step = drained_step(wet);
   settings.mixed = c.mixed;
   settings.frozen = c.frozen;
@@ -62,13 +62,13 @@ void expect_same(const reference::WetBody<D>& wet, const Case& c, int steps) {
   settings.damping = c.damping;
   mpm::Body<D> body = golden::translate<D>(plain, curves, 3);
   mpm::StepOptions<D> options = golden::translate(settings, static_cast<const reference::WetBody<D>&>(plain));
-  options.mixture = true;
+  options.darcy = true;
   options.pressure_tolerance = 1e-13;
   if (c.given) {
     std::vector<double> pressures;
     for (const auto& x : plain.mesh.nodes) pressures.push_back(9810 * (x[D - 1] - 1.7));
     reference::start_from_pressures(plain, pressures);
-    body.water.mixture.pressure = pressures;
+    body.water.darcy.pressure = pressures;
   }
   if (c.small) shrink(plain, body);
   mpm::gather_nodal_sums(body, options);
@@ -131,14 +131,14 @@ TEST(MixtureAgainstReference, WallThatIsPushedInIsTheSame) {
 
 template <int D>
 void expect_same_bits(const reference::WetBody<D>& wet, int steps) {
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.time_step = drained_step(wet);
   settings.smoothing = Smoothing::stable;
-  const mpm::Body<D> start = golden::translate<D>(MixtureBody<D>{wet}, reference::wet_slope_curves(), 3);
+  const mpm::Body<D> start = golden::translate<D>(DarcyBody<D>{wet}, reference::wet_slope_curves(), 3);
   const auto advance = [&](int threads) {
     mpm::Body<D> body = start;
     mpm::StepOptions<D> options = golden::translate(settings, wet);
-    options.mixture = true;
+    options.darcy = true;
     options.threads = threads;
     mpm::gather_nodal_sums(body, options);
     for (int s = 0; s < steps; ++s) mpm::step(body, options);
@@ -148,7 +148,7 @@ void expect_same_bits(const reference::WetBody<D>& wet, int steps) {
   for (const int threads : {2, 3}) {
     const mpm::Body<D> other = advance(threads);
     EXPECT_EQ(one.points.data, other.points.data) << threads;
-    EXPECT_EQ(one.water.mixture.change, other.water.mixture.change) << threads;
+    EXPECT_EQ(one.water.darcy.change, other.water.darcy.change) << threads;
   }
 }
 

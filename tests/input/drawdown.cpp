@@ -73,10 +73,10 @@ TEST(Drawdown, StandsAlone) {
 }
 
 TEST(Drawdown, DoesNotGoWithATimeline) {
-  bool told = false;
+  bool result = false;
   for (const Diagnostic& fault : find_faults(drawn + three_stages + "[timeline]\nduration = 3\n"))
-    told = told || fault.sentence.find("not with [timeline]") != std::string::npos;
-  EXPECT_TRUE(told);
+    result = result || fault.sentence.find("not with [timeline]") != std::string::npos;
+  EXPECT_TRUE(result);
 }
 
 }  // namespace

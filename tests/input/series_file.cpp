@@ -74,7 +74,7 @@ TEST_F(SeriesFromFile, TheEchoHasTheRows) {
   const Case data = read("date,rain [mm]\n2023-03-01,24\n2023-03-02,0\n", "column = \"rain\"");
   EXPECT_FALSE(data.hydraulics.at(1).rate.source);
   EXPECT_EQ(data.hydraulics.at(1).rate.time.size(), 3u);
-  EXPECT_EQ(say_date(data.initial.date->seconds), "2023-03-01");
+  EXPECT_EQ(format_date(data.initial.date->seconds), "2023-03-01");
 }
 
 TEST_F(SeriesFromFile, FaultsNameFileAndLine) {
@@ -102,8 +102,8 @@ TEST_F(SeriesFromFile, FaultsNameFileAndLine) {
 TEST(Dates, AreReadAndWritten) {
   EXPECT_EQ(parse_date("1970-01-02"), day);
   EXPECT_EQ(parse_date("1970-01-01T06:30"), 6.5 * 3600);
-  EXPECT_EQ(say_date(*parse_date("2024-02-29 23:59")), "2024-02-29 23:59");
-  EXPECT_EQ(say_date(-60), "1969-12-31 23:59");
+  EXPECT_EQ(format_date(*parse_date("2024-02-29 23:59")), "2024-02-29 23:59");
+  EXPECT_EQ(format_date(-60), "1969-12-31 23:59");
   EXPECT_FALSE(parse_date("2023-13-01"));
   EXPECT_FALSE(parse_date("2023-3-1"));
 }

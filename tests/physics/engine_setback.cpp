@@ -24,7 +24,7 @@ mpm::Body<2> make_column(const input::Case& data) {
   return run::prepare<2>(data, std::move(mesh));
 }
 
-TEST(Setback, AStepBeyondTheStableOneIsHalvedUntilItIsStable) {
+TEST(Retry, AStepBeyondTheStableOneIsHalvedUntilItIsStable) {
   const input::Case data = support::make_box_case<2>(support::make_elastic(10e6));
   mpm::Body<2> body = make_column(data), calm = make_column(data);
   run::StageState state;
@@ -33,7 +33,7 @@ TEST(Setback, AStepBeyondTheStableOneIsHalvedUntilItIsStable) {
   ASSERT_GE(state.setbacks.size(), 1u);
   ASSERT_LE(state.setbacks.size(), run::most_setbacks);
   for (std::size_t i = 0; i < state.setbacks.size(); ++i) {
-    const results::Setback& s = state.setbacks[i];
+    const results::Retry& s = state.setbacks[i];
     EXPECT_DOUBLE_EQ(s.courant, 3 * std::pow(0.5, static_cast<double>(i + 1)));
     EXPECT_LT(s.back_to, s.time);
     EXPECT_NE(s.reason.find("m/s"), std::string::npos) << s.reason;
@@ -46,7 +46,7 @@ TEST(Setback, AStepBeyondTheStableOneIsHalvedUntilItIsStable) {
   EXPECT_NEAR(mpm::find_largest_displacement(body).value, settled, 1e-2 * settled);
 }
 
-TEST(Setback, TheSmoothingThatMayBeTheCauseIsLeftOut) {
+TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   run::StagePlan<2> plan;
   plan.step.courant = 0.8;
   const auto smooth = [&](input::Smoothing asked, std::size_t setbacks, bool wet) {
@@ -64,7 +64,7 @@ TEST(Setback, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   EXPECT_DOUBLE_EQ(run::calm_down(plan, 3, false).step.courant, 0.1);
 }
 
-TEST(Setback, HistoriesHoldNothingOfWhatWasLost) {
+TEST(Retry, HistoriesHoldNothingOfWhatWasLost) {
   const fs::path folder = fs::path(testing::TempDir()) / "talus_setback";
   fs::remove_all(folder);
   input::Case data = support::make_box_case<2>(support::make_elastic(10e6));

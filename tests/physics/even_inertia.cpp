@@ -37,7 +37,7 @@ void expect_same_rest(const input::Case& data, const mesh::Mesh<2>& mesh) {
     auto body = run::prepare<2>(data, mesh);
     auto plan = make_rest_stage(data, body, 60, freeze(), 1e-11);
     plan.gravity_ramp = 0.5;
-    plan.evens_inertia = evens;
+    plan.equalises_mass = evens;
     EXPECT_EQ(run_plan(body, plan), results::StageEnd::rest);
     return body;
   };
@@ -53,23 +53,23 @@ void expect_same_rest(const input::Case& data, const mesh::Mesh<2>& mesh) {
   for (std::size_t i = 0; i < plain.nodes.load.size(); ++i) EXPECT_EQ(plain.nodes.load[i], even.nodes.load[i]);
 }
 
-TEST(EvenInertia, LeavesTheRestAsItIs) {
+TEST(EqualisedMass, LeavesTheRestAsItIs) {
   expect_same_rest(make_box_case<2>(make_elastic()), mesh::generate<2>(plan_step(4)));
 }
 
-TEST(EvenInertia, LeavesTheRestWithHeldWaterAsItIs) {
+TEST(EqualisedMass, LeavesTheRestWithHeldWaterAsItIs) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.initial.water = {input::InitialPressure::water_table, {{0, 1.5}}};
   data.hydraulics = {make_hydraulic("right", input::WaterCondition::total_head, 1.5)};
   expect_same_rest(data, mesh::generate<2>(plan_step(4)));
 }
 
-TEST(EvenInertia, TheStepIsThatOfOrdinaryElements) {
+TEST(EqualisedMass, TheStepIsThatOfOrdinaryElements) {
   const input::Case data = make_box_case<2>(make_elastic());
   const auto find_step = [&](double finer, bool evens) {
     auto body = run::prepare<2>(data, mesh::generate<2>(plan_step(finer)));
     auto plan = make_rest_stage(data, body, 1, freeze());
-    plan.evens_inertia = evens;
+    plan.equalises_mass = evens;
     return run::find_critical_step(body, plan).dt;
   };
   const double ordinary = find_step(1, false);
@@ -78,7 +78,7 @@ TEST(EvenInertia, TheStepIsThatOfOrdinaryElements) {
 }
 
 /// The weight on every node is that of the soil: mass times gravity, and the load that takes the rest away.
-TEST(EvenInertia, TheWeightIsThatOfTheSoil) {
+TEST(EqualisedMass, TheWeightIsThatOfTheSoil) {
   const input::Case data = make_box_case<2>(make_elastic());
   auto body = run::prepare<2>(data, mesh::generate<2>(plan_step(4)));
   auto plan = make_rest_stage(data, body, 1, freeze());

@@ -63,8 +63,8 @@ TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
 
 TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {
   const double exact = (2 + std::acos(-1.0)) * cohesion / pressure;
-  const auto interval = run::find_mesh_interval(run::tell_mesh_factor(reduce_strip(0.3, 0), 0.3),
-                                                run::tell_mesh_factor(reduce_strip(0.15, 0), 0.15));
+  const auto interval = run::find_mesh_interval(run::make_mesh_factor_result(reduce_strip(0.3, 0), 0.3),
+                                                run::make_mesh_factor_result(reduce_strip(0.15, 0), 0.15));
   ASSERT_TRUE(interval.has_value());
   EXPECT_LE(interval->lower, exact);
   EXPECT_GE(interval->upper, exact);

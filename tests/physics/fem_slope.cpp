@@ -63,7 +63,7 @@ TEST(SolidSlope, IntervalOfTwoMeshesHoldsChensLogSpiral) {
   const auto search = [](double size) {
     const SoilSection section{
         {{0, 0}, {40, 0}, {40, 5}, {25, 5}, {15, 15}, {0, 15}}, 0.0619 * 20e3 * 10, 20, 20, 20e3, 1e7, 0.3, size};
-    return run::tell_mesh_factor(reduce(section, 0.9, 1.1), size);
+    return run::make_mesh_factor_result(reduce(section, 0.9, 1.1), size);
   };
   const auto interval = run::find_mesh_interval(search(2), search(1));
   ASSERT_TRUE(interval.has_value());

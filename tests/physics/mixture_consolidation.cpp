@@ -34,7 +34,7 @@ Consolidation consolidate(int cells, double jitter) {
   const Soil soil = make_table_soil(3e-12);
   const double storage = 1 / modulus + n / soil.water.bulk_modulus;
   const double c_v = soil.water.conductivity / (1000 * 9.81 * storage);
-  MixtureBody<2> body{make_column<2>(cells, h, soil, n, jitter)};
+  DarcyBody<2> body{make_column<2>(cells, h, soil, n, jitter)};
   body.tractions = face_areas(body.mesh, 1, height);
   for (Vector<2>& t : body.tractions) t *= -load;
   for (WetPoint<2>& point : body.points) {
@@ -43,7 +43,7 @@ Consolidation consolidate(int cells, double jitter) {
     point.sigma = Vector3(3.0 / 7, 1, 3.0 / 7).asDiagonal() * (strain * modulus);
     point.water_mass = pore_volume(body, point) * water_density(soil.water, point.pressure);
   }
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.time_step = 0.9 * drained_step(body);
   settings.damping = 0.02;
   Consolidation result;
@@ -72,11 +72,11 @@ TEST(MixtureConsolidation, FollowsTerzaghiWithRealWaterAtTheStepOfTheDrainedWave
 /// The undrained wave would need a step twenty times smaller.
 TEST(MixtureConsolidation, IsStableForAnyConductivityAndCarriesASuddenLoadByTheWater) {
   for (const double permeability : {1e-8, 1e-12, 1e-16}) {
-    MixtureBody<2> body{make_column<2>(8, 0.1, make_table_soil(permeability), 0.4, 0.2)};
+    DarcyBody<2> body{make_column<2>(8, 0.1, make_table_soil(permeability), 0.4, 0.2)};
     body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::closed});
     body.tractions = face_areas(body.mesh, 1, 0.8);
     for (Vector<2>& t : body.tractions) t *= -load;
-    MixtureSettings settings;
+    DarcySettings settings;
     settings.time_step = 0.9 * drained_step(body);
     settings.damping = 0.3;
     for (int n = 0; n < 2000; ++n) step<2>(body, settings);

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double g = 9.81, gamma_w = 1000 * g;
 
-TEST(MixtureFlow, DischargeThroughLayersIsDarcysExactly) {
+TEST(DarcyFlow, DischargeThroughLayersIsDarcysExactly) {
   const Soil loose = make_table_soil(1e-10), tight = make_table_soil(1e-11);
-  MixtureBody<2> body{make_layered_column(loose, tight, 0.2)};
-  MixtureSettings settings;
+  DarcyBody<2> body{make_layered_column(loose, tight, 0.2)};
+  DarcySettings settings;
   settings.frozen = true;
   settings.time_step = 1;
   for (int n = 0; n < 400; ++n) step<2>(body, settings);
@@ -35,9 +35,9 @@ TEST(MixtureFlow, DischargeThroughLayersIsDarcysExactly) {
       << "but for the compression of water";
 }
 
-MixtureBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,
+DarcyBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,
                                       double jitter) {
-  MixtureBody<2> body{make_column<2>(cells, height / cells, soil, n, jitter)};
+  DarcyBody<2> body{make_column<2>(cells, height / cells, soil, n, jitter)};
   body.points.clear();
   fill_wet(
       body, n, 0, [](const Vector<2>&) { return true; }, [&](const Vector<2>& x) { return share * gamma_w * x[1]; });
@@ -56,13 +56,13 @@ MixtureBody<2> make_column_under_rain(const Soil& soil, double height, int cells
   return body;
 }
 
-TEST(MixtureFlow, InfiltrationFollowsRichardsEquationWithStepsOfAnyLength) {
+TEST(DarcyFlow, InfiltrationFollowsRichardsEquationWithStepsOfAnyLength) {
   const double height = 1, n = 0.4, rain = 5e-5;
   const Soil soil = make_gardner_soil(3e-4);
   const int fine = 200, cells = 20;
   for (const double dt : {0.5, 10.0}) {
-    MixtureBody<2> body = make_column_under_rain(soil, height, cells, n, rain, 1, 0);
-    MixtureSettings settings;
+    DarcyBody<2> body = make_column_under_rain(soil, height, cells, n, rain, 1, 0);
+    DarcySettings settings;
     settings.frozen = true;
     settings.time_step = dt;
     const auto sum_water = [&] {
@@ -91,11 +91,11 @@ TEST(MixtureFlow, InfiltrationFollowsRichardsEquationWithStepsOfAnyLength) {
   }
 }
 
-TEST(MixtureFlow, RainBeyondWhatTheSoilTakesRunsOff) {
+TEST(DarcyFlow, RainBeyondWhatTheSoilTakesRunsOff) {
   const double height = 0.5, n = 0.4, rain = 3e-4;
   const Soil soil = make_gardner_soil(3e-4);
-  MixtureBody<2> body = make_column_under_rain(soil, height, 6, n, rain, 0.5, 0.2);
-  MixtureSettings settings;
+  DarcyBody<2> body = make_column_under_rain(soil, height, 6, n, rain, 0.5, 0.2);
+  DarcySettings settings;
   settings.frozen = true;
   settings.time_step = 2;
   while (body.steps < 3000) step<2>(body, settings);
@@ -109,8 +109,8 @@ TEST(MixtureFlow, RainBeyondWhatTheSoilTakesRunsOff) {
 
 /// Shear parts the points of thin bands, and elements inside the soil are left without any. A gap is no surface: water
 /// at rest stays so.
-TEST(MixtureRest, GapsInsideTheSoilDrainNothing) {
-  MixtureBody<2> body{make_wet_body(make_box<2>({6, 12}, {0.6, 1.2}, 0), make_table_soil())};
+TEST(DarcyRest, GapsInsideTheSoilDrainNothing) {
+  DarcyBody<2> body{make_wet_body(make_box<2>({6, 12}, {0.6, 1.2}, 0), make_table_soil())};
   fix_wet_box(body, {0.6, 1.2});
   const auto hydrostatic = [](double y) { return -gamma_w * (1 - y); };
   fill_wet(
@@ -123,7 +123,7 @@ TEST(MixtureRest, GapsInsideTheSoilDrainNothing) {
   std::vector<double> start;
   for (const auto& x : body.mesh.nodes) start.push_back(hydrostatic(x[1]));
   start_from_pressures(body, start);
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.frozen = true;
   settings.time_step = 10;
   while (body.steps < 50) step<2>(body, settings);
@@ -136,12 +136,12 @@ TEST(MixtureRest, GapsInsideTheSoilDrainNothing) {
 
 /// A soft column settles under water by 14 mm, and points pass from element to element. With one pressure per element
 /// and smoothing it never rests.
-TEST(MixtureRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {
+TEST(DarcyRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {
   Soil soil = make_table_soil();
   soil.skeleton = {.young_modulus = 1e6, .poisson_ratio = 0.3};
   soil.water.bulk_modulus = 2.2e9;
   soil.water.conductivity = 1e-3;
-  MixtureBody<2> body{make_wet_body(make_box<2>({4, 26}, {0.4, 2.6}, 0.2), soil)};
+  DarcyBody<2> body{make_wet_body(make_box<2>({4, 26}, {0.4, 2.6}, 0.2), soil)};
   fix_wet_box(body, {0.4, 2.6});
   const auto hydrostatic = [](double y) { return -gamma_w * (3 - y); };
   fill_wet(
@@ -151,7 +151,7 @@ TEST(MixtureRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {
   body.gravity[1] = -g;
   double begin = 0;
   for (const WetPoint<2>& point : body.points) begin += point.water_mass;
-  MixtureSettings settings;
+  DarcySettings settings;
   settings.smoothing = Smoothing::stable;
   settings.damping = 0.1;
   settings.mass_scaling = 100;
@@ -173,8 +173,8 @@ TEST(MixtureRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {
 /// An unsaturated slope of two soils in motion, under rain and flooded at its toe: points change their elements, and
 /// elements fill and empty.
 TEST(MixtureSlope, SlidesWithRealWaterAtTheStepOfTheDrainedWave) {
-  MixtureBody<2> body{golden::set_in_motion(golden::soften(make_wet_slope<2>(), 2.2e9), 1)};
-  MixtureSettings settings;
+  DarcyBody<2> body{golden::set_in_motion(golden::soften(make_wet_slope<2>(), 2.2e9), 1)};
+  DarcySettings settings;
   settings.smoothing = Smoothing::stable;
   settings.time_step = 0.8 * smallest_altitude(body.mesh) / std::sqrt(5e6 * 0.7 / 0.52 / 2000);
   const auto sum_water = [&] {

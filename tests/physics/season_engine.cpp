@@ -85,7 +85,7 @@ void expect_to_dry_as_in_seepage(const input::StepSettings& settings, double clo
   EXPECT_EQ(body.water.transpired, 0) << "held water";
   const double before = mpm::find_water_state(body).mass;
   run_plan(body, make_stage<2>(data, body, duration, settings));
-  EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-11) << "65 000 steps";
+  EXPECT_LT(std::abs(run::make_water_result(data, body, before).error), 1e-11) << "65 000 steps";
 
   mesh::Mesh<2> wet;
   auto model = ground::make_seepage_model<2>(data, mesh, wet);
@@ -136,7 +136,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
       run::run_stage<D>(body, plan, state);
       const double whole = 1e-3 * ground * body.time;
       EXPECT_NEAR(find_drawn_volume(body), whole, 1e-3 * ground * 4 * state.dt) << "to the length of one exchange";
-      EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-12);
+      EXPECT_LT(std::abs(run::make_water_result(data, body, before).error), 1e-12);
     }
   };
   look(make_planted_case<2>(1e-3, -0.4), make_column_mesh(), 0.2);
@@ -155,7 +155,7 @@ TEST(SeasonEngine, FrozenSoilDrawsNothingAfterAStageThatDid) {
   still.geometry = input::Geometry::frozen;
   run_plan(body, make_stage<2>(data, body, 0.05, still));
   EXPECT_EQ(body.water.transpired, drawn);
-  EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-12);
+  EXPECT_LT(std::abs(run::make_water_result(data, body, before).error), 1e-12);
 }
 
 TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {

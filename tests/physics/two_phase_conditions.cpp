@@ -65,10 +65,10 @@ TEST(TwoPhaseConditions, GivenPressureLoadsTheWaterAndPressesTheMixtureButDoesNo
     classify_wet_elements(body, {});
     body.nodes.assign(body.mesh.nodes.size(), {});
     load_free_surface(body);
-    Vector<2> water(0, 0), mixture(0, 0);
-    for (const WetNode<2>& node : body.nodes) water += node.water_force, mixture += node.force;
+    Vector<2> water(0, 0), darcy(0, 0);
+    for (const WetNode<2>& node : body.nodes) water += node.water_force, darcy += node.force;
     EXPECT_NEAR(water[0], 2 * pressure, 1e-9);  // a side of 2 m; at the top the nodes are of two kinds
-    EXPECT_NEAR(mixture[0], std::min(0.0, 2 * pressure), 1e-9);
+    EXPECT_NEAR(darcy[0], std::min(0.0, 2 * pressure), 1e-9);
     EXPECT_EQ(water[1], 0);
   }
 }

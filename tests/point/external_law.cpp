@@ -79,7 +79,7 @@ void expect_every_argument() {
     const double time = call == 1 ? 0 : 0.125;
     // STRAN is the strain before the increment; its last component is 12 in plane strain, 23 = yz in space.
     const double stran = (call - 1) * d[NS == 4 ? 3 : 4];
-    const double told[20] = {1.0 * call, 3,     NS - 3, NS,    20, 3,   6.5,
+    const double result[20] = {1.0 * call, 3,     NS - 3, NS,    20, 3,   6.5,
                              0.75,       time,  time,   0.125, 42, 111, call == 1 ? 11.0 : 21.0,
                              80.75,      stran, 0,      1,     0,  1};
     const char* names[20] = {"calls",
@@ -102,7 +102,7 @@ void expect_every_argument() {
                              "COORDS, CELENT",
                              "zeros",
                              "PNEWDT"};
-    for (int i = 0; i < 20; ++i) EXPECT_DOUBLE_EQ(q[1 + i], told[i]) << names[i];
+    for (int i = 0; i < 20; ++i) EXPECT_DOUBLE_EQ(q[1 + i], result[i]) << names[i];
     EXPECT_EQ(q[0], 0) << "deviatoric plastic strain: not known";
   }
 }

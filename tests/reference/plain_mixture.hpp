@@ -19,7 +19,7 @@ struct Prediction {
 };
 
 template <int D>
-Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& settings) {
+Prediction<D> predict_motion(const DarcyBody<D>& body, const DarcySettings& settings) {
   Prediction<D> p;
   const std::vector<Vector<D>> zero(body.nodes.size(), Vector<D>::Zero());
   p.velocity = p.acceleration = p.start = zero;
@@ -27,7 +27,7 @@ Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& 
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const WetNode<D>& node = body.nodes[i];
     if (seen[i] == 0) continue;
-    const double mass = mixture_mass(node);
+    const double mass = darcy_mass(node);
     p.start[i] = (node.solid_momentum + node.water_momentum) / mass;
     const Vector<D> force =
         node.force + damp<D>(body.solid_constraints[i].apply(node.force), p.start[i], settings.damping);
@@ -41,7 +41,7 @@ Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& 
 
 /// The velocity under the pressures of the end of the step, to the points and back (2.76–2.79).
 template <int D>
-void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const Prediction<D>& predicted,
+void move_darcy(DarcyBody<D>& body, const DarcySettings& settings, const Prediction<D>& predicted,
                   const std::vector<ElementFlow>& flow) {
   std::vector<double> change(body.nodes.size(), 0);
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = body.water[i].change;
@@ -53,7 +53,7 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
     const Vector<D> whole = node.force + force[i];
     const Vector<D> velocity = body.solid_constraints[i].hold(
         predicted.start[i] +
-        settings.time_step / (settings.mass_scaling * mixture_mass(node)) *
+        settings.time_step / (settings.mass_scaling * darcy_mass(node)) *
             (whole + damp<D>(body.solid_constraints[i].apply(whole), predicted.start[i], settings.damping)));
     node.solid_acceleration = (velocity - predicted.start[i]) / settings.time_step;
   }
@@ -68,13 +68,13 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
     if (node.solid_mass <= limit) continue;
-    node.v = node.w = body.solid_constraints[i].hold(momentum[i] / mixture_mass(node));
+    node.v = node.w = body.solid_constraints[i].hold(momentum[i] / darcy_mass(node));
   }
 }
 
 /// What every pore of an element loses when `left` leaves its nodes [m³/m³].
 template <int D>
-std::vector<double> find_shares(const MixtureBody<D>& body, const std::vector<double>& left) {
+std::vector<double> find_shares(const DarcyBody<D>& body, const std::vector<double>& left) {
   std::vector<double> shares(body.cells.size(), 0);
   for (int e = 0; e < body.mesh.element_count(); ++e)
     for (int i = 0; i <= D && at(body.cells, e).wet; ++i) {
@@ -101,7 +101,7 @@ std::vector<double> find_node_sizes(const mesh::Mesh<D>& mesh) {
 /// What left the nodes and their elements do not show stays with them as their own, until the soil has moved over the
 /// size of an element.
 template <int D>
-void keep_own_water(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<double>& shares,
+void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<double>& shares,
                     const std::vector<Vector<D>>& velocity) {
   for (std::size_t i = 0; i < body.own.size(); ++i) body.own[i] -= body.water[i].out;
   for (std::size_t e = 0; e < body.cells.size(); ++e)
@@ -119,7 +119,7 @@ void keep_own_water(MixtureBody<D>& body, const MixtureSettings& settings, const
 /// What left the nodes is taken from the elements, in proportion to their pores (T22.6), and the budget is kept.
 /// Elements lose as much as the nodes do: no water is lost.
 template <int D>
-void move_water(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<Vector<D>>& velocity) {
+void move_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<Vector<D>>& velocity) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full || !cell.wet) continue;
     const ElementWater water = find_element_water(body, cell);
@@ -155,7 +155,7 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings, const std
 
 /// Velocity of the water in the pores against the grains, by element, at the pressures of the end of the step.
 template <int D>
-std::vector<Vector<D>> find_seeping(const MixtureBody<D>& body, const std::vector<ElementFlow>& flow,
+std::vector<Vector<D>> find_seeping(const DarcyBody<D>& body, const std::vector<ElementFlow>& flow,
                                     const std::vector<Vector<D>>& acceleration) {
   std::vector<Vector<D>> seeping(body.cells.size(), Vector<D>::Zero());
   for (int e = 0; e < body.mesh.element_count(); ++e) {
@@ -176,7 +176,7 @@ std::vector<Vector<D>> find_seeping(const MixtureBody<D>& body, const std::vecto
 
 /// Volumes, effective stresses and pressures of the points.
 template <int D>
-void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings,
+void update_mixture_points(DarcyBody<D>& body, const DarcySettings& settings,
                            const std::vector<Vector<D>>& seeping) {
   body.plastic_dilation.assign(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
@@ -208,7 +208,7 @@ void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings
 
 /// One step of length Δt.
 template <int D>
-void step(MixtureBody<D>& body, const MixtureSettings& settings) {
+void step(DarcyBody<D>& body, const DarcySettings& settings) {
   classify_wet_elements(body, settings);
   for (const WetCell& cell : body.cells)
     if (cell.full) share_skeleton_state<D>(body, cell);
@@ -219,7 +219,7 @@ void step(MixtureBody<D>& body, const MixtureSettings& settings) {
   find_open_area(body);
   const Prediction<D> predicted = predict_motion(body, settings);
   const std::vector<ElementFlow> flow = solve_pressures(body, settings, predicted.velocity, predicted.acceleration);
-  move_mixture(body, settings, predicted, flow);
+  move_darcy(body, settings, predicted, flow);
   const std::vector<Vector<D>> seeping = find_seeping(body, flow, predicted.acceleration);
   move_water(body, settings, predicted.velocity);
   compute_wet_increments(body, settings);

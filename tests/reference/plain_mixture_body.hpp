@@ -10,7 +10,7 @@
 
 namespace talus::reference {
 
-struct MixtureSettings : WetSettings {
+struct DarcySettings : WetSettings {
   double projection = 1;  ///< τ of (T22.8) times E_c/2 [-]
 };
 
@@ -34,9 +34,9 @@ struct SoilPores {
 };
 
 template <int D>
-struct MixtureBody : WetBody<D> {
-  MixtureBody() = default;
-  explicit MixtureBody(WetBody<D> body) : WetBody<D>(std::move(body)) {}
+struct DarcyBody : WetBody<D> {
+  DarcyBody() = default;
+  explicit DarcyBody(WetBody<D> body) : WetBody<D>(std::move(body)) {}
 
   // By node. The pressure stays from step to step; NaN where there was no water.
   std::vector<double> pressure;  ///< tension positive [Pa]

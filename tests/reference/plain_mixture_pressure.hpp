@@ -21,7 +21,7 @@ struct ElementFlow {
 };
 
 template <int D>
-ElementFlow find_element_flow(const MixtureBody<D>& body, int e) {
+ElementFlow find_element_flow(const DarcyBody<D>& body, int e) {
   const WetCell& cell = at(body.cells, e);
   ElementFlow flow;
   double relative[D + 1];
@@ -53,7 +53,7 @@ ElementFlow find_element_flow(const MixtureBody<D>& body, int e) {
 
 /// −Σ V χ δ ∇N at every node, δ the mean over the element's nodes [N].
 template <int D>
-std::vector<Vector<D>> find_pressure_force(const MixtureBody<D>& body, const std::vector<ElementFlow>& flow,
+std::vector<Vector<D>> find_pressure_force(const DarcyBody<D>& body, const std::vector<ElementFlow>& flow,
                                            const std::vector<double>& field) {
   std::vector<Vector<D>> force(body.mesh.nodes.size(), Vector<D>::Zero());
   for (int e = 0; e < body.mesh.element_count(); ++e) {
@@ -75,7 +75,7 @@ struct SurfaceWater {
 };
 
 template <int D>
-SurfaceWater find_surface_water(const MixtureBody<D>& body, int number) {
+SurfaceWater find_surface_water(const DarcyBody<D>& body, int number) {
   SurfaceWater water;
   const Vector<D>& area = at(body.area, number);
   if (area.norm() == 0) return water;
@@ -96,13 +96,13 @@ SurfaceWater find_surface_water(const MixtureBody<D>& body, int number) {
 }
 
 template <int D>
-double mixture_mass(const WetNode<D>& node) {
+double darcy_mass(const WetNode<D>& node) {
   return node.solid_mass + node.water_mass;
 }
 
 /// What the points give back of a node's velocity: 1, and where few points are near, the share that those see [-].
 template <int D>
-std::vector<double> find_seen(const MixtureBody<D>& body) {
+std::vector<double> find_seen(const DarcyBody<D>& body) {
   std::vector<double> seen(body.nodes.size(), 0);
   for (const WetPoint<D>& point : body.points) {
     const Weights<D> n = shape_functions(body.mesh, point.element, point.x);
@@ -112,14 +112,14 @@ std::vector<double> find_seen(const MixtureBody<D>& body) {
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i] = body.nodes[i].solid_mass <= massless_limit(body)
                   ? 0
-                  : std::min(1.0, 0.5 * (D + 2) * seen[i] / mixture_mass(body.nodes[i]));
+                  : std::min(1.0, 0.5 * (D + 2) * seen[i] / darcy_mass(body.nodes[i]));
   return seen;
 }
 
 /// How the pores grow when the pressures of the end of the step push: Δt²/β B Π M⁻¹ Bᵀ, M⁻¹ as far as the points see
 /// it, Π the projection of what holds the nodes, B from `squeeze` [m³/Pa].
 template <int D>
-Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const MixtureSettings& settings,
+Eigen::SparseMatrix<double> find_pushed_growth(const DarcyBody<D>& body, const DarcySettings& settings,
                                                const std::vector<Eigen::Triplet<double>>& squeeze) {
   const auto count = static_cast<Eigen::Index>(body.mesh.nodes.size());
   const std::vector<double> seen = find_seen(body);
@@ -130,7 +130,7 @@ Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const
       const Vector<D> moved = body.solid_constraints[i].apply(Vector<D>::Unit(d));
       for (int c = 0; c < D; ++c)
         free.emplace_back(static_cast<int>(i) * D + c, static_cast<int>(i) * D + d,
-                          dt * dt / settings.mass_scaling * seen[i] / mixture_mass(body.nodes[i]) * moved[c]);
+                          dt * dt / settings.mass_scaling * seen[i] / darcy_mass(body.nodes[i]) * moved[c]);
     }
   Eigen::SparseMatrix<double> b(count, D * count), inverse(D * count, D * count);
   b.setFromTriplets(squeeze.begin(), squeeze.end());
@@ -169,7 +169,7 @@ inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, doubl
 
 /// Solves matrix δ = source + what the surface takes. Writes δ and that.
 template <int D>
-void solve_round(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<SurfaceWater>& surface,
+void solve_round(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<SurfaceWater>& surface,
                  const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& source, Eigen::VectorXd& change,
                  Eigen::VectorXd& outside) {
   const Eigen::Index count = source.size();
@@ -205,7 +205,7 @@ void solve_round(MixtureBody<D>& body, const MixtureSettings& settings, const st
 /// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
 /// that is so already.
 template <int D>
-bool settle_surface(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<SurfaceWater>& surface,
+bool settle_surface(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<SurfaceWater>& surface,
                     const Eigen::VectorXd& change, const Eigen::VectorXd& outside) {
   bool settled = true;
   for (std::size_t i = 0; i < surface.size(); ++i) {
@@ -222,7 +222,7 @@ bool settle_surface(MixtureBody<D>& body, const MixtureSettings& settings, const
 /// The pressures at the end of the step, what leaves every node, and what passes the surface. `predicted` are the nodal
 /// velocities under the forces of the start, `acceleration` what they come from.
 template <int D>
-std::vector<ElementFlow> solve_pressures(MixtureBody<D>& body, const MixtureSettings& settings,
+std::vector<ElementFlow> solve_pressures(DarcyBody<D>& body, const DarcySettings& settings,
                                          const std::vector<Vector<D>>& predicted,
                                          const std::vector<Vector<D>>& acceleration) {
   const double dt = settings.time_step;

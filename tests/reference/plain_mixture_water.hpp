@@ -127,7 +127,7 @@ inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
 /// at which they hold their water. Where they are, it is that of the last step: the water of full pores would say it
 /// with K_w times its error.
 template <int D>
-void find_node_pressures(MixtureBody<D>& body) {
+void find_node_pressures(DarcyBody<D>& body) {
   const std::size_t count = body.mesh.nodes.size();
   const bool first = body.own.size() != count;
   if (first) body.own.assign(count, 0);
@@ -189,7 +189,7 @@ void find_node_pressures(MixtureBody<D>& body) {
 
 /// Starts from given pressures by node [Pa].
 template <int D>
-void start_from_pressures(MixtureBody<D>& body, const std::vector<double>& given) {
+void start_from_pressures(DarcyBody<D>& body, const std::vector<double>& given) {
   body.pressure = given;
   body.own.clear();
 }
@@ -197,7 +197,7 @@ void start_from_pressures(MixtureBody<D>& body, const std::vector<double>& given
 /// Area of the open sides that touch each node, outwards. A side with a node under a skin is a part of the skin, and of
 /// no other surface.
 template <int D>
-void find_open_area(MixtureBody<D>& body) {
+void find_open_area(DarcyBody<D>& body) {
   body.area.assign(body.mesh.nodes.size(), Vector<D>::Zero());
   const std::vector<bool> outside = find_outside(body);
   for (int e = 0; e < body.mesh.element_count(); ++e) {

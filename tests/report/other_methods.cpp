@@ -150,18 +150,18 @@ TEST_F(OtherMethods, NameOneFactorOfEachAndTheSmallestGoverns) {
 }
 
 TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
-  std::vector<std::string> told;
+  std::vector<std::string> result;
   for (const json& group : document().at("method_table").at("reading"))
-    for (const json& sentence : group.at("sentences")) told.push_back(sentence);
+    for (const json& sentence : group.at("sentences")) result.push_back(sentence);
   const json& remarks = summary_->at("methods").at("remarks");
   ASSERT_FALSE(remarks.empty());
-  EXPECT_EQ(told.size(), remarks.size()) << "every sentence in one group";
+  EXPECT_EQ(result.size(), remarks.size()) << "every sentence in one group";
   for (const json& remark : remarks)
-    EXPECT_EQ(std::count(told.begin(), told.end(), remark.at("text").get<std::string>()), 1) << remark;
+    EXPECT_EQ(std::count(result.begin(), result.end(), remark.at("text").get<std::string>()), 1) << remark;
   const json& sentences = document().at("answer").at("sentences");
   EXPECT_LE(sentences.size(), 4u) << sentences;
   for (const json& sentence : sentences)
-    EXPECT_EQ(std::count(told.begin(), told.end(), sentence.get<std::string>()), 0) << "said twice: " << sentence;
+    EXPECT_EQ(std::count(result.begin(), result.end(), sentence.get<std::string>()), 0) << "said twice: " << sentence;
 }
 
 TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {

@@ -53,13 +53,13 @@ TEST_F(WaterStates, KeepTheContract) {
 }
 
 TEST_F(WaterStates, AreThoseOfTheResults) {
-  const json &told = summary_.at("water_states"), &shown = document().at("model").at("water");
-  ASSERT_EQ(told.size(), 11u);
-  ASSERT_EQ(shown.size(), told.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
+  const json &result = summary_.at("water_states"), &shown = document().at("model").at("water");
+  ASSERT_EQ(result.size(), 11u);
+  ASSERT_EQ(shown.size(), result.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
     for (const char* key : {"flow", "time", "inflow", "outflow", "ponds", "discharges"})
-      EXPECT_EQ(shown[i].at(key), told[i].at(key)) << key << " of state " << i;
-    EXPECT_EQ(shown[i].at("tables"), told[i].at("water_table"));
+      EXPECT_EQ(shown[i].at(key), result[i].at(key)) << key << " of state " << i;
+    EXPECT_EQ(shown[i].at("tables"), result[i].at("water_table"));
   }
   EXPECT_EQ(shown.front().at("title"), "steady seepage, 3 days before the start");
   EXPECT_EQ(shown[5].at("title"), "transient seepage, 1.5 days before the start");
@@ -72,11 +72,11 @@ TEST_F(WaterStates, HaveTheFieldsOfTheFile) {
   const std::vector<double> nodes = page_->values(model.at("water_mesh").at("nodes"));
   ASSERT_EQ(nodes.size(), 2 * file.at("nodes").size());
   for (std::size_t i = 0; i < model.at("water").size(); ++i) {
-    const json &packed = model["water"][i].at("fields").at("pressure"), &told = file.at("states")[i].at("pressure");
+    const json &packed = model["water"][i].at("fields").at("pressure"), &result = file.at("states")[i].at("pressure");
     const std::vector<double> pressure = page_->values(packed);
-    ASSERT_EQ(pressure.size(), told.size());
+    ASSERT_EQ(pressure.size(), result.size());
     const double step = (packed.at("range")[1].get<double>() - packed["range"][0].get<double>()) / 65534;
-    for (std::size_t n = 0; n < told.size(); n += 7) EXPECT_NEAR(pressure[n], told[n].get<double>(), step);
+    for (std::size_t n = 0; n < result.size(); n += 7) EXPECT_NEAR(pressure[n], result[n].get<double>(), step);
   }
 }
 

@@ -29,8 +29,8 @@ inline bool wait_for_file(const std::filesystem::path& path, pid_t process) {
   std::array<pollfd, 2> events{{{changes, POLLIN, 0}, {end, POLLIN, 0}}};
   while (end >= 0 && !std::filesystem::exists(path) && events[1].revents == 0) {
     poll(events.data(), events.size(), -1);
-    std::array<char, 4096> told;
-    if (events[0].revents != 0 && read(changes, told.data(), told.size()) < 0) break;
+    std::array<char, 4096> summary;
+    if (events[0].revents != 0 && read(changes, summary.data(), summary.size()) < 0) break;
   }
   close(changes);
   close(end);
@@ -72,8 +72,8 @@ inline bool wait_for_seconds(pid_t child, double seconds) {
   std::array<pollfd, 2> events{{{reached, POLLIN, 0}, {end, POLLIN, 0}}};
   poll(events.data(), events.size(), -1);
   timer_delete(timer);
-  signalfd_siginfo told;  // taken before the mask goes, else the signal would end the test
-  [[maybe_unused]] const ssize_t size = read(reached, &told, sizeof told);
+  signalfd_siginfo summary;  // taken before the mask goes, else the signal would end the test
+  [[maybe_unused]] const ssize_t size = read(reached, &summary, sizeof summary);
   close(reached);
   close(end);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);

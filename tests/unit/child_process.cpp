@@ -101,13 +101,13 @@ TEST(ChildProcess, TellsHowItEndedWhereItsWorkDidNot) {
 }
 
 TEST(ChildProcess, IsKilledWhenASignalArrives) {
-  const auto tell_and_wait = [](ByteWriter&) {
+  const auto make_and_wait_result = [](ByteWriter&) {
     kill(getppid(), SIGUSR1);
     for (;;) pause();
   };
   std::signal(SIGUSR1, [](int) { request_interrupt(); });
   try {
-    do_in_child("the mesh was made", tell_and_wait);
+    do_in_child("the mesh was made", make_and_wait_result);
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::interrupted);

@@ -27,7 +27,7 @@ TEST(FailureTime, LiesBetweenTimesThatWereTried) {
   EXPECT_EQ(t.failure->latest, 7200);
   EXPECT_EQ(t.least, 0.8);
   EXPECT_EQ(t.least_time, 3 * 3600.0);
-  EXPECT_EQ(say_failure(t),
+  EXPECT_EQ(format_failure(t),
             "The factor of safety falls below 1 between 60 min and 2 h, where it is 1.1000 and 0.9000. It is least at "
             "3 h, 0.800.");
 }
@@ -37,14 +37,14 @@ TEST(FailureTime, HoldsWhatSearchesScatter) {
   ASSERT_TRUE(t.failure);
   EXPECT_EQ(t.failure->earliest, 0);
   EXPECT_EQ(t.failure->latest, 4 * 3600.0);
-  EXPECT_NE(say_failure(t).find("Allowing ± 0.3 % for the search, it fails between 0 s and 4 h."), std::string::npos);
+  EXPECT_NE(format_failure(t).find("Allowing ± 0.3 % for the search, it fails between 0 s and 4 h."), std::string::npos);
 }
 
 TEST(FailureTime, MayBeNone) {
-  EXPECT_NE(say_failure(follow({1.02, 0.999, 1.1})).find("after 0 s, or not at all"), std::string::npos);
+  EXPECT_NE(format_failure(follow({1.02, 0.999, 1.1})).find("after 0 s, or not at all"), std::string::npos);
   EXPECT_FALSE(follow({1.2, 1.0, 1.1}).failure);
   EXPECT_TRUE(follow({0.9, 1.1}).fails_from_start);
-  EXPECT_EQ(say_failure(follow({std::nullopt})), "No slip surface was admissible at any time.");
+  EXPECT_EQ(format_failure(follow({std::nullopt})), "No slip surface was admissible at any time.");
 }
 
 TEST(FailureTime, ATimeWithoutFactorIsPassedOver) {

@@ -85,12 +85,12 @@ TEST(Reliability, OfALinearFactorOfCorrelatedNormalsIsExact) {
   const double sa = 3 * a, sb = 0.1 * b, sc = c;
   const double deviation = std::sqrt(sa * sa + sb * sb + sc * sc - sa * sb + 0.4 * sa * sc);
   const SampledNumbers sampled = gather(numbers, correlation);
-  results::Sampling told;
-  estimate_first_order(sampled, factor, told);
-  ASSERT_TRUE(told.first_order && told.tornado);
-  EXPECT_NEAR(told.first_order->deviation, deviation, 1e-12);
-  EXPECT_NEAR(told.first_order->index_normal, 0.1 / deviation, 1e-10);
-  EXPECT_NEAR(told.tornado->front().high_factor, 1.1 + sb, 1e-12) << "the longest bar";
+  results::Sampling result;
+  estimate_first_order(sampled, factor, result);
+  ASSERT_TRUE(result.first_order && result.tornado);
+  EXPECT_NEAR(result.first_order->deviation, deviation, 1e-12);
+  EXPECT_NEAR(result.first_order->index_normal, 0.1 / deviation, 1e-10);
+  EXPECT_NEAR(result.tornado->front().high_factor, 1.1 + sb, 1e-12) << "the longest bar";
   const auto point = find_design_point(sampled, factor);
   ASSERT_TRUE(point && point->converged);
   EXPECT_NEAR(point->index, 0.1 / deviation, 1e-6);

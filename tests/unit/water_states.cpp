@@ -13,7 +13,7 @@ namespace talus::ground {
 namespace {
 
 /// A slope 2:1 from (10, 10) down to (22, 4), under a level table.
-ToldWater tell_slope(const std::string& more, const std::string& water = "") {
+WaterResult make_slope_result(const std::string& more, const std::string& water = "") {
   const std::string text = R"(title = "A bank"
 geometry.box = [[0, 0], [30, 12]]
 geometry.polygon = [{ name = "bank", points = [[0, 0], [30, 0], [30, 4], [22, 4], [10, 10], [0, 10]] }]
@@ -24,13 +24,13 @@ materials.clay = { model = "mohr_coulomb", grain_density = 2700, porosity = 0.4,
 regions.bank = "clay"
 analysis.methods = ["lem"]
 )";
-  return tell_water_table(input::read_case_text(text + more, "bank.toml", {}).data);
+  return make_water_table_result(input::read_case_text(text + more, "bank.toml", {}).data);
 }
 
 TEST(WaterStates, ATableOverTheGroundIsAPond) {
-  const ToldWater told = tell_slope("initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]] }\n");
-  ASSERT_TRUE(told.states && told.states->size() == 1);
-  const results::WaterState& state = told.states->front();
+  const WaterResult result = make_slope_result("initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]] }\n");
+  ASSERT_TRUE(result.states && result.states->size() == 1);
+  const results::WaterState& state = result.states->front();
   EXPECT_EQ(state.flow, results::WaterFlow::hydrostatic);
   ASSERT_EQ(state.water_table.size(), 1u);
   const auto& line = state.water_table.front();
@@ -48,10 +48,10 @@ TEST(WaterStates, ATableOverTheGroundIsAPond) {
 }
 
 TEST(WaterStates, ItsPressuresAreHydrostaticAndSuctionIsCut) {
-  const ToldWater told = tell_slope(
+  const WaterResult result = make_slope_result(
       "initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]], largest_suction = \"20 kPa\" }\n");
-  ASSERT_TRUE(told.fields);
-  const results::WaterFields& fields = *told.fields;
+  ASSERT_TRUE(result.fields);
+  const results::WaterFields& fields = *result.fields;
   ASSERT_EQ(fields.states.size(), 1u);
   double highest = 0;
   for (std::size_t i = 0; i < fields.nodes.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(WaterStates, ItsPressuresAreHydrostaticAndSuctionIsCut) {
 }
 
 /// A bank whose lower left corner is at (x, y), under a table that falls from 3 m below its crest to its toe.
-ToldWater tell_bank(double x, double y) {
+WaterResult make_bank_result(double x, double y) {
   const auto at = [&](double dx, double dy) { return fmt::format("[{:.2f}, {:.2f}]", x + dx, y + dy); };
   const std::string polygon =
       fmt::format("{}, {}, {}, {}, {}, {}", at(0, 0), at(30, 0), at(30, 4), at(22, 4), at(10, 10), at(0, 10));
@@ -79,12 +79,12 @@ ToldWater tell_bank(double x, double y) {
       "regions.bank = \"clay\"\nanalysis.methods = [\"lem\"]\n"
       "initial = { pore_pressure = \"water_table\", water_table = [" +
       table + "] }\n";
-  return tell_water_table(input::read_case_text(text, "bank.toml", {}).data);
+  return make_water_table_result(input::read_case_text(text, "bank.toml", {}).data);
 }
 
 TEST(WaterStates, FieldsOfAMapAreThoseOfTheOrigin) {
   const double x = 500000.25, y = 4000000.5;
-  const ToldWater here = tell_bank(0, 0), there = tell_bank(x, y);
+  const WaterResult here = make_bank_result(0, 0), there = make_bank_result(x, y);
   ASSERT_TRUE(here.fields && there.fields);
   ASSERT_EQ(here.fields->nodes.size(), there.fields->nodes.size());
   for (std::size_t i = 0; i < here.fields->nodes.size(); ++i) {
@@ -95,12 +95,12 @@ TEST(WaterStates, FieldsOfAMapAreThoseOfTheOrigin) {
 }
 
 TEST(WaterStates, APondOfAConditionReplacesTheTable) {
-  const ToldWater told = tell_slope(
+  const WaterResult result = make_slope_result(
       "initial = { pore_pressure = \"water_table\", water_table = [[0, 3], [30, 3]] }\n"
       "hydraulic = [{ on = \"floor\", condition = \"total_head\", head = 5 }]\n",
       ", water = { retention = \"saturated\", conductivity = \"1e-7 m/s\" }");
-  ASSERT_TRUE(told.states);
-  const results::WaterState& state = told.states->front();
+  ASSERT_TRUE(result.states);
+  const results::WaterState& state = result.states->front();
   ASSERT_EQ(state.ponds.size(), 1u);
   EXPECT_NEAR(state.ponds[0].level_from, 5, 1e-9);
   EXPECT_NEAR(state.ponds[0].from[0], 22, 1e-9);
@@ -109,9 +109,9 @@ TEST(WaterStates, APondOfAConditionReplacesTheTable) {
 }
 
 TEST(WaterStates, DryGroundHasNone) {
-  const ToldWater told = tell_slope("");
-  EXPECT_FALSE(told.states);
-  EXPECT_FALSE(told.fields);
+  const WaterResult result = make_slope_result("");
+  EXPECT_FALSE(result.states);
+  EXPECT_FALSE(result.fields);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ void add_exits(const SeepageSystem<D>& system, const std::vector<FaceState>& fac
 }  // namespace
 
 template <int D>
-SeepageResult<D> tell_flows(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+SeepageResult<D> make_flow_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
   SeepageResult<D> r;
   r.time = time;
@@ -164,7 +164,7 @@ std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<d
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                      \
-  template SeepageResult<D> tell_flows<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&,         \
+  template SeepageResult<D> make_flow_result<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&,         \
                                           const std::vector<NodeCondition>&, double, const StepInput&);           \
   template void add_fields<D>(const SeepageSystem<D>&, const SeepageState&, const StepInput&, SeepageResult<D>&); \
   template std::vector<double> to_unknowns<D>(const SeepageSystem<D>&, const std::vector<double>&);               \

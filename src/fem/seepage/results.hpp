@@ -9,7 +9,7 @@ namespace talus::fem {
 /// Water through boundaries, roots and stores. `sums` are those of the solution, `conditions` and `input` what it was
 /// solved with. The fields are empty.
 template <int D>
-SeepageResult<D> tell_flows(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+SeepageResult<D> make_flow_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input);
 
 /// Heads, pressures, saturations, velocities, wet faces and water table of the solution.

@@ -87,7 +87,7 @@ SeepageResult<D> solve_steady_seepage(const SeepageModel<D>& model, const Seepag
   }
   if (!done) solve_in_stages(newton, state, conditions, input);
   input.smallest_conductivity = options.smallest_conductivity;
-  auto result = tell_flows(system, state, newton.sums(), conditions, time, input);
+  auto result = make_flow_result(system, state, newton.sums(), conditions, time, input);
   add_fields(system, state, input, result);
   result.iterations = newton.solves();
   result.undecided = newton.undecided();

@@ -204,7 +204,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     const auto new_contents = system.find_contents(trial.head);
     rate.resize(trial.head.size());
     for (std::size_t u = 0; u < rate.size(); ++u) rate[u] = (trial.head[u] - state.head[u]) / step;
-    auto result = tell_flows(system, trial, newton.sums(), conditions, at, input);
+    auto result = make_flow_result(system, trial, newton.sums(), conditions, at, input);
     result.time = then;
     runoff.end_step(step, conditions, result);
     pools.end_step();

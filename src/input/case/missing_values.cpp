@@ -92,7 +92,7 @@ std::vector<double> fill_missing(const TextTable& table, const std::string& name
   std::size_t count = 0, first = 0;
   for (std::size_t i = 0; i < column.values.size(); ++i)
     if (!column.values[i] && count++ == 0) first = i;
-  const auto say_first = [&] {
+  const auto format_first = [&] {
     const bool is_row = first > 0 && column.rows[first] == column.rows[first - 1];
     return fmt::format("{}: {}", table.place(column.rows[first]),
                        is_row ? "the rows after it are missing" : fmt::format("no value of '{}'", name));
@@ -101,7 +101,7 @@ std::vector<double> fill_missing(const TextTable& table, const std::string& name
     reject(
         fmt::format("{}; {} of {} values are missing. Correct the table, or write fill = \"zero\", \"previous\" or "
                     "\"linear\" beside 'column'",
-                    say_first(), count, column.values.size()));
+                    format_first(), count, column.values.size()));
   for (std::size_t i = 0; i < column.values.size(); ++i) {
     const auto value = column.values[i] ? column.values[i] : find_filling(column, i, fill);
     if (!value)
@@ -111,7 +111,7 @@ std::vector<double> fill_missing(const TextTable& table, const std::string& name
   }
   if (count > 0)
     note = fmt::format("{} of {} values of '{}' in '{}' are missing and were filled with fill = \"{}\"; the first: {}",
-                       count, column.values.size(), name, table.file(), fill, say_first());
+                       count, column.values.size(), name, table.file(), fill, format_first());
   return values;
 }
 

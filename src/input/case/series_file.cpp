@@ -15,10 +15,6 @@
 namespace talus::input {
 namespace {
 
-[[noreturn]] void reject(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
 /// A series of the case, and what its values are.
 struct Wanted {
   std::string path;  ///< "hydraulic.0.rate"
@@ -142,7 +138,7 @@ void load(const Wanted& wanted, const std::filesystem::path& folder, const std::
 void check_span(const Case& data, const Wanted& wanted, const std::string& file, Findings& findings) {
   const double from = -data.initial.water.season, to = data.timeline ? data.timeline->duration : 0;
   const auto say = [&](double t) {
-    return data.initial.date ? say_date(data.initial.date->seconds + t) : units::say_time(t);
+    return data.initial.date ? format_date(data.initial.date->seconds + t) : units::format_time(t);
   };
   if (const double first = wanted.table.time.front(); first > from)
     findings.add(wanted.path, fmt::format("'{}' begins at {}, after {}, where the water is first asked for", file,
@@ -184,8 +180,8 @@ void find_duration(Case& data, Findings& findings) {
   timeline.duration = timeline.until->seconds - data.initial.date->seconds;
   if (timeline.duration <= 0)
     findings.add("timeline.until",
-                 fmt::format("the timeline ends at {}, not after time 0, {}", say_date(timeline.until->seconds),
-                             say_date(data.initial.date->seconds)));
+                 fmt::format("the timeline ends at {}, not after time 0, {}", format_date(timeline.until->seconds),
+                             format_date(data.initial.date->seconds)));
   timeline.until.reset();
 }
 

@@ -142,7 +142,7 @@ bool Codec<Date>::decode(const Decoding& in, const toml::node& node, const std::
 }
 
 json Codec<Date>::encode(const Date& value, const Spec&) {
-  return say_date(value.seconds);
+  return format_date(value.seconds);
 }
 
 json Codec<Date>::schema(const Spec&) {

@@ -255,23 +255,23 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   clear(body.nodes.sums);
   clear(body.elements.moments);
   const auto [begin, end] = own_elements(body);
-  const bool mixture = body.water.is_wet() && o.mixture;
+  const bool darcy = body.water.is_wet() && o.darcy;
   update_counts(body);
   for (int e = begin; e < end; ++e) update_fill_limit(body, e);
   for (int e = begin; e < end; ++e) note_gaps(body, o, e);
   for (int e = begin; e < end; ++e) {
-    gather_points(body, o, e, mixture ? body.water.first_field + WaterFields<D>::mass : -1);
+    gather_points(body, o, e, darcy ? body.water.first_field + WaterFields<D>::mass : -1);
   }
-  body.water.mixture.is_used = mixture;
-  if (mixture) {
+  body.water.darcy.is_used = darcy;
+  if (darcy) {
     body.water.surface_is_stale = true;
   } else if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
     clear(body.water.sums);
     clear(body.water.volume);
-    body.water.mixture.pressure.clear();  // nobody would renew them
-    body.water.mixture.ponded.clear();
-    body.water.mixture.own.clear();
-    body.water.mixture.change.clear();
+    body.water.darcy.pressure.clear();  // nobody would renew them
+    body.water.darcy.ponded.clear();
+    body.water.darcy.own.clear();
+    body.water.darcy.change.clear();
     find_held_axes(body);
     for (int e = begin; e < end; ++e) {
       share_wet_element(body, e, o);

@@ -41,10 +41,10 @@ struct Extent {
 
 template <int D>
 Extent find_extent(const Body<D>& body) {
-  const MixtureWater<D>& mixture = body.water.mixture;
+  const DarcyWater<D>& darcy = body.water.darcy;
   return {body.points.size(),        body.softening_reach != nullptr, !body.elements.held_saturation.empty(),
-          !mixture.pressure.empty(), !mixture.change.empty(),         !mixture.own.empty(),
-          !mixture.ponded.empty()};
+          !darcy.pressure.empty(), !darcy.change.empty(),         !darcy.own.empty(),
+          !darcy.ponded.empty()};
 }
 
 template <int D>
@@ -55,11 +55,11 @@ void allocate(Body<D>& body, const Extent& extent) {
     for (auto* field : {&body.elements.softened, &body.elements.softening_volume, &body.elements.lent})
       field->resize(lanes);
   if (extent.holds_saturation) body.elements.held_saturation.resize(lanes);
-  MixtureWater<D>& mixture = body.water.mixture;
-  if (extent.has_pressure) mixture.pressure.resize(nodes);
-  if (extent.has_change) mixture.change.resize(nodes);
-  if (extent.has_own) mixture.own.resize(nodes);
-  if (extent.has_ponded) mixture.ponded.resize(nodes);
+  DarcyWater<D>& darcy = body.water.darcy;
+  if (extent.has_pressure) darcy.pressure.resize(nodes);
+  if (extent.has_change) darcy.change.resize(nodes);
+  if (extent.has_own) darcy.own.resize(nodes);
+  if (extent.has_ponded) darcy.ponded.resize(nodes);
 }
 
 template <int D, class Visit>
@@ -70,7 +70,7 @@ void visit_description(Visit&& visit, Like<Body<D>> auto& body) {
   auto& w = body.water;
   visit(w.laws, w.density, w.bulk_modulus, w.first_field);
   visit(w.constraint_of_node, w.constraints, w.axes, w.axes_of_node);
-  visit(w.surfaces, w.surface_of_node, w.mixture.is_used, w.uptakes);
+  visit(w.surfaces, w.surface_of_node, w.darcy.is_used, w.uptakes);
   visit(w.budgets, w.transpired, w.lost_between, w.left_grid, w.pressed_in);
   visit(body.nodes.motion_step, body.lost, body.work, body.monitor, body.timing);
   visit(body.time, body.step_count, body.smallest_mass);
@@ -100,7 +100,7 @@ Body<D> copy_description(const Body<D>& body) {
   put_description(body, message);
   Body<D> copy = get_description(message, body.layout);
   copy.laws = body.laws;
-  copy.water.mixture.graph = body.water.mixture.graph;
+  copy.water.darcy.graph = body.water.darcy.graph;
   return copy;
 }
 

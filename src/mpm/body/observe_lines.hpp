@@ -82,7 +82,7 @@ TALUS_PORTABLE PointView<D> look_at_point(const B& body, int id) {
 template <class B, int D = B::dimension>
 TALUS_PORTABLE void add_point(const B& body, const PointView<D>& p, const std::type_identity_t<Vec<D>>& gravity,
                               Totals<D>& t) {
-  const Vec<D>& water_velocity = body.water.mixture.is_used ? p.velocity : p.water_velocity;
+  const Vec<D>& water_velocity = body.water.darcy.is_used ? p.velocity : p.water_velocity;
   ++t.points;
   t.mass += p.mass;
   t.water += p.water_mass;

@@ -118,8 +118,8 @@ void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
       by_block(*field, 1);
     by_row(water.sums, wet_sums_stride<D>);
     by_row(water.motion, wet_motion_stride<D>);
-    for (auto* field : {&water.mixture.pressure, &water.mixture.change, &water.mixture.own}) by_node(*field);
-    by_node(water.mixture.ponded);
+    for (auto* field : {&water.darcy.pressure, &water.darcy.change, &water.darcy.own}) by_node(*field);
+    by_node(water.darcy.ponded);
   }
   const auto block = static_cast<std::size_t>(layout.chunk_start[first_chunk]),
              last = static_cast<std::size_t>(layout.chunk_start[last_chunk]);
@@ -227,15 +227,15 @@ void take_chunks(const Body<D>* whole, Ranks& ranks, const std::vector<int>& chu
                       first_element(layout, chunk_of_rank[static_cast<std::size_t>(rank) + 1])};
   };
   const auto [first, last] = find_elements(ranks.rank());
-  Message told(deal_one_each(ranks, [&](int r) {
+  Message result(deal_one_each(ranks, [&](int r) {
     const auto [begin, end] = find_elements(r);
     Message message;
     message.put_list(list_counts(whole->points, begin, end));
     if (whole->softening_reach) put_reach(*whole->softening_reach, begin, end, message);
     return message.take();
   }));
-  const std::vector<int> own = told.get_list<int>();
-  if (!body.elements.lent.empty()) body.softening_reach = get_reach(told, first, last, layout.mesh.element_count());
+  const std::vector<int> own = result.get_list<int>();
+  if (!body.elements.lent.empty()) body.softening_reach = get_reach(result, first, last, layout.mesh.element_count());
   std::vector<int> used(static_cast<std::size_t>(layout.blocks), 0);
   count_slots(own, first, used);
   allocate_slots(body.points, used);
@@ -265,7 +265,7 @@ void update_surroundings(Body<D>& body) {
   if (!w.is_wet()) return;
   update_elements(body, w.volume, w.stretch, w.mean_saturation, w.mean_pressure, w.mean_bishop, w.mean_resistance,
                   w.surplus);
-  for (auto* field : {&w.mixture.pressure, &w.mixture.change, &w.mixture.own})
+  for (auto* field : {&w.darcy.pressure, &w.darcy.change, &w.darcy.own})
     if (!field->empty()) update_nodes(body, *field);
 }
 
@@ -279,13 +279,13 @@ void copy_totals(const Water<D>& share, Water<D>& whole) {
   whole.pressed_in = share.pressed_in;
   whole.axes = share.axes;
   whole.axes_of_node = share.axes_of_node;
-  whole.mixture.is_used = share.mixture.is_used;
-  whole.mixture.graph = share.mixture.graph;
+  whole.darcy.is_used = share.darcy.is_used;
+  whole.darcy.graph = share.darcy.graph;
   whole.surface_is_stale = true;
-  whole.mixture.pressure.resize(share.mixture.pressure.size());
-  whole.mixture.change.resize(share.mixture.change.size());
-  whole.mixture.own.resize(share.mixture.own.size());
-  whole.mixture.ponded.resize(share.mixture.ponded.size());
+  whole.darcy.pressure.resize(share.darcy.pressure.size());
+  whole.darcy.change.resize(share.darcy.change.size());
+  whole.darcy.own.resize(share.darcy.own.size());
+  whole.darcy.ponded.resize(share.darcy.ponded.size());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace talus::mpm {
 
 // The lines of the step, in order.
 
-/// Open sides, and the forces of outer water on them (3.11). Writes load, mixture_load, facing, suction.
+/// Open sides, and the forces of outer water on them (3.11). Writes load, darcy_load, facing, suction.
 template <int D>
 void load_surface(Body<D>& body, const StepOptions<D>& options);
 

@@ -120,7 +120,7 @@ std::vector<Vec<D>> find_pore_force(Body<D>& body, const StepOptions<D>& o) {
   using P = Points<D>;
   load_surface(body, o);
   const mesh::Mesh<D>& mesh = body.mesh();
-  std::vector<Vec<D>> force = body.water.mixture_load;
+  std::vector<Vec<D>> force = body.water.darcy_load;
   force.resize(mesh.nodes.size(), Vec<D>{});
   for (int e = 0; e < mesh.element_count(); ++e) {
     double total = 0;

@@ -44,16 +44,16 @@ HeldAxes<D> make_held_axes(const Constraint<D>* solid, const WaterConstraint<D>*
 
 /// One node's equations, put together from its sums.
 template <int D>
-struct CoupledNode {
+struct TwoVelocityNode {
   using C = WetColumns<D>;
   double solid_mass, water_mass, whole_mass, content;
   PhaseVectors<D> now;    ///< velocities that the points bring [m/s]
   PhaseForces<D> forces;  ///< without drag [N]
-  Vec<D> mixture{};       ///< unbalanced force of the mixture [N]
+  Vec<D> darcy{};       ///< unbalanced force of the mixture [N]
   Vec<D> external{};      ///< gravity and loads on the mixture [N]
   PhasePair pair;
 
-  TALUS_KERNEL CoupledNode(const NodePass<D>& pass, int i, const double* t)
+  TALUS_KERNEL TwoVelocityNode(const NodePass<D>& pass, int i, const double* t)
       : solid_mass(t[C::mass]),
         water_mass(t[C::water_mass]),
         whole_mass(pass.density * t[C::volume]),
@@ -75,13 +75,13 @@ struct CoupledNode {
     }
     if (!water.load.empty()) {
       for (int d = 0; d < D; ++d) {
-        external[d] += water.mixture_load[i][d];
+        external[d] += water.darcy_load[i][d];
         forces.water[d] += water.load[i][d];
       }
     }
     for (int d = 0; d < D; ++d) {
-      mixture[d] = t[C::force + d] + external[d];
-      forces.solid[d] = mixture[d] - content * forces.water[d];
+      darcy[d] = t[C::force + d] + external[d];
+      forces.solid[d] = darcy[d] - content * forces.water[d];
     }
   }
 };
@@ -115,7 +115,7 @@ TALUS_KERNEL PhaseForces<D> find_phase_damping(const StepOptions<D>& o, const Ph
 
 /// Accelerations of a node whose grains meet a frictional wall, or what holds them moves.
 template <int D>
-void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const CoupledNode<D>& node, const HeldAxes<D>& held,
+void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const TwoVelocityNode<D>& node, const HeldAxes<D>& held,
                    const PhaseForces<D>& forces, PhaseVectors<D>& a) {
   const Constraint<D>& k = body.conditions.constraints[c];
   Vec<D> wanted;
@@ -128,7 +128,7 @@ void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const CoupledN
 
 /// Accelerations under `damping` and the node's own forces, with what the node may not do.
 template <int D>
-PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const CoupledNode<D>& node, const HeldAxes<D>* held,
+PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const TwoVelocityNode<D>& node, const HeldAxes<D>* held,
                            const SurfaceNode<D>& surface, const PhaseForces<D>& damping) {
   Body<D>& body = pass.body;
   const double dt = pass.options.dt;
@@ -155,8 +155,8 @@ PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const CoupledNode<D>&
 }
 
 template <int D>
-void monitor_node(const Body<D>& body, int i, const CoupledNode<D>& node, PieceSums& sums) {
-  Vec<D> f = node.mixture, f_ext = node.external, v = node.now.solid;
+void monitor_node(const Body<D>& body, int i, const TwoVelocityNode<D>& node, PieceSums& sums) {
+  Vec<D> f = node.darcy, f_ext = node.external, v = node.now.solid;
   if (const int c = body.conditions.constraint_of_node[i]; c >= 0) {
     const Constraint<D>& k = body.conditions.constraints[c];
     f = unsupported_part(k, k.has_wall && body.conditions.pressed[c], f);
@@ -174,7 +174,7 @@ void monitor_node(const Body<D>& body, int i, const CoupledNode<D>& node, PieceS
 /// Whether a surface with water outside takes less of it than there is. It is wet then, and conducts like saturated
 /// soil, however dry the element behind it is on the mean.
 template <int D>
-bool drinks(const SurfaceNode<D>& surface, const CoupledNode<D>& node, const PhaseVectors<D>& a, double dt) {
+bool drinks(const SurfaceNode<D>& surface, const TwoVelocityNode<D>& node, const PhaseVectors<D>& a, double dt) {
   if (!surface.supplies || !(node.water_mass > 0)) return false;
   double flux = 0;
   for (int d = 0; d < D; ++d) {
@@ -186,7 +186,7 @@ bool drinks(const SurfaceNode<D>& surface, const CoupledNode<D>& node, const Pha
 
 /// A node that is held, at a wall, or on the surface. Fills in the damping forces.
 template <int D>
-PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t, const CoupledNode<D>& node,
+PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t, const TwoVelocityNode<D>& node,
                                  PhaseForces<D>& damping) {
   using C = WetColumns<D>;
   const Body<D>& body = pass.body;
@@ -194,7 +194,7 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   const int axes = body.water.axes_of_node[i];
   const HeldAxes<D>* held = axes >= 0 ? &body.water.axes[axes] : nullptr;
   const SurfaceNode<D> surface = find_surface_node(body, i, t + C::outside, t[C::outside_scale], pass.up, body.time);
-  const auto solve = [&](const CoupledNode<D>& n) {
+  const auto solve = [&](const TwoVelocityNode<D>& n) {
     if (o.damping > 0 || o.water_damping > 0) {
       const PhaseForces<D> unbalanced =
           o.net_damping ? find_inertia(n.pair, solve_node(pass, i, n, held, surface, {})) : n.forces;
@@ -204,7 +204,7 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   };
   PhaseVectors<D> a = solve(node);
   if (!drinks(surface, node, a, o.dt)) return a;
-  CoupledNode<D> wetted = node;
+  TwoVelocityNode<D> wetted = node;
   wetted.pair = PhasePair(node.solid_mass, node.whole_mass, node.content, t[C::resistance], o.mass_scaling, o.dt,
                           o.implicit_drag);
   // Across the surface only: along it the water flows as the soil's mean lets it.
@@ -224,7 +224,7 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
 /// Work of damping, of drag, and of walls and supports: friction along the way, and the motion that is stopped. What
 /// the forces do beyond it reaches the points, or is lost on the way (theory 9).
 template <int D>
-void count_node_work(const StepOptions<D>& o, const CoupledNode<D>& node, const PhaseForces<D>& damping,
+void count_node_work(const StepOptions<D>& o, const TwoVelocityNode<D>& node, const PhaseForces<D>& damping,
                      const PhaseVectors<D>& a, bool held, PieceSums& sums) {
   double damped = 0, drag = 0, walls = 0;
   const PhasePair& pair = node.pair;
@@ -263,7 +263,7 @@ void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& 
     sum_rows<C::count, wet_sums_stride<D>>(body.water.sums, rows, copies, t);
     PhaseVectors<D> a;
     if (t[C::mass] > cutoff) {
-      const CoupledNode<D> node(pass, i, t);
+      const TwoVelocityNode<D> node(pass, i, t);
       const Vec<D>& facing = body.water.facing[i];
       PhaseForces<D> damping;
       const bool held = body.water.axes_of_node[i] >= 0;

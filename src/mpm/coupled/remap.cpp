@@ -94,13 +94,13 @@ struct NodeWork {
     const bool loaded = !body.nodes.load.empty(), pressed = !water.load.empty();
     double work = 0, inside = 0;
     for (int d = 0; d < D; ++d) {
-      double mixture = (t[C::mass] + t[C::water_mass]) * g[d], on_water = pass.density * t[C::volume] * g[d];
-      if (loaded) mixture += body.nodes.load[i][d];
+      double darcy = (t[C::mass] + t[C::water_mass]) * g[d], on_water = pass.density * t[C::volume] * g[d];
+      if (loaded) darcy += body.nodes.load[i][d];
       if (pressed) {
-        mixture += water.mixture_load[i][d];
+        darcy += water.darcy_load[i][d];
         on_water += water.load[i][d];
       }
-      work += mixture * v.solid[d] + on_water * v.water[d];
+      work += darcy * v.solid[d] + on_water * v.water[d];
       inside += t[C::force + d] * v.solid[d] + t[C::water_force + d] * v.water[d] - a[d] * t[C::momentum + d] -
                 a[D + d] * t[C::water_momentum + d];
     }

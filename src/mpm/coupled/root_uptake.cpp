@@ -54,7 +54,7 @@ template <int D>
 void find_root_draw(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   if (water.uptakes.empty()) return;
-  MixtureWater<D>& m = water.mixture;
+  DarcyWater<D>& m = water.darcy;
   std::fill(m.drawn.begin(), m.drawn.end(), 0.0);
   if (!o.moving) return;
   draw(

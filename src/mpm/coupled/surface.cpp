@@ -134,15 +134,15 @@ void load_open_sides(Body<D>& body, bool mixed, const OuterWater<D>& outer) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
   water.load.assign(mesh.nodes.size(), Vec<D>{});
-  water.mixture_load.assign(mesh.nodes.size(), Vec<D>{});
+  water.darcy_load.assign(mesh.nodes.size(), Vec<D>{});
   const Fillings<D> fillings(body, mixed);
   int last = -1;
   for (const OpenSide<D>& side : water.open_sides) {  // the sides of an element follow one another
-    const auto add = [&](int k, const Vec<D>& on_water, const Vec<D>& on_mixture) {
+    const auto add = [&](int k, const Vec<D>& on_water, const Vec<D>& on_darcy) {
       const int node = mesh.elements[side.element][k];
       for (int d = 0; d < D; ++d) {
         water.load[node][d] += on_water[d];
-        water.mixture_load[node][d] += on_mixture[d];
+        water.darcy_load[node][d] += on_darcy[d];
       }
     };
     const PressedSide<D> pressed = find_pressed_side(body, side.element, side.opposite, outer);

@@ -146,7 +146,7 @@ TALUS_PORTABLE PressedSide<D> find_pressed_side(const B& body, int e, int opposi
 /// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
 /// soil is behind, nothing changes: ∮ p̂ N_i n dA over the soil's surface differs from that over the element's by
 /// ∫ div(p̂ N_i) dV over what the soil does not fill. `side`: one of its open sides, whose last node has the condition
-/// of the others. Calls add(k, on_water, on_mixture) with forces [N] on its nodes.
+/// of the others. Calls add(k, on_water, on_darcy) with forces [N] on its nodes.
 template <class B, class Add, int D = B::dimension>
 TALUS_PORTABLE void load_inside(const B& body, const PressedSide<D>& side, const Filling<D>& filling,
                                 const OuterWater<D>& outer, Add&& add) {
@@ -187,12 +187,12 @@ TALUS_PORTABLE void load_side(const PressedSide<D>& side, const std::type_identi
   for (int i = 0; i <= D; ++i) {
     if (i == side.opposite) continue;
     const double mean = (sum + side.pressure[i]) / (D + 1);
-    Vec<D> on_water, on_mixture;
+    Vec<D> on_water, on_darcy;
     for (int d = 0; d < D; ++d) {
       on_water[d] = mean * share[d];
-      on_mixture[d] = std::min(0.0, mean) * share[d];
+      on_darcy[d] = std::min(0.0, mean) * share[d];
     }
-    add(i, on_water, on_mixture);
+    add(i, on_water, on_darcy);
   }
 }
 

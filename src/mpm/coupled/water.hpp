@@ -144,13 +144,13 @@ struct Water {
   std::vector<OpenSide<D>> open_sides;
   std::vector<Vec<D>> facing;        ///< by node: sum of the shares of open sides [m²]; zero: no surface
   std::vector<Vec<D>> load;          ///< by node: pressure of outer water on the water's equation [N]
-  std::vector<Vec<D>> mixture_load;  ///< the same on the mixture's [N]
+  std::vector<Vec<D>> darcy_load;  ///< the same on the mixture's [N]
   std::vector<double> suction;       ///< by node: mean pressure of the elements at the surface; only with evaporation
   std::vector<Vec<D>> still_flux;    ///< by node: θ(w-v) of flow without inertia [m/s]; only with exchange
   bool surface_is_stale = true;      ///< an element has lost its last point or received its first one
   std::vector<int> newly_full;       ///< elements that the last pass left full for the first time
 
-  MixtureWater<D> mixture;  ///< of the step of the mixture
+  DarcyWater<D> darcy;  ///< of the step of the mixture
 
   std::vector<RootUptake> uptakes;  ///< plants that draw water, by block of roots
 

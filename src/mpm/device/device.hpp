@@ -97,7 +97,7 @@ struct DeviceOutput {
   std::vector<Departed<D>> departed;
   // Of water that seeps.
   bool finds_pressures = true;
-  int rounds = 0, iterations = 0;  ///< see MixtureWater
+  int rounds = 0, iterations = 0;  ///< see DarcyWater
   std::vector<SurfaceBudget> budgets;
   double transpired = 0, pressed_in = 0;  ///< see Water [kg]
 };

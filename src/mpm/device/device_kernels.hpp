@@ -124,7 +124,7 @@ struct ThreadPass {
   static constexpr int dimension = D;
   using B = ThreadBody<D>;
   template <class Law>
-  using Block = std::conditional_t<Wet, MixtureBlock<ThreadPass, Law>, DryBlock<ThreadPass, Law>>;
+  using Block = std::conditional_t<Wet, DarcyBlock<ThreadPass, Law>, DryBlock<ThreadPass, Law>>;
   B& body;
   const StepOptions<D>& options;
   double dissipated = 0;  ///< plastic work [J]

@@ -23,8 +23,8 @@ void add_water(const DeviceOutput<D>& output, Water<D>& water) {
   for (std::size_t i = 0; i < output.budgets.size(); ++i) water.budgets[i].add(output.budgets[i]);
   water.transpired += output.transpired;
   water.pressed_in += output.pressed_in;
-  water.mixture.rounds = output.rounds;
-  water.mixture.iterations = output.iterations;
+  water.darcy.rounds = output.rounds;
+  water.darcy.iterations = output.iterations;
 }
 
 /// What the device does, in words where its memory runs out on the way: blocks that grow need room beside them.
@@ -43,8 +43,8 @@ auto run_there(const Work& work) {
 
 template <int D>
 void DeviceStepper<D>::take(Body<D>& body, const StepOptions<D>& options) {
-  if (body.water.is_wet() && !body.water.mixture.graph)
-    body.water.mixture.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
+  if (body.water.is_wet() && !body.water.darcy.graph)
+    body.water.darcy.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
   const DeviceMemory memory = device_->find_memory();
   image_ = make_device_image(body, options.threads);
   try {

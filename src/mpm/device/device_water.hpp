@@ -75,7 +75,7 @@ class DeviceWaterBody {
       settled = found.unsettled == 0;
     }
     if (settled) --output.rounds;  // the last one
-    launch(nodes(), MultiplyNode<D>{system, body_.water.mixture.change, false, When::always});
+    launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::share_water>{system});
     for_nodes<NodeLine::keep_own>(system);
@@ -146,7 +146,7 @@ class DeviceWaterBody {
     water.surface_of_node = surface_of_node_.read();
     water.constraint_of_node = constraint_of_node_.read();
     water.constraints = constraints_.read();
-    DeviceGraph<D>& graph = water.mixture.graph;
+    DeviceGraph<D>& graph = water.darcy.graph;
     graph.touch_start = body_.layout.row_start;
     graph.element.rows = graph.local.rows = body_.layout.node_rows;
     graph.size = node_size_.read();
@@ -164,7 +164,7 @@ class DeviceWaterBody {
     if (image.change.empty()) change_.assign_zeros(nodes);
     image.ponded.empty() ? ponded_.assign_zeros(nodes) : ponded_.bring(image.ponded);
     const std::size_t soils = laws_.size();
-    DeviceMixture<D>& m = body_.water.mixture;
+    DeviceDarcy<D>& m = body_.water.darcy;
     const auto put_table = [soils](Array<double>& array, std::size_t columns) {
       array.assign_zeros(soils * columns);
       return TableView{array.view().start, soils, columns};
@@ -272,7 +272,7 @@ class DeviceWaterBody {
 
   /// Solves for the change of the pressures, and has surface and lines fit it.
   Gradients solve_round(const PressureSystem<D>& system, int round) {
-    const View<double> x = body_.water.mixture.change;
+    const View<double> x = body_.water.darcy.change;
     for_nodes<NodeLine::fix>(system);
     multiply(system, x, When::always);
     for_nodes<NodeLine::start_gradients>(system);

@@ -199,7 +199,7 @@ struct EndNode {
   PressureSystem<D> system;
 
   TALUS_PORTABLE void operator()(int i) const {
-    const auto& m = system.body.water.mixture;
+    const auto& m = system.body.water.darcy;
     if (system.is_wet(i)) m.pressure[i] += m.change[i];
   }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water of the mixture on a GPU as its threads see it, under the names that Water and MixtureWater give it.
+// Pore water of the mixture on a GPU as its threads see it, under the names that Water and DarcyWater give it.
 
 #include "mpm/coupled/water.hpp"
 #include "mpm/device/view.hpp"
@@ -53,7 +53,7 @@ struct DeviceGraph {
 };
 
 template <int D>
-struct DeviceMixture {
+struct DeviceDarcy {
   static constexpr bool is_used = true;  ///< water that seeps is all that a device knows
   Inside<DeviceGraph<D>> graph;
   // By node, from step to step.
@@ -77,15 +77,15 @@ struct DeviceWater {
   View<const WaterConstraint<D>> constraints;
   View<const DeviceSurface> surfaces;
   View<double> volume, stretch, mean_saturation, mean_pressure;
-  DeviceMixture<D> mixture;
+  DeviceDarcy<D> darcy;
 
   TALUS_PORTABLE bool is_wet() const { return !laws.empty(); }
   /// To the lane of an element, what the pass over the points reads.
   TALUS_PORTABLE void shift(int lane) {
-    for (View<double>* field : {&volume, &stretch, &mean_saturation, &mean_pressure, &mixture.water, &mixture.share})
+    for (View<double>* field : {&volume, &stretch, &mean_saturation, &mean_pressure, &darcy.water, &darcy.share})
       field->shift(lane);
-    for (View<double>& component : mixture.flux) component.shift(lane);
-    mixture.pores.shift(lane);
+    for (View<double>& component : darcy.flux) component.shift(lane);
+    darcy.pores.shift(lane);
   }
 };
 

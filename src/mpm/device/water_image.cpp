@@ -71,17 +71,17 @@ WaterImage<D> make_water_image(const Body<D>& body) {
   image.surface_of_node = look_at(water.surface_of_node);
   image.constraint_of_node = look_at(water.constraint_of_node);
   image.constraints = look_at(water.constraints);
-  const NodeGraph<D>& graph = *water.mixture.graph;
+  const NodeGraph<D>& graph = *water.darcy.graph;
   image.node_size = look_at(graph.size);
   slice_rows(graph, image);
   for (const RootUptake& uptake : water.uptakes) image.uptakes.push_back({uptake.reduction, look_at(uptake.weight)});
   for_fields(const_cast<Water<D>&>(water), image, [&](const AlignedVector<double>& field, std::vector<double>& there) {
     there = lengthen(field, body.mesh().element_count());
   });
-  image.pressure = water.mixture.pressure;
-  image.own = water.mixture.own;
-  image.change = water.mixture.change;
-  image.ponded = water.mixture.ponded;
+  image.pressure = water.darcy.pressure;
+  image.own = water.darcy.own;
+  image.change = water.darcy.change;
+  image.ponded = water.darcy.ponded;
   return image;
 }
 
@@ -93,10 +93,10 @@ void read_water_image(const WaterImage<D>& image, Body<D>& body) {
              [&](AlignedVector<double>& field, const std::vector<double>& there) {
                std::copy_n(there.begin(), body.mesh().element_count(), field.begin());
              });
-  water.mixture.pressure = image.pressure;
-  water.mixture.own = image.own;
-  water.mixture.change = image.change;
-  water.mixture.ponded = image.ponded;
+  water.darcy.pressure = image.pressure;
+  water.darcy.own = image.own;
+  water.darcy.change = image.change;
+  water.darcy.ponded = image.ponded;
   water.surface_is_stale = true;
 }
 

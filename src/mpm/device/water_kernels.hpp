@@ -47,7 +47,7 @@ struct MarkWetNode {
   View<std::uint8_t> touches;
 
   TALUS_PORTABLE void operator()(int i) const {
-    const auto& graph = *body.water.mixture.graph;
+    const auto& graph = *body.water.darcy.graph;
     bool wet = false;
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
       wet = wet || body.water.volume[graph.element[t]] > 0;
@@ -110,7 +110,7 @@ struct FindArea {
   View<const std::uint8_t> open;
 
   TALUS_PORTABLE void operator()(int i) const {
-    const auto& graph = *body.water.mixture.graph;
+    const auto& graph = *body.water.darcy.graph;
     Vec<D> area{};
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
       const int e = graph.element[t];
@@ -120,7 +120,7 @@ struct FindArea {
         for (int d = 0; d < D; ++d) area[d] += share[d];
       }
     }
-    body.water.mixture.area[i] = area;
+    body.water.darcy.area[i] = area;
   }
 };
 
@@ -136,8 +136,8 @@ struct LoadElement {
     Vec<D>* own = &rows[static_cast<std::size_t>(e) * (D + 1)];
     for (int k = 0; k <= D; ++k) own[k] = Vec<D>{};
     const OuterWater<D> outer(body.water.density, options.gravity);
-    const auto add = [own](int k, const Vec<D>&, const Vec<D>& on_mixture) {
-      for (int d = 0; d < D; ++d) own[k][d] += on_mixture[d];
+    const auto add = [own](int k, const Vec<D>&, const Vec<D>& on_darcy) {
+      for (int d = 0; d < D; ++d) own[k][d] += on_darcy[d];
     };
     bool first = true;
     for (int side = 0; side <= D; ++side) {
@@ -239,7 +239,7 @@ struct DrawElement {
   View<ElementAccount> accounts;
 
   TALUS_PORTABLE void operator()(int e) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     const double volume = find_draw(body, uptakes, rates, dt, e, [&] { return m.water[e]; });
     m.drawn[e] = volume;
     accounts[static_cast<std::size_t>(e)].transpired = body.water.density * volume;

@@ -10,9 +10,9 @@ namespace talus::mpm {
 namespace {
 
 template <int D>
-struct MixturePass : OneVelocityPass<D> {
+struct DarcyPass : OneVelocityPass<D> {
   template <class Law>
-  using Block = MixtureBlock<MixturePass, Law>;
+  using Block = DarcyBlock<DarcyPass, Law>;
   using OneVelocityPass<D>::OneVelocityPass;
   Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
 
@@ -23,11 +23,11 @@ struct MixturePass : OneVelocityPass<D> {
 }  // namespace
 
 template <int D>
-MoverLists advance_points(Mixture, Body<D>& body, const StepOptions<D>& options) {
-  return advance_blocks<MixturePass<D>>(body, options);
+MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options) {
+  return advance_blocks<DarcyPass<D>>(body, options);
 }
 
-template MoverLists advance_points<2>(Mixture, Body<2>&, const StepOptions<2>&);
-template MoverLists advance_points<3>(Mixture, Body<3>&, const StepOptions<3>&);
+template MoverLists advance_points<2>(Darcy, Body<2>&, const StepOptions<2>&);
+template MoverLists advance_points<3>(Darcy, Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

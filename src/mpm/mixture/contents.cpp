@@ -15,7 +15,7 @@ namespace {
 
 template <int D>
 void allocate(Body<D>& body) {
-  MixtureWater<D>& m = body.water.mixture;
+  DarcyWater<D>& m = body.water.darcy;
   const std::size_t nodes = body.mesh().nodes.size(), materials = body.water.laws.size(),
                     lanes = static_cast<std::size_t>(body.layout->blocks) * lane_width;
   if (!m.graph) m.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
@@ -46,9 +46,9 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const int elements = body.mesh().element_count();
   const std::size_t nodes = body.mesh().nodes.size();
-  const bool first = water.mixture.own.size() != nodes;  // on all ranks or on none
-  if (first) water.mixture.own.assign(nodes, 0.0);
-  MixtureWater<D>& m = water.mixture;
+  const bool first = water.darcy.own.size() != nodes;  // on all ranks or on none
+  if (first) water.darcy.own.assign(nodes, 0.0);
+  DarcyWater<D>& m = water.darcy;
   std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
   for_chunks(body, o.threads, [&](int c) {
     const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);

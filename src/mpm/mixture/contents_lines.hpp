@@ -20,7 +20,7 @@ TALUS_PORTABLE bool sum_element(B& body, int e, bool mixed) {
   constexpr int D = B::dimension, width = B::width;
   using P = PointFields<D>;
   auto& water = body.water;
-  auto& m = water.mixture;
+  auto& m = water.darcy;
   const auto& points = body.points;
   const std::size_t materials = water.laws.size();
   for (std::size_t k = 0; k < materials; ++k) m.pores[k][e] = m.volume[k][e] = 0;
@@ -61,7 +61,7 @@ template <class B>
 TALUS_PORTABLE void start_node(B& body, int i, bool first) {
   constexpr int D = B::dimension;
   auto& water = body.water;
-  auto& m = water.mixture;
+  auto& m = water.darcy;
   const auto& graph = *m.graph;
   for (std::size_t k = 0; k < m.node_pores.size(); ++k) m.node_pores[k][i] = 0;
   double content = 0, all = 0, last = 0;

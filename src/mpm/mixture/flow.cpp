@@ -10,7 +10,7 @@ namespace talus::mpm {
 template <int D>
 void find_flow(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
-  MixtureWater<D>& m = water.mixture;
+  DarcyWater<D>& m = water.darcy;
   std::vector<std::vector<double>> relative(water.laws.size());
   for (std::size_t k = 0; k < water.laws.size(); ++k) {
     if (!water.laws[k].wet) continue;
@@ -23,13 +23,13 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
 }
 
 template <int D>
-void load_mixture(Body<D>& body, const StepOptions<D>& o) {
+void load_darcy(Body<D>& body, const StepOptions<D>& o) {
   gather_loads(body);
   if (body.nodes.load.empty()) body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
-  if (body.water.mixture_load.empty()) return;
+  if (body.water.darcy_load.empty()) return;
   for_node_pieces(body, o.threads, [&](int begin, int end, int) {
     for (int i = begin; i < end; ++i)
-      for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.mixture_load[i][d];
+      for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.darcy_load[i][d];
   });
 }
 
@@ -63,7 +63,7 @@ void update_pressed(Body<D>& body) {
 
 template <int D>
 void predict_motion(Body<D>& body, const StepOptions<D>& o) {
-  MixtureWater<D>& m = body.water.mixture;
+  DarcyWater<D>& m = body.water.darcy;
   std::vector<std::array<double, D + 1>> own_mass(body.mesh().elements.size());
   for_elements(body, o.threads, [&](int e) { own_mass[e] = find_own_mass(body, e); });
   update_elements(body, own_mass);
@@ -74,7 +74,7 @@ void predict_motion(Body<D>& body, const StepOptions<D>& o) {
 
 #define TALUS_INSTANTIATE(D)                                                 \
   template void find_flow<D>(Body<D>&, const StepOptions<D>&);               \
-  template void load_mixture<D>(Body<D>&, const StepOptions<D>&);            \
+  template void load_darcy<D>(Body<D>&, const StepOptions<D>&);            \
   template void press_nodes<D>(Body<D>&, const StepOptions<D>&);             \
   template double find_pore_power<D>(const Body<D>&, const StepOptions<D>&); \
   template void predict_motion<D>(Body<D>&, const StepOptions<D>&);

@@ -18,7 +18,7 @@ namespace talus::mpm {
 /// does not close the element to a front.
 template <class B>
 TALUS_PORTABLE double find_relative_at_node(const B& body, std::size_t k, int i) {
-  const auto& m = body.water.mixture;
+  const auto& m = body.water.darcy;
   if (!(m.node_pores[k][i] > 0)) return 0;
   return find_state_at_pressure<double>(body.water.laws[k], m.pressure[i]).relative;
 }
@@ -42,7 +42,7 @@ template <class B, class Relative>
 TALUS_PORTABLE void find_flow_through(B& body, const StepOptions<B::dimension>& o, const Relative& relative, int e) {
   constexpr int D = B::dimension;
   auto& water = body.water;
-  auto& m = water.mixture;
+  auto& m = water.darcy;
   const auto& mesh = body.mesh();
   m.saturated[e] = m.effective[e] = m.coupling[e] = m.conductive[e] = m.soft[e] = 0;
   if (!(water.volume[e] > 0)) return;
@@ -78,7 +78,7 @@ double* find_row_to_press(Body<D>& body, int i) {
 template <class B>
 TALUS_PORTABLE void press_node(B& body, int i) {
   constexpr int D = B::dimension;
-  auto& m = body.water.mixture;
+  auto& m = body.water.darcy;
   const auto& mesh = body.mesh();
   const auto& graph = *m.graph;
   Vec<D> force{};
@@ -103,7 +103,7 @@ TALUS_PORTABLE double find_pore_power_at(const B& body, int i) {
   const double* velocity =
       &body.nodes.motion[static_cast<std::size_t>(body.layout->motion_row(i, 0)) * motion_stride<D> + D];
   double power = 0;
-  for (int d = 0; d < D; ++d) power += body.water.mixture.pore_force[i][d] * velocity[d];
+  for (int d = 0; d < D; ++d) power += body.water.darcy.pore_force[i][d] * velocity[d];
   return power;
 }
 
@@ -131,7 +131,7 @@ TALUS_PORTABLE auto find_own_mass(const B& body, int e) {
 template <class B, class OwnMass>
 TALUS_PORTABLE void predict_node(B& body, const StepOptions<B::dimension>& o, const OwnMass& own_mass, int i) {
   constexpr int D = B::dimension;
-  auto& m = body.water.mixture;
+  auto& m = body.water.darcy;
   const auto& layout = *body.layout;
   const auto& graph = *m.graph;
   const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];

@@ -13,7 +13,7 @@ namespace talus::mpm {
 
 /// A block of soil and the water that goes with it.
 template <class Pass, class Law>
-struct MixtureBlock {
+struct DarcyBlock {
   using B = typename Pass::B;
   using T = typename B::Lanes;
   using Place = BlockPlace<B>;
@@ -34,9 +34,9 @@ struct MixtureBlock {
   T seeping[D];  ///< the water against the grains [m/s]
   MaskOf<T> wet;
 
-  TALUS_KERNEL MixtureBlock(const Pass& pass, const Place& at)
-      : MixtureBlock(pass, at, Nodes(pass.body.nodes.motion.data(), at.rows)) {}
-  TALUS_KERNEL MixtureBlock(const Pass& pass, const Place& at, const Nodes& nodes)
+  TALUS_KERNEL DarcyBlock(const Pass& pass, const Place& at)
+      : DarcyBlock(pass, at, Nodes(pass.body.nodes.motion.data(), at.rows)) {}
+  TALUS_KERNEL DarcyBlock(const Pass& pass, const Place& at, const Nodes& nodes)
       : lanes(get_block_water<Law>(pass.body, at.b, pass.options.conductivity_factor)),
         first_field(pass.body.water.first_field),
         density(pass.body.water.density),
@@ -44,13 +44,13 @@ struct MixtureBlock {
     const auto& water = pass.body.water;
     wet = load<T>(&water.volume[at.first]) > T(0.0);
     stretch = load<T>(&water.stretch[at.first]);
-    share = load<T>(&water.mixture.share[at.first]);
+    share = load<T>(&water.darcy.share[at.first]);
     saturation = select(wet, load<T>(&water.mean_saturation[at.first]), T(1.0));
     pressure = load<T>(&water.mean_pressure[at.first]);
-    for (int d = 0; d < D; ++d) seeping[d] = load<T>(&water.mixture.flux[d][at.first]);
+    for (int d = 0; d < D; ++d) seeping[d] = load<T>(&water.darcy.flux[d][at.first]);
     T pores(0.0);
-    for (std::size_t k = 0; k < water.mixture.pores.size(); ++k) pores += load<T>(&water.mixture.pores[k][at.first]);
-    content = load<T>(&water.mixture.water[at.first]) / select(wet, pores, T(1.0));
+    for (std::size_t k = 0; k < water.darcy.pores.size(); ++k) pores += load<T>(&water.darcy.pores[k][at.first]);
+    content = load<T>(&water.darcy.water[at.first]) / select(wet, pores, T(1.0));
     pushed = motion.grad[0][0] + motion.grad[1][1];
     if constexpr (D == 3) pushed += motion.grad[2][2];
     pushed = pushed * stretch;
@@ -70,11 +70,11 @@ struct MixtureBlock {
     T old_volume, mass;
     MaskOf<T> wet;
 
-    TALUS_KERNEL Slot(const MixtureBlock& block, const SlotPoints<B>& points)
+    TALUS_KERNEL Slot(const DarcyBlock& block, const SlotPoints<B>& points)
         : fields(points.p + block.first_field * width), old_volume(points.volume) {}
-    TALUS_KERNEL void advance_velocity(const MixtureBlock&, const SlotPoints<B>&) {}
+    TALUS_KERNEL void advance_velocity(const DarcyBlock&, const SlotPoints<B>&) {}
     template <class Update>
-    TALUS_KERNEL T update_water(Pass& pass, const MixtureBlock& block, const Update& update,
+    TALUS_KERNEL T update_water(Pass& pass, const DarcyBlock& block, const Update& update,
                                 const SlotPoints<B>& points) {
       wet = block.lanes.is_wet(points.material);
       const T pores = find_pores<T>(old_volume, points.mass * block.lanes.get_inverse_grain_density(points.material));
@@ -96,7 +96,7 @@ struct MixtureBlock {
     TALUS_KERNEL T find_solid_share(T opened) const { return 1.0 - select(wet, T(0.0), opened); }
     TALUS_KERNEL void store_fields() const { store(fields + W::mass * width, mass); }
     TALUS_KERNEL void keep(MaskOf<T> stays) { mass = select(stays, mass, T(0.0)); }
-    TALUS_KERNEL void add_to(MixtureBlock&, SlotPoints<B>& points) const { points.mass += mass; }
+    TALUS_KERNEL void add_to(DarcyBlock&, SlotPoints<B>& points) const { points.mass += mass; }
   };
 };
 

@@ -7,7 +7,7 @@
 namespace talus::mpm {
 
 template <int D>
-void step_mixture(Body<D>& body, const StepOptions<D>& o) {
+void step_darcy(Body<D>& body, const StepOptions<D>& o) {
   Stopwatch timed;
   Timing& t = body.timing;
   MoverLists movers;
@@ -15,7 +15,7 @@ void step_mixture(Body<D>& body, const StepOptions<D>& o) {
     find_contents(body, o);
     load_surface(body, o);
     find_flow(body, o);
-    load_mixture(body, o);
+    load_darcy(body, o);
     press_nodes(body, o);
     const Work before = body.work;
     solve_momentum(Dry{}, body, o);
@@ -31,13 +31,13 @@ void step_mixture(Body<D>& body, const StepOptions<D>& o) {
     body.work.pore_water -= 0.5 * o.dt * find_pore_power(body, o);
   });
   if (o.smoothing != input::Smoothing::none) timed(t.smooth_strain, [&] { smooth_increments(Dry{}, body, o); });
-  timed(t.advance_points, [&] { movers = advance_points(Mixture{}, body, o); });
+  timed(t.advance_points, [&] { movers = advance_points(Darcy{}, body, o); });
   body.time += o.dt;
   ++body.step_count;
   timed(t.relocate, [&] { relocate(body, o, movers); });
 }
 
-template void step_mixture<2>(Body<2>&, const StepOptions<2>&);
-template void step_mixture<3>(Body<3>&, const StepOptions<3>&);
+template void step_darcy<2>(Body<2>&, const StepOptions<2>&);
+template void step_darcy<3>(Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

@@ -8,7 +8,7 @@
 
 namespace talus::mpm {
 
-struct Mixture {
+struct Darcy {
   static constexpr bool has_water = true;
 };
 
@@ -23,7 +23,7 @@ void find_flow(Body<D>& body, const StepOptions<D>& options);
 
 /// Forces of tractions and of the water outside. Writes nodes.load.
 template <int D>
-void load_mixture(Body<D>& body, const StepOptions<D>& options);
+void load_darcy(Body<D>& body, const StepOptions<D>& options);
 
 /// Puts the forces of the pore pressures into the sums of the nodes, in place of those that are there. Writes
 /// mixture.pore_force.
@@ -49,10 +49,10 @@ void solve_pressures(Body<D>& body, const StepOptions<D>& options);
 
 /// Everything that happens to the points, and the nodal sums of the next step.
 template <int D>
-MoverLists advance_points(Mixture, Body<D>& body, const StepOptions<D>& options);
+MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options);
 
 /// The step.
 template <int D>
-void step_mixture(Body<D>& body, const StepOptions<D>& options);
+void step_darcy(Body<D>& body, const StepOptions<D>& options);
 
 }  // namespace talus::mpm

@@ -24,7 +24,7 @@ TALUS_KERNEL T find_pores(T volume, T grains) {
 }
 
 template <int D>
-struct MixtureWater {
+struct DarcyWater {
   std::shared_ptr<const NodeGraph<D>> graph;  ///< made by the first step
 
   bool is_used = false;  ///< the nodes' sums are those of one velocity

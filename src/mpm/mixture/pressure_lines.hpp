@@ -64,7 +64,7 @@ struct PressureLines {
 
   /// Returns whether node `i` is wet; a dry one takes no part.
   TALUS_PORTABLE bool sum_pores(int i) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     s.pores[i] = 0;
     for (std::size_t k = 0; k < m.node_pores.size(); ++k) s.pores[i] += m.node_pores[k][i];
     if (s.pores[i] > 0) return true;
@@ -75,7 +75,7 @@ struct PressureLines {
   /// What the surface at node `i`, whose area is known, does with its water.
   TALUS_PORTABLE void find_surface(int i) const {
     const auto& water = body.water;
-    const auto& m = water.mixture;
+    const auto& m = water.darcy;
     s.surface[i] = {};
     const double area = norm(m.area[i]);
     if (area == 0) return;
@@ -97,7 +97,7 @@ struct PressureLines {
 
   /// What element `e` gives to its nodes.
   TALUS_PORTABLE void assemble_element(int e) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     const auto& mesh = body.mesh();
     s.divergence[e] = 0;
     s.flux[e] = Vec<D>{};
@@ -120,7 +120,7 @@ struct PressureLines {
 
   /// Row and source of node `i`; both are zero before.
   TALUS_PORTABLE void assemble_node(int i) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     const auto& mesh = body.mesh();
     const auto& graph = *m.graph;
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
@@ -146,7 +146,7 @@ struct PressureLines {
   }
 
   TALUS_PORTABLE void find_diagonal(int i) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     const auto& graph = *m.graph;
     s.diagonal[i] = s.entries[graph.row_start[i]].through;
     for (int n = graph.row_start[i]; n < graph.row_end(i); n += graph.row_stride) {
@@ -155,23 +155,23 @@ struct PressureLines {
     }
   }
 
-  TALUS_PORTABLE void start_line(int i) const { s.lines[i] = HeldLine::start(held(i), body.water.mixture.pressure[i]); }
+  TALUS_PORTABLE void start_line(int i) const { s.lines[i] = HeldLine::start(held(i), body.water.darcy.pressure[i]); }
   TALUS_PORTABLE void find_source(int i) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     s.source[i] = s.grown[i] + s.drained[i];
     s.storage[i] = s.lines[i].storage;
     s.source[i] += s.lines[i].at(m.pressure[i]) - m.node_water[i];
   }
   /// Bends the line of node `i` after a solution; returns whether it was right.
   TALUS_PORTABLE bool bend_line(int i, int round) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     return s.lines[i].bend(held(i), m.node_water[i], m.pressure[i] + m.change[i], round);
   }
 
   /// By how much the pressures x push node `j`.
   template <class X>
   TALUS_PORTABLE void push(const X& x, int j) const {
-    const auto& m = body.water.mixture;
+    const auto& m = body.water.darcy;
     const auto& graph = *m.graph;
     Vec<D> push{};
     for (int n = graph.row_start[j]; n < graph.row_end(j); n += graph.row_stride)
@@ -182,7 +182,7 @@ struct PressureLines {
   /// Row `i` of (flow [+ storage + growth by the push of the pressures]) x, into q.
   template <class X>
   TALUS_PORTABLE void multiply(const X& x, bool whole, int i) const {
-    const auto& graph = *body.water.mixture.graph;
+    const auto& graph = *body.water.darcy.graph;
     double sum = whole ? s.storage[i] * x[i] : 0.0;
     for (int n = graph.row_start[i]; n < graph.row_end(i); n += graph.row_stride) {
       const int j = graph.column[n];
@@ -194,7 +194,7 @@ struct PressureLines {
 
   /// Which pressures a round takes as given.
   TALUS_PORTABLE void fix_node(int i) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     const SurfaceWater& of_node = s.surface[i];
     s.fixed[i] = of_node.is_given || (of_node.may_pond && m.ponded[i] != 0);
     if (s.fixed[i]) m.change[i] = (of_node.is_given ? of_node.pressure : 0.0) - m.pressure[i];
@@ -209,7 +209,7 @@ struct PressureLines {
   }
   /// What node `i` adds to the square that the residual is measured by.
   TALUS_PORTABLE double find_scale(int i) const {
-    const double stiffness = find_stiffness(i), b = find_drive(i), x = body.water.mixture.change[i];
+    const double stiffness = find_stiffness(i), b = find_drive(i), x = body.water.darcy.change[i];
     const double known = s.fixed[i] ? x * x * stiffness : b * b / stiffness;
     return known + smallest_change * smallest_change * stiffness;
   }
@@ -217,19 +217,19 @@ struct PressureLines {
   TALUS_PORTABLE double find_curvature(int i) const { return s.fixed[i] ? 0.0 : s.d[i] * s.q[i]; }
   TALUS_PORTABLE void go_on(double step, int i) const {
     if (s.fixed[i]) return;
-    body.water.mixture.change[i] += step * s.d[i];
+    body.water.darcy.change[i] += step * s.d[i];
     s.r[i] -= step * s.q[i];
     s.z[i] = s.r[i] / find_stiffness(i);
   }
   TALUS_PORTABLE void turn(double share, int i) const { s.d[i] = s.fixed[i] ? 0.0 : s.z[i] + share * s.d[i]; }
   /// What passes the surface, with q = A x.
   TALUS_PORTABLE void find_passed(int i) const {
-    body.water.mixture.passed[i] = s.fixed[i] ? s.q[i] - s.source[i] : -o.dt * s.surface[i].inflow;
+    body.water.darcy.passed[i] = s.fixed[i] ? s.q[i] - s.source[i] : -o.dt * s.surface[i].inflow;
   }
   /// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
   /// that is so already.
   TALUS_PORTABLE bool settle_surface(int i) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     if (!s.surface[i].may_pond) return true;
     const bool stands =
         m.ponded[i] ? -m.passed[i] <= o.dt * s.surface[i].inflow * (1 + 1e-12) : m.pressure[i] + m.change[i] < 0;
@@ -240,12 +240,12 @@ struct PressureLines {
 
   /// What leaves node `i`, with q = what flows between the nodes.
   TALUS_PORTABLE void find_out(int i) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     m.out[i] = s.drained[i] - s.q[i] + m.passed[i];
   }
   /// What every pore of an element loses (T22.6).
   TALUS_PORTABLE void share_water(int e) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     m.share[e] = 0;
     if (!(body.water.volume[e] > 0)) return;
     for (int node : body.mesh().elements[e]) m.share[e] += m.out[node] / s.pores[node] / (D + 1);
@@ -253,7 +253,7 @@ struct PressureLines {
   /// What the nodes do not see of that: it stays with them as their own, until the soil has moved over the size of an
   /// element (T22.7).
   TALUS_PORTABLE void keep_own(int i) const {
-    auto& m = body.water.mixture;
+    auto& m = body.water.darcy;
     const auto& graph = *m.graph;
     m.own[i] -= m.out[i];
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
@@ -265,7 +265,7 @@ struct PressureLines {
   /// Water [kg] that has passed the surface at node `i`.
   TALUS_PORTABLE SurfaceBudget count_water(int i) const {
     SurfaceBudget budget;
-    const double out = body.water.density * body.water.mixture.passed[i];
+    const double out = body.water.density * body.water.darcy.passed[i];
     (out > 0 ? budget.left : budget.entered) = std::abs(out);
     const double offered = body.water.density * o.dt * s.surface[i].inflow;
     if (!s.surface[i].is_rain || !(offered > 0)) return budget;
@@ -276,7 +276,7 @@ struct PressureLines {
   /// Darcy's flow at the end of the step, and the pressure of element `e`.
   TALUS_PORTABLE void find_end(int e) const {
     auto& water = body.water;
-    auto& m = water.mixture;
+    auto& m = water.darcy;
     const auto& mesh = body.mesh();
     for (int d = 0; d < D; ++d) m.flux[d][e] = 0;
     if (!(water.volume[e] > 0)) return;
@@ -295,7 +295,7 @@ struct PressureLines {
   }
 
  private:
-  TALUS_PORTABLE auto held(int i) const { return HeldWater(body.water.laws, body.water.mixture.node_pores, i); }
+  TALUS_PORTABLE auto held(int i) const { return HeldWater(body.water.laws, body.water.darcy.node_pores, i); }
 
   /// What holds node `i` taken from a vector.
   TALUS_PORTABLE Vec<D> hold(int i, Vec<D> v) const {

@@ -22,7 +22,7 @@ template <int D>
 class PressureEquation {
  public:
   PressureEquation(Body<D>& body, const StepOptions<D>& o)
-      : body_(body), water_(body.water), m_(body.water.mixture), mesh_(body.mesh()), o_(o) {
+      : body_(body), water_(body.water), m_(body.water.darcy), mesh_(body.mesh()), o_(o) {
     const std::size_t nodes = mesh_.nodes.size();
     for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
       field->assign(nodes, 0.0);
@@ -146,7 +146,7 @@ class PressureEquation {
   using Arrays = PressureArrays<D, ArrayHere>;
   Body<D>& body_;
   Water<D>& water_;
-  MixtureWater<D>& m_;
+  DarcyWater<D>& m_;
   const mesh::Mesh<D>& mesh_;
   const StepOptions<D>& o_;
   NodeList wet_nodes_;

@@ -59,7 +59,7 @@ CriticalStep find_least(const Body<D>& body, const CriticalStep& critical) {
 
 }  // namespace
 
-double find_coupled_step(const CoupledSoil& soil, double length, double beta, bool implicit_drag) {
+double find_two_velocity_step(const CoupledSoil& soil, double length, double beta, bool implicit_drag) {
   const double n = soil.porosity, s = soil.saturation, theta = n * s;
   const double solid = (1 - n) * soil.grain_density, water = theta * soil.water_density;
   const double pressure = s * s / soil.storage;
@@ -99,13 +99,13 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
       const WaterLaw& law = body.water.laws[m];
       const double modulus = find_modulus<D>(body.laws[m], p);
       const double mass = p[P::mass * lane_width], volume = p[P::volume * lane_width];
-      const double whole = o.mixture ? mass + p[(body.water.first_field + WaterFields<D>::mass) * lane_width] : mass;
+      const double whole = o.darcy ? mass + p[(body.water.first_field + WaterFields<D>::mass) * lane_width] : mass;
       double dt = length * std::sqrt(o.mass_scaling * whole / (modulus * volume));
-      if (law.wet && !o.mixture) {
+      if (law.wet && !o.darcy) {
         const double pressure = p[(body.water.first_field + WaterFields<D>::pressure) * lane_width];
         const CoupledSoil soil = make_coupled_soil(law, modulus, 1 - mass / (law.grain_density * volume), pressure,
                                                    o.implicit_drag ? nullptr : &o.conductivity_factor);
-        dt = find_coupled_step(soil, length, find_scaling_in_drag(o), o.implicit_drag);
+        dt = find_two_velocity_step(soil, length, find_scaling_in_drag(o), o.implicit_drag);
       }
       if (critical.element < 0 || !(dt >= critical.dt)) critical = {dt, shortest};
     }

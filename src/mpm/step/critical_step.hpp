@@ -31,6 +31,6 @@ struct CoupledSoil {
 };
 
 /// (2.85) [s] for an element of the altitude `length` [m].
-double find_coupled_step(const CoupledSoil& soil, double length, double mass_scaling, bool implicit_drag);
+double find_two_velocity_step(const CoupledSoil& soil, double length, double mass_scaling, bool implicit_drag);
 
 }  // namespace talus::mpm

@@ -118,7 +118,7 @@ void fade_unseen(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   using W = WaterFields<D>;
   Water<D>& water = body.water;
-  if (o.mixture) {
+  if (o.darcy) {
     fade_phase(body, o,
                Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity,
                                            water.first_field + W::mass});

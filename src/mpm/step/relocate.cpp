@@ -257,7 +257,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
       }
     }
   }
-  const bool wet = body.water.is_wet() && !o.mixture;
+  const bool wet = body.water.is_wet() && !o.darcy;
   std::vector<Traveller<D>> travellers;
   const std::size_t lost_before = body.lost.size();
   std::vector<double> lost_water;

@@ -34,8 +34,8 @@ void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch ti
 
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
-  if (body.water.is_wet() && options.mixture)
-    step_mixture(body, options);
+  if (body.water.is_wet() && options.darcy)
+    step_darcy(body, options);
   else if (body.water.is_wet())
     run_lines(Wet{}, body, options, {});
   else

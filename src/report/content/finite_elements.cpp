@@ -20,7 +20,7 @@ namespace {
 
 /// A mesh with more elements would be the largest part of the report, and too fine to be seen.
 constexpr std::size_t most_field_elements = 60000;
-constexpr std::size_t corners = 6;
+constexpr std::size_t corners_per_element = 6;
 
 json take_factor(double factor) {
   return factor > 0 ? json(factor) : json();
@@ -85,14 +85,14 @@ std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t w
 json pack_mesh(const results::ElementMesh& file, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   if (nodes == 0 || elements == 0 || elements > most_field_elements || file.nodes[0].size() != 2 ||
-      file.elements[0].size() != corners)
+      file.elements[0].size() != corners_per_element)
     return {};
-  const auto cells = join_rows<int, std::uint32_t>(file.elements, corners);
+  const auto cells = join_rows<int, std::uint32_t>(file.elements, corners_per_element);
   for (const std::uint32_t node : cells)
     if (node >= nodes)
       throw Error(ExitCode::wrong_input, fmt::format("an element names the node {} of {}", node, nodes));
   return {{"nodes", packer.add_places("fem.nodes", join_rows<double, double>(file.nodes, 2), {nodes, 2})},
-          {"elements", packer.add_numbers("fem.elements", cells, {elements, corners}, true)}};
+          {"elements", packer.add_numbers("fem.elements", cells, {elements, corners_per_element}, true)}};
 }
 
 /// The fields of one strength reduction; null where the file has none of this mesh.

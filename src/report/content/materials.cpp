@@ -80,7 +80,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
       if (material == name) regions.push_back(region);
     json row{{"name", name},
              {"index", index++},
-             {"model", material::tell_model(soil.model, soil)},
+             {"model", material::describe_model(soil.model, soil)},
              {"regions", regions},
              {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
     if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);

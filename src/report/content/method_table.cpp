@@ -217,7 +217,7 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
     Factor later;
     later.method = Method::fem;
     later.name = "timeline.elements";
-    later.title = fmt::format("at {}", results::say_moment(timeline, elements->time));
+    later.title = fmt::format("at {}", results::format_moment(timeline, elements->time));
     later.value = elements->runs.front().factor;
     if (const auto& interval = elements->runs.front().interval) {
       later.lower = results::show_lower(interval->lower);
@@ -234,10 +234,10 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
   Factor least;
   least.method = Method::lem;
   least.name = "timeline.least";
-  least.title = fmt::format("least in time, at {}: {}, {}", results::say_moment(timeline, at->time), at->surface.title,
+  least.title = fmt::format("least in time, at {}: {}, {}", results::format_moment(timeline, at->time), at->surface.title,
                             at->source);
   least.value = timeline.least;
-  least.note = results::say_failure(timeline);
+  least.note = results::format_failure(timeline);
   least.is_main = true;
   factors.insert(factors.begin(), std::move(least));
 }
@@ -312,7 +312,7 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
   return factors;
 }
 
-std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors) {
+std::string format_main_factors(const results::RunResult& run, const std::vector<Factor>& factors) {
   std::vector<const Factor*> mains;
   for (const Factor& factor : factors)
     if (factor.is_main && factor.value) mains.push_back(&factor);
@@ -326,7 +326,7 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
                      join_words(parts));
 }
 
-std::string say_referee(const results::RunResult& run) {
+std::string format_referee(const results::RunResult& run) {
   if (!run.slices || run.slices->error || !run.slices->referee || !run.slices->referee->is_interval()) return "";
   const double lower = results::show_lower(*run.slices->referee->lower),
                upper = results::show_upper(*run.slices->referee->upper);
@@ -345,7 +345,7 @@ std::string say_referee(const results::RunResult& run) {
       lower, upper);
 }
 
-std::string say_proven(const results::RunResult& run) {
+std::string format_proven(const results::RunResult& run) {
   if (!run.bounds || run.bounds->error) return "";
   const results::BoundsResult& bounds = *run.bounds;
   const std::string soil = bounds.is_davis
@@ -359,7 +359,7 @@ std::string say_proven(const results::RunResult& run) {
   return fmt::format("No bound of the factor of safety was proven: {}.", bounds.no_upper);
 }
 
-std::string say_agreement(const std::vector<Factor>& factors) {
+std::string format_agreement(const std::vector<Factor>& factors) {
   // A smaller difference needs no reason.
   constexpr double close = 0.02, far = 0.1;
   std::vector<double> values;

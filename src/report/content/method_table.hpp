@@ -40,18 +40,18 @@ std::vector<Factor> list_other_factors(const results::RunResult& run);
 
 /// "The factor of safety is 1.441 by slices (Spencer, critical circle) and 1.398 by finite elements (…)."; empty
 /// when no method found one. `factors` are those of all methods.
-std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
+std::string format_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
 
 /// What limit analysis proves of the factors of limit equilibrium, with tension up to the apex; empty where it does not
 /// judge.
-std::string say_referee(const results::RunResult& run);
+std::string format_referee(const results::RunResult& run);
 
 /// "It is proven to lie between 1.432 and 1.446 for ψ = φ."; empty without proven bounds.
-std::string say_proven(const results::RunResult& run);
+std::string format_proven(const results::RunResult& run);
 
 /// How far the main factors lie apart, and how much of it is known to be the flow rule or the mesh; empty for fewer
 /// than two.
-std::string say_agreement(const std::vector<Factor>& factors);
+std::string format_agreement(const std::vector<Factor>& factors);
 
 /// Whether the factors are those of partial factors' design values.
 bool has_design_values(const results::RunResult& run);

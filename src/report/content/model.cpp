@@ -37,8 +37,8 @@ std::string show_vector(const std::array<double, 3>& v, std::size_t dimension, d
 
 /// ", times a factor: 0 at 0 s, 1 at 2 s"; nothing without a table.
 std::string describe_factor(const input::TimeTable& table) {
-  constexpr std::size_t most_rows = 6;
-  if (table.time.size() > most_rows) return ", times a factor that changes with time (see the input)";
+  constexpr std::size_t most_factors = 6;
+  if (table.time.size() > most_factors) return ", times a factor that changes with time (see the input)";
   std::string text;
   for (std::size_t i = 0; i < table.time.size(); ++i)
     text += fmt::format("{} {} at {} s", text.empty() ? ", times a factor:" : ",", show_number(table.value[i], 4),
@@ -279,9 +279,9 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
   const std::size_t dimension = get_dimension(folder.run);
   const ShownUnits units = read_units(folder.run);
   const input::Case& data = folder.data;
-  const results::Mesh told = folder.run.mesh.value_or(results::Mesh{});
-  const bool is_measured = told.elements > 0;
-  json mesh = describe_mesh(told);
+  const results::Mesh result = folder.run.mesh.value_or(results::Mesh{});
+  const bool is_measured = result.elements > 0;
+  json mesh = describe_mesh(result);
   std::optional<mesh::Mesh<2>> plane;
   std::optional<mesh::Mesh<3>> space;
   if (std::filesystem::exists(folder.path / "mesh.h5")) {

@@ -47,8 +47,8 @@ json list_named_results(const ResultFolder& folder) {
     // Its title says so.
     const bool flows_in = about.quantity == "discharge" && result.value < 0;
     const ShownUnit unit = choose_unit(result, units, dimension);
-    json& told = list.emplace_back();
-    told = {{"name", result.name},
+    json& out = list.emplace_back();
+    out = {{"name", result.name},
             {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
             {"value", flows_in ? -result.value : result.value},
             {"unit", to_json(unit)},
@@ -56,7 +56,7 @@ json list_named_results(const ResultFolder& folder) {
             {"quantity", about.quantity},
             {"by", about.by ? to_word(*about.by) : ""}};
     if (about.uncertainty)
-      told["text"] = show_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
+      out["text"] = show_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
   }
   return list;
 }

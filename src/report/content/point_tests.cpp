@@ -21,7 +21,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_rows = 251;
+constexpr std::size_t most_test_rows = 251;
 
 /// Six digits are more than a chart shows, and a report is to be small.
 double round_off(double value) {
@@ -36,7 +36,7 @@ json read_columns(const std::filesystem::path& table, const std::set<std::string
   const output::HistoryTable curve = output::read_history(table);
   const std::size_t rows = curve.values.empty() ? 0 : curve.values.front().size();
   std::set<std::size_t> shown;
-  for (const std::size_t i : choose_frames(rows, most_rows)) shown.insert(i);
+  for (const std::size_t i : choose_frames(rows, most_test_rows)) shown.insert(i);
   for (const std::size_t turn : turns)
     if (turn < rows) shown.insert(turn);
   json columns = json::array();
@@ -89,7 +89,7 @@ json make_point_tests(const ResultFolder& folder) {
   return {{"tests", tests}, {"groups", groups}};
 }
 
-std::vector<std::string> say_point_tests(const ResultFolder& folder) {
+std::vector<std::string> format_point_tests(const ResultFolder& folder) {
   const std::vector<results::PointTest>& list = folder.tests->tests;
   std::vector<std::string> kinds;
   for (const results::PointTest& test : list)

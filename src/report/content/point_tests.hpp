@@ -15,7 +15,7 @@ namespace talus::report {
 nlohmann::json make_point_tests(const ResultFolder& folder);
 
 /// The answer of element tests in words.
-std::vector<std::string> say_point_tests(const ResultFolder& folder);
+std::vector<std::string> format_point_tests(const ResultFolder& folder);
 
 /// The assumptions of element tests, in sentences.
 std::vector<std::string> list_point_assumptions();

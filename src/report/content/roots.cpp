@@ -12,7 +12,7 @@ namespace talus::report {
 namespace {
 
 /// How a bundle was added up.
-std::string tell_bundle(const input::RootBundle& bundle) {
+std::string describe_bundle(const input::RootBundle& bundle) {
   const std::size_t classes = bundle.area_ratios.size();
   return fmt::format(
       "{} {} class{} of roots",
@@ -21,7 +21,7 @@ std::string tell_bundle(const input::RootBundle& bundle) {
 }
 
 /// "falling with exp(−z/0.2 m) down to 0.5 m".
-std::string tell_profile(const input::Roots& roots, const ShownUnit& length) {
+std::string describe_profile(const input::Roots& roots, const ShownUnit& length) {
   const std::string depth = show(roots.depth, length);
   const std::string along = roots.along.empty() ? "" : ", not the same along the ground";
   switch (roots.profile) {
@@ -35,12 +35,12 @@ std::string tell_profile(const input::Roots& roots, const ShownUnit& length) {
 }
 
 /// At the ground, of roots of full age; empty where plants only transpire.
-std::string tell_worth(const input::Roots& roots, const ShownUnits& units) {
+std::string describe_worth(const input::Roots& roots, const ShownUnits& units) {
   if (roots.content) return fmt::format("{} % of the dry mass at the ground", show_number(*roots.content));
   const auto cohesion = ground::find_ground_cohesion(roots);
   if (!cohesion) return "";
   return fmt::format("a cohesion of {} at the ground{}", show(*cohesion, units.stress),
-                     roots.cohesion ? "" : " (" + tell_bundle(*roots.bundle) + ")");
+                     roots.cohesion ? "" : " (" + describe_bundle(*roots.bundle) + ")");
 }
 
 }  // namespace
@@ -50,9 +50,9 @@ std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
   const ShownUnits units = read_units(folder.run);
   for (const input::Roots& roots : folder.data.roots) {
     const double age_share = ground::find_age_share(roots);
-    if (const std::string worth = tell_worth(roots, units); !worth.empty())
+    if (const std::string worth = describe_worth(roots, units); !worth.empty())
       sentences.push_back(fmt::format(
-          "Roots under '{}': {}, {}.{}", roots.ground, worth, tell_profile(roots, units.length),
+          "Roots under '{}': {}, {}.{}", roots.ground, worth, describe_profile(roots, units.length),
           age_share == 1 ? "" : fmt::format(" {} % of that holds at their age.", show_number(100 * age_share))));
     if (roots.transpiration)
       sentences.push_back(

@@ -33,7 +33,7 @@ std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
     for (const results::Release& r : folder.run.timeline->releases)
       plans.push_back(plan_stages(r.folder.empty() ? folder.frames : open_frames(join_name(folder.path, r.folder)),
                                   r.folder.empty() ? "stages" : r.folder,
-                                  "Released at " + results::say_moment(*folder.run.timeline, r.time)));
+                                  "Released at " + results::format_moment(*folder.run.timeline, r.time)));
   std::erase_if(plans, [](const SequencePlan& plan) { return plan.frames.empty(); });
   return plans;
 }

@@ -26,7 +26,7 @@ json make_sampling(const results::Sampling& sampling) {
   return results::to_json(sampling);
 }
 
-void say_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences) {
+void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences) {
   if (const auto& failure = sampling.failure)
     sentences.push_back(
         fmt::format("The probability of failure is {}, between {} and {} with {:g} % confidence{}.",

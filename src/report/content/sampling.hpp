@@ -14,6 +14,6 @@ namespace talus::report {
 nlohmann::json make_sampling(const results::Sampling& sampling);
 
 /// The answer of a sampling in words, the most important sentence first.
-void say_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences);
+void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences);
 
 }  // namespace talus::report

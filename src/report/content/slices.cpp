@@ -19,7 +19,7 @@ using nlohmann::json;
 namespace {
 
 /// null for 0, which stands for a surface that was refused.
-json take_factor(const std::optional<double>& factor) {
+json write_factor(const std::optional<double>& factor) {
   return factor.value_or(0) > 0 ? json(*factor) : json();
 }
 
@@ -48,7 +48,7 @@ json take_surface(const results::CriticalSurface& found, const char* kind, bool 
              {"name", surface.name.value_or("")},
              {"method", results::to_word(surface.method)},
              {"title", surface.title},
-             {"factor", take_factor(surface.factor)},
+             {"factor", write_factor(surface.factor)},
              {"lambda", is_rigorous(surface.method) ? take_number(found.lambda) : json()},
              {"correction", found.correction},
              {"points", surface.points},
@@ -63,8 +63,8 @@ json take_surface(const results::CriticalSurface& found, const char* kind, bool 
              {"warnings", found.warnings},
              {"governs", governs}};
   if (const auto& drawn = found.drawdown)
-    taken["drawdown"] = {{"factor_before", take_factor(drawn->factor_before)},
-                         {"undrained_factor", take_factor(drawn->undrained_factor)},
+    taken["drawdown"] = {{"factor_before", write_factor(drawn->factor_before)},
+                         {"undrained_factor", write_factor(drawn->undrained_factor)},
                          {"normal", drawn->normal},
                          {"shear", drawn->shear},
                          {"strength", list_numbers(drawn->strength)}};

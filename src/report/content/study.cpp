@@ -76,7 +76,7 @@ bool is_told_by_method(const results::StudyColumn& governing, const std::vector<
 }
 
 /// "The factor of safety (frozen) lies between 1.39 and 1.45 over 12 variants."
-void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
+void format_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
   for (const results::StudyColumn& c : columns) {
     if (c.kind == results::ColumnKind::other) continue;
     if (c.kind == results::ColumnKind::governing && is_told_by_method(c, columns)) continue;
@@ -112,7 +112,7 @@ std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrap
 /// In a large study the table says it.
 constexpr std::size_t most_extrapolated = 4;
 
-void say_extrapolation(const results::StudyExtrapolation& extrapolation, std::vector<std::string>& sentences) {
+void format_extrapolation(const results::StudyExtrapolation& extrapolation, std::vector<std::string>& sentences) {
   const std::vector<results::ExtrapolatedFactor> factors = list_varying(extrapolation);
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
@@ -237,9 +237,9 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   content.first = take_first(runs, study);
   content.status = find_status(study);
   std::vector<std::string>& sentences = content.sentences;
-  if (study.sampling) say_sampling(*study.sampling, sentences);
-  if (study.extrapolation) say_extrapolation(*study.extrapolation, sentences);
-  say_ranges(study.columns, sentences);
+  if (study.sampling) format_sampling(*study.sampling, sentences);
+  if (study.extrapolation) format_extrapolation(*study.extrapolation, sentences);
+  format_ranges(study.columns, sentences);
   if (!rows.empty()) {
     const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
                                         [](const auto& v) { return v.status == results::VariantStatus::finished; });

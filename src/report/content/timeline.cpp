@@ -37,7 +37,7 @@ void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& w
 }
 
 /// What the points began with, and whether they rested before they were let go.
-std::string say_start(const results::Release& r) {
+std::string format_start(const results::Release& r) {
   if (!r.start_factor) return r.rests ? "came to rest" : "did not rest";
   std::string text = "stress of finite elements";
   if (*r.start_factor < 1) text += fmt::format(", with {:.3g} times the strength", 1 / *r.start_factor);
@@ -52,19 +52,19 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
   json factors = json::array(), states = json::array();
   for (const results::TimedFactor& f : timeline.factors)
     factors.push_back({{"time", f.time},
-                       {"title", results::say_moment(timeline, f.time)},
+                       {"title", results::format_moment(timeline, f.time)},
                        {"factor", write(f.factor)},
                        {"method", f.surface.title},
                        {"source", f.source},
                        {"refusal", f.refusal},
                        {"points", f.surface.points}});
   for (const results::WaterState& state : timeline.states)
-    states.push_back(write_water_state(state, results::say_moment(timeline, state.time)));
+    states.push_back(write_water_state(state, results::format_moment(timeline, state.time)));
   json block{{"duration", timeline.duration},
              {"start", timeline.start ? json(*timeline.start) : json()},
              {"unit", to_json(choose_time_unit(timeline.duration))},
              {"target", timeline.target},
-             {"sentence", results::say_failure(timeline)},
+             {"sentence", results::format_failure(timeline)},
              {"factors", factors},
              {"states", states},
              {"least", write(timeline.least)},
@@ -87,7 +87,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
     for (const results::ElementRun& r : e.runs)
       runs.push_back({{"flow", results::to_word(r.flow)}, {"factor", r.factor}, {"slip_line", r.slip_line}});
     block["elements"].push_back({{"time", e.time},
-                                 {"title", results::say_moment(timeline, e.time)},
+                                 {"title", results::format_moment(timeline, e.time)},
                                  {"folder", e.folder},
                                  {"runs", std::move(runs)},
                                  {"error", e.error ? json(*e.error) : json()}});
@@ -95,10 +95,10 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
   const ShownUnits units = read_units(folder.run);
   for (const results::Release& r : timeline.releases)
     block["releases"].push_back({{"time", r.time},
-                                 {"title", results::say_moment(timeline, r.time)},
+                                 {"title", results::format_moment(timeline, r.time)},
                                  {"factor", write(r.factor)},
                                  {"folder", r.folder},
-                                 {"start", say_start(r)},
+                                 {"start", format_start(r)},
                                  {"error", r.error ? json(*r.error) : json()},
                                  {"largest_displacement", r.largest_displacement},
                                  {"moved_volume", r.moved_volume},

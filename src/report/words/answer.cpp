@@ -98,8 +98,8 @@ std::vector<Factor> list_own_factors(const ResultFolder& folder) {
 constexpr const char* too_low = "A factor below one: the slope does not stand with the given strength.";
 
 /// What the other methods found, and how they differ.
-void say_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
-  const std::string found = say_main_factors(run, factors), proven = say_proven(run), referee = say_referee(run);
+void format_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
+  const std::string found = format_main_factors(run, factors), proven = format_proven(run), referee = format_referee(run);
   // Where no factor by limit equilibrium is possible the interval stands first, else behind the answer.
   const bool is_answer = !run.timeline && !referee.empty() && !results::find_governing_surface(run);
   if (is_answer) sentences.push_back(referee);
@@ -117,14 +117,14 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
                       (governs && *results::find_main_factor(run) < 1);
   if (!has_design_values(run) && is_low) sentences.push_back(too_low);
   // The least in time and factors at time 0 are of different states.
-  for (const std::string& said : {run.timeline ? std::string() : say_agreement(factors),
+  for (const std::string& said : {run.timeline ? std::string() : format_agreement(factors),
                                   has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
   if (!is_answer && !referee.empty()) sentences.push_back(referee);
 }
 
 /// That the factor is after a rapid drawdown, and what the same surface had before it.
-void say_drawdown(const results::RunResult& run, json& sentences) {
+void format_drawdown(const results::RunResult& run, json& sentences) {
   if (!run.slices || !run.slices->drawdown) return;
   const auto surface = results::find_governing_surface(run);
   std::string text = fmt::format("It is the factor after a rapid drawdown, by {}", get_title(*run.slices->drawdown));
@@ -136,7 +136,7 @@ void say_drawdown(const results::RunResult& run, json& sentences) {
 }
 
 /// Of material points. `lone`: no other method was asked; the table of the methods has the details otherwise.
-void say_factor(const results::RunResult& run, const std::vector<Factor>& factors, bool lone, json& sentences) {
+void format_factor(const results::RunResult& run, const std::vector<Factor>& factors, bool lone, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main; });
   if (found == factors.end()) {
     if (!factors.empty())
@@ -188,7 +188,7 @@ class RunoutWords {
         fmt::format("{} the largest displacement is {}", where, length(runout.largest_displacement));
     const results::RunoutUncertainty about(runout);
     if (runout.sides)
-      say_sides(runout, *runout.sides, largest, end);
+      format_sides(runout, *runout.sides, largest, end);
     else if (runout.moved_volume > 0)
       sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout, about),
                                        describe_crest(runout, about),
@@ -205,7 +205,7 @@ class RunoutWords {
  private:
   std::string length(double metres) const { return show(metres, length_); }
 
-  void say_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
+  void format_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
                  const std::string& largest, const std::string& end) {
     const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
     sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
@@ -250,7 +250,7 @@ bool has_lost_all(const results::RunResult& run) {
 }
 
 /// The numbers of the answer exclude points that left the grid. Returns whether any soil is left.
-bool say_lost(const results::RunResult& run, json& sentences) {
+bool format_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
   if (has_lost_all(run)) {
     sentences.push_back("All soil has left the grid, so there is no runout to measure.");
@@ -264,13 +264,13 @@ bool say_lost(const results::RunResult& run, json& sentences) {
   return true;
 }
 
-void say_runouts(const results::RunResult& run, json& sentences) {
+void format_runouts(const results::RunResult& run, json& sentences) {
   RunoutWords words(run, sentences);
   if (run.runouts)
     for (const results::RunoutTrial& r : *run.runouts)
       words.say(r.runout, "With the strength divided by " + show_number(r.trial.factor, 6),
                 describe_end(r.trial.end, r.trial.time, r.trial.force_ratio), r.failure_time);
-  if (!say_lost(run, sentences) || !run.runout) return;
+  if (!format_lost(run, sentences) || !run.runout) return;
   const bool has_stages = run.stages && !run.stages->empty();
   words.say(*run.runout, "At the end",
             has_stages ? describe_end(run.stages->back().end, run.stages->back().time, run.stages->back().force_ratio)
@@ -278,7 +278,7 @@ void say_runouts(const results::RunResult& run, json& sentences) {
             run.failure_time);
 }
 
-void say_comparisons(const std::vector<results::Comparison>& comparisons, json& sentences) {
+void format_comparisons(const std::vector<results::Comparison>& comparisons, json& sentences) {
   std::size_t inside = 0, outside = 0, absent = 0;
   for (const results::Comparison& c : comparisons) ++(!c.computed ? absent : c.passes ? inside : outside);
   if (comparisons.empty()) return;
@@ -303,7 +303,7 @@ void say_comparisons(const std::vector<results::Comparison>& comparisons, json& 
       fmt::format("Of the {} comparisons that the case names, {}.", comparisons.size(), join_words(parts)));
 }
 
-void say_state(const results::RunResult& run, json& sentences) {
+void format_state(const results::RunResult& run, json& sentences) {
   using results::Status;
   if (run.status == Status::finished) return;
   if (run.status == Status::unfinished) {
@@ -321,10 +321,10 @@ void say_state(const results::RunResult& run, json& sentences) {
 }
 
 /// The factor in time stands before those of its first moment.
-void say_timeline(const results::RunResult& run, json& sentences) {
+void format_timeline(const results::RunResult& run, json& sentences) {
   if (!run.timeline) return;
-  sentences.push_back(results::say_failure(*run.timeline));
-  if (std::string releases = results::say_releases(*run.timeline); !releases.empty())
+  sentences.push_back(results::format_failure(*run.timeline));
+  if (std::string releases = results::format_releases(*run.timeline); !releases.empty())
     sentences.push_back(std::move(releases));
 }
 
@@ -351,16 +351,16 @@ json make_answer(const ResultFolder& folder) {
   for (Factor& factor : factors)
     if (factor.method == Method::bounds) factor.is_main = results::is_main_factor_proven(run);
   json sentences = json::array(), listed = json::array();
-  say_state(run, sentences);
-  say_timeline(run, sentences);
+  format_state(run, sentences);
+  format_timeline(run, sentences);
   const bool lone = !asks_for_others(folder);
-  if (!lone) say_methods(run, factors, sentences);
-  say_drawdown(run, sentences);
-  say_factor(run, own, lone, sentences);
-  say_runouts(run, sentences);
+  if (!lone) format_methods(run, factors, sentences);
+  format_drawdown(run, sentences);
+  format_factor(run, own, lone, sentences);
+  format_runouts(run, sentences);
   if (run.motion && !run.motion->sentence.empty()) sentences.push_back(run.motion->sentence);
-  for (const std::string& sentence : tell_water(folder)) sentences.push_back(sentence);
-  say_comparisons(run.comparisons, sentences);
+  for (const std::string& sentence : describe_water(folder)) sentences.push_back(sentence);
+  format_comparisons(run.comparisons, sentences);
   for (const Factor& factor : factors) listed.push_back(to_json(factor));
   return {{"sentences", sentences}, {"factors", listed}, {"results", json::array()}};
 }

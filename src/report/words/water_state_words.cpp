@@ -36,10 +36,10 @@ class StateWords {
 
   std::vector<std::string> collect() {
     if (state_.flow == WaterFlow::steady || state_.flow == WaterFlow::transient) {
-      say_flow();
-      say_closed_sides();
+      format_flow();
+      format_closed_sides();
     }
-    say_ponds();
+    format_ponds();
     return std::move(sentences_);
   }
 
@@ -67,7 +67,7 @@ class StateWords {
     return sides;
   }
 
-  void say_flow() {
+  void format_flow() {
     const auto in = list_sides(&results::Discharge::inflow, false),
                out = list_sides(&results::Discharge::outflow, true);
     const char* when =
@@ -78,7 +78,7 @@ class StateWords {
   }
 
   /// The base and the outer sides are closed unless a block opens them.
-  void say_closed_sides() {
+  void format_closed_sides() {
     std::vector<std::string> sides{"bottom", "left", "right"};
     if (get_dimension(folder_.run) == 3) sides.insert(sides.end(), {"front", "back"});
     std::erase_if(sides, [&](const std::string& side) {
@@ -90,7 +90,7 @@ class StateWords {
     if (!sides.empty()) sentences_.push_back(fmt::format("No water passes {}.", join_words(sides)));
   }
 
-  void say_ponds() {
+  void format_ponds() {
     std::vector<std::string> levels;
     for (const results::StandingWater& pond : state_.ponds)
       for (const double level : {pond.level_from, pond.level_to})
@@ -112,7 +112,7 @@ class StateWords {
 
 }  // namespace
 
-std::vector<std::string> tell_water_state(const ResultFolder& folder) {
+std::vector<std::string> describe_water_state(const ResultFolder& folder) {
   const std::vector<results::WaterState> states = find_water_states(folder);
   return states.empty() ? std::vector<std::string>{} : StateWords(folder, states.back()).collect();
 }

@@ -11,6 +11,6 @@
 namespace talus::report {
 
 /// None in dry ground.
-std::vector<std::string> tell_water_state(const ResultFolder& folder);
+std::vector<std::string> describe_water_state(const ResultFolder& folder);
 
 }  // namespace talus::report

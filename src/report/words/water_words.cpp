@@ -217,7 +217,7 @@ class WaterAssumptions {
   std::vector<std::string> sentences_;
 };
 
-std::string tell_closure(double error) {
+std::string describe_closure(double error) {
   const double size = std::abs(error);
   return size < 1e-12 ? "balances to round-off"
                       : "has an error of " + show_number(size, 1) + " of the water in the model";
@@ -225,8 +225,8 @@ std::string tell_closure(double error) {
 
 }  // namespace
 
-std::vector<std::string> tell_water(const ResultFolder& folder) {
-  std::vector<std::string> sentences = tell_water_state(folder);
+std::vector<std::string> describe_water(const ResultFolder& folder) {
+  std::vector<std::string> sentences = describe_water_state(folder);
   if (!is_wet(folder)) return sentences;
   const ShownUnits units = read_units(folder.run);
   const ShownUnit& stress = units.stress;
@@ -247,7 +247,7 @@ std::vector<std::string> tell_water(const ResultFolder& folder) {
     if (water->runoff > 0)
       text += fmt::format("; {} of rain ran off",
                           show_per_thickness(water->runoff / water->density, units.volume(dimension)));
-    sentences.push_back(text + "; the water budget " + tell_closure(water->error) + ".");
+    sentences.push_back(text + "; the water budget " + describe_closure(water->error) + ".");
   }
   return sentences;
 }

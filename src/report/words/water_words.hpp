@@ -10,7 +10,7 @@
 namespace talus::report {
 
 /// What the results say of pore water; none where the ground is dry.
-std::vector<std::string> tell_water(const ResultFolder& folder);
+std::vector<std::string> describe_water(const ResultFolder& folder);
 
 /// The assumptions of a wet case and their limits; none where the ground is dry.
 std::vector<std::string> list_water_assumptions(const ResultFolder& folder);

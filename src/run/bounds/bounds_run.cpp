@@ -63,7 +63,7 @@ void BoundsRun::prepare() {
 
 results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const {
   show(fmt::format("{} triangles", problem.size()));
-  return tell_bounds(bounds::find_bounds(problem, options,
+  return make_bounds_result(bounds::find_bounds(problem, options,
                                          [&](const bounds::BoundsLevel& level) {
                                            show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles,
                                                             level.lower, level.upper));
@@ -87,14 +87,14 @@ void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
   };
   const bool is_first_governing = get_upper(file_) <= get_upper(other);
   if (!is_first_governing) std::swap(file_, other);
-  results::BoundsResult& told = file_.summary;
-  told.earthquake = results::EarthquakeSide{was_left == is_first_governing ? -1 : 1, other.summary.lower};
-  if (!told.lower || (other.summary.lower && *other.summary.lower >= *told.lower)) return;
+  results::BoundsResult& out = file_.summary;
+  out.earthquake = results::EarthquakeSide{was_left == is_first_governing ? -1 : 1, other.summary.lower};
+  if (!out.lower || (other.summary.lower && *other.summary.lower >= *out.lower)) return;
   // What leaves the other direction's bound low leaves this interval wide.
-  told.lower = other.summary.lower;
-  told.no_lower = other.summary.no_lower;
+  out.lower = other.summary.lower;
+  out.no_lower = other.summary.no_lower;
   for (const std::string& warning : other.summary.warnings)
-    told.warnings.push_back("earthquake in the other direction: " + warning);
+    out.warnings.push_back("earthquake in the other direction: " + warning);
 }
 
 void BoundsRun::calculate(std::optional<double> start) {
@@ -121,7 +121,7 @@ void BoundsRun::calculate(std::optional<double> start) {
   if (options_.progress) options_.progress->clear();
 }
 
-void BoundsRun::tell(results::RunResult& run) const {
+void BoundsRun::write_result(results::RunResult& run) const {
   const results::BoundsResult& result = file_.summary;
   run.bounds = result;
   for (const std::string& warning : result.warnings)

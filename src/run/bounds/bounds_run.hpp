@@ -23,7 +23,7 @@ class BoundsRun {
   void prepare();
   /// Both bounds from a factor that another method found (or 1), kept in the folder. Throws Error (interrupted).
   void calculate(std::optional<double> start);
-  void tell(results::RunResult& run) const;
+  void write_result(results::RunResult& run) const;
   /// As of SliceRun.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
@@ -39,7 +39,7 @@ class BoundsRun {
   std::string hash_;
   bool alone_;
   std::optional<ProblemOfCase> made_;
-  ground::ToldWater water_;
+  ground::WaterResult water_;
   results::BoundsFile file_;
   bool is_known_ = false;  ///< of an interrupted run
   std::chrono::duration<double> spent_{0};

@@ -13,7 +13,7 @@ namespace talus::run {
 
 struct ProblemOfCase {
   bounds::Problem problem;
-  ground::ToldWater water;         ///< that pore pressures are from
+  ground::WaterResult water;         ///< that pore pressures are from
   std::vector<std::string> notes;  ///< what the bounds cannot take from the case as it is, in sentences
 };
 

@@ -20,35 +20,35 @@ results::Point round_place(const Vec<2>& x) {
   return {round_to(x[0], place_digits), round_to(x[1], place_digits)};
 }
 
-results::HoldingField tell_stress(const bounds::Problem& problem, const bounds::StressField& field, double factor) {
-  results::HoldingField told;
-  for (const Vec<2>& x : problem.nodes) told.nodes.push_back(round_place(x));
+results::HoldingField make_stress_result(const bounds::Problem& problem, const bounds::StressField& field, double factor) {
+  results::HoldingField result;
+  for (const Vec<2>& x : problem.nodes) result.nodes.push_back(round_place(x));
   for (std::size_t e = 0; e < problem.size(); ++e) {
-    told.triangles.emplace_back(problem.triangles[e].begin(), problem.triangles[e].end());
-    std::vector<double>& stress = told.stress.emplace_back();
+    result.triangles.emplace_back(problem.triangles[e].begin(), problem.triangles[e].end());
+    std::vector<double>& stress = result.stress.emplace_back();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
       for (const double s : field.stress[e][i]) stress.push_back(round_to(s, stress_digits));
       least = std::min(least, bounds::find_factor(problem.strength[e][i], field.stress[e][i]));
     }
-    told.utilisation.push_back(least > 0 ? round_to(std::min(1.0, factor / least), share_digits) : 1);
+    result.utilisation.push_back(least > 0 ? round_to(std::min(1.0, factor / least), share_digits) : 1);
   }
-  return told;
+  return result;
 }
 
 /// The shear strain rate of a triangle is the mean of √((ε_x − ε_y)² + γ²) at its corners.
-results::MovingField tell_velocity(const bounds::Problem& problem, const bounds::VelocityField& field) {
-  results::MovingField told;
+results::MovingField make_velocity_result(const bounds::Problem& problem, const bounds::VelocityField& field) {
+  results::MovingField result;
   double fastest = 0, most = 0;
   for (const Vec<2>& v : field.velocity) fastest = std::max(fastest, norm(v));
   for (std::size_t n = 0; n < field.mesh.nodes.size(); ++n) {
-    told.nodes.push_back(round_place(field.mesh.nodes[n]));
-    told.velocity.push_back({round_to(field.velocity[n][0] / fastest, share_digits),
+    result.nodes.push_back(round_place(field.mesh.nodes[n]));
+    result.velocity.push_back({round_to(field.velocity[n][0] / fastest, share_digits),
                              round_to(field.velocity[n][1] / fastest, share_digits)});
   }
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& t = field.mesh.triangles[e];
-    told.triangles.emplace_back(t.begin(), t.end());
+    result.triangles.emplace_back(t.begin(), t.end());
     const bounds::Shape shape = bounds::find_shape(problem, e);
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -61,11 +61,11 @@ results::MovingField tell_velocity(const bounds::Problem& problem, const bounds:
       }
       sum += std::hypot(x - y, xy) / 3;
     }
-    told.shear_rate.push_back(sum);
+    result.shear_rate.push_back(sum);
     most = std::max(most, sum);
   }
-  for (double& d : told.shear_rate) d = most > 0 ? round_to(d / most, share_digits) : 0;
-  return told;
+  for (double& d : result.shear_rate) d = most > 0 ? round_to(d / most, share_digits) : 0;
+  return result;
 }
 
 /// The lines along which the mechanism slides, found as those of finite elements are.
@@ -113,15 +113,15 @@ std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const 
   return lines;
 }
 
-std::vector<std::string> list_warnings(const results::BoundsResult& told, const bounds::BoundsResult& found) {
+std::vector<std::string> list_warnings(const results::BoundsResult& result, const bounds::BoundsResult& found) {
   std::vector<std::string> warnings;
-  if (!told.lower) warnings.push_back("there is no lower bound: " + told.no_lower);
-  if (!told.upper) warnings.push_back("there is no upper bound: " + told.no_upper);
-  if (!told.is_interval()) return warnings;
-  const double gap = 2 * (*told.upper - *told.lower) / (*told.upper + *told.lower);
-  if (gap > told.asked_gap)
+  if (!result.lower) warnings.push_back("there is no lower bound: " + result.no_lower);
+  if (!result.upper) warnings.push_back("there is no upper bound: " + result.no_upper);
+  if (!result.is_interval()) return warnings;
+  const double gap = 2 * (*result.upper - *result.lower) / (*result.upper + *result.lower);
+  if (gap > result.asked_gap)
     warnings.push_back(fmt::format(
-        "the interval is {:.2g} % wide, wider than the {:.2g} % of [bounds] gap: {}", 100 * gap, 100 * told.asked_gap,
+        "the interval is {:.2g} % wide, wider than the {:.2g} % of [bounds] gap: {}", 100 * gap, 100 * result.asked_gap,
         found.stopped.empty()
             ? fmt::format("the last mesh has {} triangles, give more 'triangles' in [bounds]", found.problem.size())
             : found.stopped));
@@ -130,29 +130,29 @@ std::vector<std::string> list_warnings(const results::BoundsResult& told, const 
 
 }  // namespace
 
-results::BoundsFile tell_bounds(const bounds::BoundsResult& found, double asked_gap) {
+results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap) {
   results::BoundsFile file;
-  results::BoundsResult& told = file.summary;
-  told.no_lower = found.no_lower, told.no_upper = found.no_upper;
-  if (found.lower > 0) told.lower = found.lower;
-  if (std::isfinite(found.upper)) told.upper = found.upper;
-  if (!told.lower && told.no_lower.empty()) told.no_lower = "no stress field passed its check";
-  if (!told.upper && told.no_upper.empty()) told.no_upper = "no mechanism passed its check";
-  told.asked_gap = asked_gap;
-  told.warnings = list_warnings(told, found);
+  results::BoundsResult& result = file.summary;
+  result.no_lower = found.no_lower, result.no_upper = found.no_upper;
+  if (found.lower > 0) result.lower = found.lower;
+  if (std::isfinite(found.upper)) result.upper = found.upper;
+  if (!result.lower && result.no_lower.empty()) result.no_lower = "no stress field passed its check";
+  if (!result.upper && result.no_upper.empty()) result.no_upper = "no mechanism passed its check";
+  result.asked_gap = asked_gap;
+  result.warnings = list_warnings(result, found);
   for (const bounds::BoundsLevel& level : found.levels) {
     results::BoundsMesh mesh{level.triangles, {}, {}, level.programs, level.iterations, level.seconds};
     if (level.lower > 0) mesh.lower = level.lower;
     if (std::isfinite(level.upper)) mesh.upper = level.upper;
-    told.meshes.push_back(mesh);
+    result.meshes.push_back(mesh);
   }
-  if (told.lower) {
-    told.imbalance = found.static_check.imbalance / bounds::find_units(found.stress_problem).stress;
-    file.holds = tell_stress(found.stress_problem, found.stress, found.lower);
+  if (result.lower) {
+    result.imbalance = found.static_check.imbalance / bounds::find_units(found.stress_problem).stress;
+    file.holds = make_stress_result(found.stress_problem, found.stress, found.lower);
   }
-  if (told.upper) {
-    file.moves = tell_velocity(found.velocity_problem, found.velocity);
-    if (auto lines = find_lines(found.velocity_problem, found.velocity); !lines.empty()) told.sides = std::move(lines);
+  if (result.upper) {
+    file.moves = make_velocity_result(found.velocity_problem, found.velocity);
+    if (auto lines = find_lines(found.velocity_problem, found.velocity); !lines.empty()) result.sides = std::move(lines);
   }
   return file;
 }

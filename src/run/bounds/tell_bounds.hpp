@@ -9,6 +9,6 @@ namespace talus::run {
 
 /// Bounds, meshes, fields and the lines of the mechanism; warnings where a bound is missing, or the interval is wider
 /// than the gap that was asked for.
-results::BoundsFile tell_bounds(const bounds::BoundsResult& found, double asked_gap);
+results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap);
 
 }  // namespace talus::run

@@ -70,7 +70,7 @@ class Comparison {
   using Source = results::SurfaceSource;
 
   results::MethodComparison make() {
-    told_.asked = data_.methods;
+    results_.asked = data_.methods;
     if (run_.slices) add_slices(*run_.slices);
     if (run_.elements) add_elements(*run_.elements);
     if (run_.bounds) add_bounds(*run_.bounds);
@@ -78,9 +78,9 @@ class Comparison {
     const bool later = data_.timeline && data_.timeline->release;
     if (input::uses(data_, Method::mpm) && !later) add_points();
     if (slope_ != nullptr) hand_over();
-    told_.warnings = warn_of_disagreement(data_, run_, told_);
-    told_.remarks = read_differences(data_, run_, told_);
-    return std::move(told_);
+    results_.warnings = warn_of_disagreement(data_, run_, results_);
+    results_.remarks = read_differences(data_, run_, results_);
+    return std::move(results_);
   }
 
  private:
@@ -98,16 +98,16 @@ class Comparison {
     if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
     if (c.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound";
     if (c.verdict == results::Verdict::too_high) row.note = "impossible: above the proven upper bound";
-    told_.table.push_back(std::move(row));
-    told_.surfaces.push_back(
+    results_.table.push_back(std::move(row));
+    results_.surfaces.push_back(
         {name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}, {}, {}});
   }
 
   void add_slices(const results::SliceResult& slices) {
-    const std::size_t first = told_.table.size();
+    const std::size_t first = results_.table.size();
     for (const auto& c : slices.critical)
       add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)),
-                   c.crack ? fmt::format("critical circle, tension crack of {}", say_length(run_, *c.crack, 2))
+                   c.crack ? fmt::format("critical circle, tension crack of {}", format_length(run_, *c.crack, 2))
                            : "critical circle",
                    Source::critical);
     for (const auto& c : slices.noncircular)
@@ -118,7 +118,7 @@ class Comparison {
       add_critical(c, fmt::format("lem.surface[{}].{}", given, results::to_word(c.surface.method)),
                    fmt::format("given surface '{}'", given), Source::given);
     }
-    if (told_.table.size() > first) told_.table[first].seconds = slices.seconds;  // of all of them together
+    if (results_.table.size() > first) results_.table[first].seconds = slices.seconds;  // of all of them together
   }
 
   void add_elements(const results::ElementResult& fem) {
@@ -135,20 +135,20 @@ class Comparison {
         row.upper = run.interval->upper;
       }
       row.seconds = run.seconds;
-      row.note = fmt::format("{}, {} elements of {}", fem.element, fem.elements, say_length(run_, fem.size));
+      row.note = fmt::format("{}, {} elements of {}", fem.element, fem.elements, format_length(run_, fem.size));
       row.note += run.meshes
-                      ? fmt::format(", extrapolated with those of {}", say_length(run_, run.meshes->front().size))
+                      ? fmt::format(", extrapolated with those of {}", format_length(run_, run.meshes->front().size))
                       : "; one mesh: the mesh error is not known";
       if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake, results::stable_on_mesh);
       if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound; " + row.note;
       if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
-      told_.table.push_back(row);
+      results_.table.push_back(row);
       if (run.by_displacement) {
         row.criterion = "sharp rise of displacement";
         row.measure = results::FactorMeasure::displacement;
         row.factor = run.by_displacement;
         row.lower = row.upper = row.seconds = std::nullopt;
-        told_.table.push_back(row);
+        results_.table.push_back(row);
       }
       if (!run.slip_line.empty())
         add_lines({band, "Band of the finite elements, " + words, Method::fem, run.factor, run.slip_line, {}, {}, {}},
@@ -170,7 +170,7 @@ class Comparison {
     if (bounds.earthquake) row.note += "; " + results::describe_side(*bounds.earthquake, results::proven_stable);
     for (const std::string& why : {bounds.no_lower, bounds.no_upper})
       if (!why.empty()) row.note += "; " + why;
-    told_.table.push_back(std::move(row));
+    results_.table.push_back(std::move(row));
     if (bounds.sides)
       add_lines({results::mechanism_name,
                  "Mechanism of the upper bound",
@@ -187,7 +187,7 @@ class Comparison {
   /// sides the line of each, first the one that lies nearer to the surface of the slices.
   void add_lines(results::MethodSurface line, const std::vector<results::SideLine>& sides) {
     if (sides.size() != 2) {
-      told_.surfaces.push_back(std::move(line));
+      results_.surfaces.push_back(std::move(line));
       return;
     }
     const std::string name = line.name, title = line.title;
@@ -201,7 +201,7 @@ class Comparison {
       line.title = fmt::format("{}, {}", title, sides[i].direction < 0 ? "left" : "right");
       line.direction = sides[i].direction;
       line.points = sides[i].points;
-      told_.surfaces.push_back(line);
+      results_.surfaces.push_back(line);
       line.name = name + results::other_side_name;
       line.beside = name;
     }
@@ -210,12 +210,12 @@ class Comparison {
   void add_points() {
     const PointsSlipLine line = find_line();
     const std::string surface = line.line.empty() ? "" : results::slip_line_name;
-    const std::size_t first = told_.table.size();
+    const std::size_t first = results_.table.size();
     if (run_.factor_of_safety) add_point_factors(*run_.factor_of_safety, surface);
-    if (told_.table.size() > first) {
+    if (results_.table.size() > first) {
       double others = run_.slices ? run_.slices->seconds : 0;
       if (run_.elements) others += run_.elements->seconds.value_or(0);
-      told_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
+      results_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
     }
     if (line.line.empty()) return;
     add_lines({results::slip_line_name,
@@ -242,9 +242,9 @@ class Comparison {
       for (const results::MeshFactor* m : frozen->list_found())
         if (frozen->factor)
           row.note += fmt::format("{}{:.3f} at h = {}", row.note.empty() ? "" : ", ", *m->factor(),
-                                  say_length(run_, m->size, 6));
+                                  format_length(run_, m->size, 6));
       if (frozen->extrapolated) row.note += ", extrapolated to h = 0";
-      told_.table.push_back(std::move(row));
+      results_.table.push_back(std::move(row));
     }
     if (!factors.criteria) return;
     for (const results::Criterion& c : *factors.criteria) {
@@ -255,7 +255,7 @@ class Comparison {
       row.lower = c.lower;
       row.upper = c.upper;
       row.note = c.note;
-      told_.table.push_back(std::move(row));
+      results_.table.push_back(std::move(row));
     }
   }
 
@@ -270,14 +270,14 @@ class Comparison {
   /// Surfaces of the other methods on slices.
   void hand_over() {
     const lem::SearchOptions options = make_search_options(data_.lem, threads_);
-    const std::vector<results::MethodSurface> given = told_.surfaces;
+    const std::vector<results::MethodSurface> given = results_.surfaces;
     for (const results::MethodSurface& s : given) {
       if (s.method == Method::lem || s.beside) continue;
       const auto surface = make_surface(*slope_, s.points);
       for (const SliceMethod method : list_takers(data_.lem)) {
         const std::string name = to_word(method), title = fmt::format("{} on: {}", get_title(method), s.title);
         if (!surface) {
-          told_.handed.push_back({s.name, name, title, {}, "the line does not separate a mass from the ground"});
+          results_.handed.push_back({s.name, name, title, {}, "the line does not separate a mass from the ground"});
           continue;
         }
         const lem::Critical found = solve_surface(*slope_, *surface, method, options);
@@ -288,13 +288,13 @@ class Comparison {
           refusal = strange;
           factor.reset();
         }
-        told_.handed.push_back({s.name, name, title, factor, refusal});
+        results_.handed.push_back({s.name, name, title, factor, refusal});
         if (method != SliceMethod::spencer && method != SliceMethod::morgenstern_price) continue;
         results::MethodRow row =
             begin_row(Method::lem, name, get_title(method), "on: " + s.title, s.name, Source::handed);
         row.factor = factor;
         row.note = refusal;
-        told_.table.push_back(std::move(row));
+        results_.table.push_back(std::move(row));
       }
       if (surface) optimise(*surface, s, options);
     }
@@ -306,8 +306,8 @@ class Comparison {
     if (!factor) return;
     const std::string title = "Spencer, optimised from: " + of.title,
                       name = fmt::format("lem.handed[{}].spencer_optimised", of.name);
-    told_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
-    results::CriticalSurface& found = told_.optimised.emplace_back(tell_critical(*slope_, best));
+    results_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
+    results::CriticalSurface& found = results_.optimised.emplace_back(make_critical_result(*slope_, best));
     found.surface.name = name;
     if (const auto& referee = run_.slices->referee; referee && !referee->why_not)
       found.verdict = referee->judge(*factor);
@@ -316,8 +316,8 @@ class Comparison {
     results::MethodRow row =
         begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name, Source::optimised);
     row.factor = factor;
-    told_.table.push_back(std::move(row));
-    told_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}, {}, {}});
+    results_.table.push_back(std::move(row));
+    results_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}, {}, {}});
   }
 
   const input::Case& data_;
@@ -325,7 +325,7 @@ class Comparison {
   const results::RunResult& run_;
   const fs::path& folder_;
   int threads_;
-  results::MethodComparison told_;
+  results::MethodComparison results_;
 };
 
 }  // namespace

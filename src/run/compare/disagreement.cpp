@@ -127,7 +127,7 @@ class Warnings {
     warnings_.push_back(fmt::format(
         "{}: the {} is a skin of {}, and the search took no shallower one. Soil without cohesion slides so, and "
         "soil beside the edge of a load. If such slides do not matter, give a larger smallest_depth in [lem].",
-        get_title(governing_->found->surface.method), results::name_surface(*governing_), say_length(run_, depth, 2)));
+        get_title(governing_->found->surface.method), results::name_surface(*governing_), format_length(run_, depth, 2)));
   }
 
   struct Part {

@@ -285,8 +285,8 @@ class Reading {
       if (run->interval && run->meshes)
         say("Finite elements ({}): {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the "
             "interval of mesh and search is {:.3f} to {:.3f}.",
-            flow, run->meshes->front().factor, say_length(run_, run->meshes->front().size), run->meshes->back().factor,
-            say_length(run_, run->meshes->back().size), run->factor, results::show_lower(run->interval->lower),
+            flow, run->meshes->front().factor, format_length(run_, run->meshes->front().size), run->meshes->back().factor,
+            format_length(run_, run->meshes->back().size), run->factor, results::show_lower(run->interval->lower),
             results::show_upper(run->interval->upper));
       else
         say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
@@ -322,7 +322,7 @@ class Reading {
     else
       say("Material points: {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the mesh "
           "contributes {} to the factor on the coarse mesh.",
-          coarse, say_length(run_, meshes[0].size, 6), fine, say_length(run_, meshes[1].size, 6), *frozen_,
+          coarse, format_length(run_, meshes[0].size, 6), fine, format_length(run_, meshes[1].size, 6), *frozen_,
           format_share(coarse / *frozen_ - 1));
   }
 
@@ -395,12 +395,12 @@ class Reading {
       const std::string handed = describe_handed(s.name);
       const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))
-        say("One mechanism: the {} is on average {} ({} of the height) from {}{}.", of, say_length(run_, mean, 2),
+        say("One mechanism: the {} is on average {} ({} of the height) from {}{}.", of, format_length(run_, mean, 2),
             format_share(mean / height_), place_, handed);
       else
         say("The {} is on average {} ({} of the height) from {}: the mechanisms "
             "differ{}{}.",
-            of, say_length(run_, mean, 2), format_share(mean / height_), place_, handed,
+            of, format_length(run_, mean, 2), format_share(mean / height_), place_, handed,
             describe_near_minimum(s.points, size));
     }
   }
@@ -424,7 +424,7 @@ class Reading {
       if (mean >= nearest) continue;
       nearest = mean;
       words = fmt::format("; a local minimum of {} ({:.3f}) lies {} from it", get_title(surface_->surface.method),
-                          *m.factor, say_length(run_, mean, 2));
+                          *m.factor, format_length(run_, mean, 2));
     }
     return words;
   }

@@ -112,7 +112,7 @@ void ElementRun<D>::begin() {
     }
   }
   file_.input_hash = hash_;
-  file_.mesh = tell_mesh<D>(model_->mesh);
+  file_.mesh = make_mesh_result<D>(model_->mesh);
   results::ElementResult& result = file_.summary;
   result.elements = model_->mesh.elements.size();
   result.nodes = model_->mesh.nodes.size();
@@ -180,9 +180,9 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
   const std::unique_ptr<Model> model = make_model(coarse_ratio);
   if (run.flow == results::Flow::associated) set_associated_flow<D>(data_, model->solid);
   const auto found = search(*model, words + ", coarse mesh");
-  const results::ElementMeshFactor fine = tell_mesh_factor(fine_search, file_.summary.size),
+  const results::ElementMeshFactor fine = make_mesh_factor_result(fine_search, file_.summary.size),
                                    coarse =
-                                       tell_mesh_factor(found, mesh::measure_quality(*model->solid.mesh).mean_size);
+                                       make_mesh_factor_result(found, mesh::measure_quality(*model->solid.mesh).mean_size);
   run.seconds += found.seconds;
   if (coarse.size < least_ratio * fine.size)
     throw Error(ExitCode::wrong_input,
@@ -244,7 +244,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   run.failed = found.failed;
   if (found.by_displacement > 0) run.by_displacement = found.by_displacement;
   run.seconds = found.seconds;
-  for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(tell_trial(t));
+  for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(make_trial_result(t));
   if constexpr (D == 2) {
     std::vector<results::SideLine> lines;
     for (fem::SlipLine& line : fem::find_slip_lines(model_->solid.model, model_->mesh, found.mechanism))
@@ -277,11 +277,11 @@ void ElementRun<D>::reduce(results::Flow flow) {
   }
   file_.summary.unknowns = found.unknowns;
   file_.summary.runs.push_back(std::move(run));
-  file_.mesh.runs.push_back(tell_fields<D>(model_->mesh, found.at_failure, flow));
+  file_.mesh.runs.push_back(make_fields_result<D>(model_->mesh, found.at_failure, flow));
 }
 
 template <int D>
-void ElementRun<D>::tell(results::RunResult& run) const {
+void ElementRun<D>::write_result(results::RunResult& run) const {
   if (!is_told_) return;
   const results::ElementResult& result = file_.summary;
   run.elements = result;

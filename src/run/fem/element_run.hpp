@@ -27,7 +27,7 @@ class ElementRun {
   /// elements answer alone, Error (wrong_input) when there is no equilibrium at any factor or an element is inverted,
   /// else the reason stands in the result.
   void calculate();
-  void tell(results::RunResult& run) const;
+  void write_result(results::RunResult& run) const;
   /// As of SliceRun.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
@@ -61,7 +61,7 @@ class ElementRun {
   bool alone_;
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
-  ground::ToldWater water_;
+  ground::WaterResult water_;
   results::ElementFile file_;
   bool is_told_ = false;  ///< the file holds something to tell
   std::chrono::duration<double> spent_{0};

@@ -16,7 +16,7 @@ template <int D>
 struct SolidOfCase {
   std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< that the model points to
   fem::SolidModel<D> model;                   ///< with the dilatancy angles as given
-  ground::ToldWater water;                    ///< that pore pressures are from
+  ground::WaterResult water;                    ///< that pore pressures are from
   std::vector<std::string> notes;             ///< what finite elements cannot take from the case, in sentences
 };
 

@@ -68,9 +68,9 @@ Balance find_balance(const input::Case& data, int threads) {
 }
 
 std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& data, int threads,
-                                                            results::StressStart& told) {
+                                                            results::StressStart& result) {
   const SolidOfCase<2> solid = make_start_solid(data);
-  const fem::SolidResult<2> found = find_weakest(solid, make_solid_options(data.fem, threads), told.factor);
+  const fem::SolidResult<2> found = find_weakest(solid, make_solid_options(data.fem, threads), result.factor);
   const fem::QuadraticMesh<2> mesh = fem::make_quadratic<2>(*solid.mesh);
   auto known = std::make_shared<input::KnownStress>();
   known->mesh = *solid.mesh;
@@ -83,8 +83,8 @@ std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& d
       element.plastic_strain[q] = found.at.state[(k * points + q) * states];
     }
   }
-  told.force_residual = found.force_residual;
-  told.elements = static_cast<int>(mesh.elements.size());
+  result.force_residual = found.force_residual;
+  result.elements = static_cast<int>(mesh.elements.size());
   return known;
 }
 

@@ -28,6 +28,6 @@ Balance find_balance(const input::Case& data, int threads);
 /// functions are among the quadratic ones, and a linear triangle feels the mean stress alone. Throws Error
 /// (wrong_input) where no strength gives equilibrium, and what make_solid() throws.
 std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& data, int threads,
-                                                            results::StressStart& told);
+                                                            results::StressStart& summary);
 
 }  // namespace talus::run

@@ -39,12 +39,12 @@ std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   return low <= high ? std::array{low, high} : std::array{0.0, 0.0};
 }
 
-results::ElementTrial tell_trial(const fem::ReductionTrial& t) {
+results::ElementTrial make_trial_result(const fem::ReductionTrial& t) {
   return {t.factor, t.converged, t.iterations, t.force_residual, t.displacement_residual, t.displacement, t.seconds};
 }
 
 template <int D>
-results::ElementMeshFactor tell_mesh_factor(const fem::ReductionResult<D>& found, double size) {
+results::ElementMeshFactor make_mesh_factor_result(const fem::ReductionResult<D>& found, double size) {
   return {size, found.factor, found.stable, found.failed,
           found.flowing > 0 ? std::optional(found.flowing) : std::nullopt};
 }
@@ -62,18 +62,18 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
 }
 
 template <int D>
-results::ElementMesh tell_mesh(const fem::QuadraticMesh<D>& mesh) {
-  results::ElementMesh told;
+results::ElementMesh make_mesh_result(const fem::QuadraticMesh<D>& mesh) {
+  results::ElementMesh result;
   for (const auto& x : mesh.nodes) {
-    std::vector<double>& row = told.nodes.emplace_back();
+    std::vector<double>& row = result.nodes.emplace_back();
     for (const double c : x) row.push_back(round_to(c, field_digits));
   }
-  for (const auto& e : mesh.elements) told.elements.emplace_back(e.begin(), e.end());
-  return told;
+  for (const auto& e : mesh.elements) result.elements.emplace_back(e.begin(), e.end());
+  return result;
 }
 
 template <int D>
-results::ElementFields tell_fields(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
+results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
                                    results::Flow flow) {
   const std::size_t elements = mesh.elements.size(), per = elements > 0 ? mesh.points.size() / elements : 0;
   std::vector<double> strain(mesh.nodes.size(), 0.0), volume(mesh.nodes.size(), 0.0);
@@ -101,11 +101,11 @@ results::ElementFields tell_fields(const fem::QuadraticMesh<D>& mesh, const fem:
   return fields;
 }
 
-template results::ElementMeshFactor tell_mesh_factor<2>(const fem::ReductionResult<2>&, double);
-template results::ElementMeshFactor tell_mesh_factor<3>(const fem::ReductionResult<3>&, double);
-template results::ElementMesh tell_mesh<2>(const fem::QuadraticMesh<2>&);
-template results::ElementMesh tell_mesh<3>(const fem::QuadraticMesh<3>&);
-template results::ElementFields tell_fields<2>(const fem::QuadraticMesh<2>&, const fem::SolidState<2>&, results::Flow);
-template results::ElementFields tell_fields<3>(const fem::QuadraticMesh<3>&, const fem::SolidState<3>&, results::Flow);
+template results::ElementMeshFactor make_mesh_factor_result<2>(const fem::ReductionResult<2>&, double);
+template results::ElementMeshFactor make_mesh_factor_result<3>(const fem::ReductionResult<3>&, double);
+template results::ElementMesh make_mesh_result<2>(const fem::QuadraticMesh<2>&);
+template results::ElementMesh make_mesh_result<3>(const fem::QuadraticMesh<3>&);
+template results::ElementFields make_fields_result<2>(const fem::QuadraticMesh<2>&, const fem::SolidState<2>&, results::Flow);
+template results::ElementFields make_fields_result<3>(const fem::QuadraticMesh<3>&, const fem::SolidState<3>&, results::Flow);
 
 }  // namespace talus::run

@@ -17,11 +17,11 @@ std::array<double, 2> find_dilatancy(const input::Case& data, bool associated);
 /// √(⅔ e:e) of a strain with γ as shear components.
 double find_shear_strain(const std::array<double, 6>& e);
 
-results::ElementTrial tell_trial(const fem::ReductionTrial& trial);
+results::ElementTrial make_trial_result(const fem::ReductionTrial& trial);
 
 /// The search on one mesh of that mean size [m].
 template <int D>
-results::ElementMeshFactor tell_mesh_factor(const fem::ReductionResult<D>& found, double size);
+results::ElementMeshFactor make_mesh_factor_result(const fem::ReductionResult<D>& found, double size);
 
 /// Factors of two meshes whose sizes differ by a rounding are this far apart [-].
 inline constexpr double known_scatter = 0.006;
@@ -39,11 +39,11 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
                                                            const LeastMeshError& least = {});
 
 template <int D>
-results::ElementMesh tell_mesh(const fem::QuadraticMesh<D>& mesh);
+results::ElementMesh make_mesh_result(const fem::QuadraticMesh<D>& mesh);
 
 /// Displacement and shear strain at the nodes, and which elements yield.
 template <int D>
-results::ElementFields tell_fields(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
+results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
                                    results::Flow flow);
 
 }  // namespace talus::run

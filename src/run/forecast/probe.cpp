@@ -66,7 +66,7 @@ Pace probe_in(const input::Case& data) {
   mpm::Body<D> body = prepare<D>(coarse, mesh::generate<D>(coarse.mesh));
   const double height = find_soil_height(body, data.gravity);
   const auto find_step = [&](const StagePlan<D>& plan) {
-    const double size = plan.evens_inertia ? data.mesh.size : smallest;
+    const double size = plan.equalises_mass ? data.mesh.size : smallest;
     return find_critical_step(body, plan).dt * plan.step.courant * size / coarse.mesh.size;
   };
   Pace pace;

@@ -53,7 +53,7 @@ std::vector<results::CriticalSurface> solve_given(const input::Case& data, const
       lem::Critical critical = solve_surface(slope, surface, method, options);
       if (data.lem.yield_acceleration && critical.solution.factor > 0)
         critical.yield_acceleration = lem::find_yield_acceleration(slope, critical.cut, method, options.checks);
-      list.push_back(tell_critical(slope, critical));
+      list.push_back(make_critical_result(slope, critical));
     }
   }
   return list;
@@ -245,17 +245,17 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
     const auto take = [&](lem::Critical& c, std::vector<results::CriticalSurface>& list) {
       if (data.lem.yield_acceleration)
         c.yield_acceleration = lem::find_yield_acceleration(slope, c.cut, c.method, options.checks);
-      list.push_back(tell_critical(slope, c));
+      list.push_back(make_critical_result(slope, c));
     };
     for (lem::Critical& c : found.circular) take(c, result.critical);
     for (lem::Critical& c : found.noncircular) take(c, result.noncircular);
     for (std::size_t m = 0; m < found.minima.size(); ++m) {
       auto& list = result.minima[to_word(options.methods[m])];
-      for (const lem::Critical& c : found.minima[m]) list.push_back(tell_surface(c));
+      for (const lem::Critical& c : found.minima[m]) list.push_back(make_surface_result(c));
     }
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
-    result.search = tell_search(options, found);
-    outcome.trials = tell_trials(options, found);
+    result.search = make_search_result(options, found);
+    outcome.trials = make_trials_result(options, found);
     result.trials_file = "lem.json";
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

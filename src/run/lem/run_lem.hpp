@@ -18,7 +18,7 @@ namespace talus::run {
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
   std::vector<std::string> notes;  ///< of make_section()
-  ground::ToldWater water;         ///< likewise
+  ground::WaterResult water;         ///< likewise
 };
 /// Throws what make_section() and lem::Slope do.
 PreparedSlope prepare_slope(const input::Case& data);

@@ -155,18 +155,18 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void add_water(const input::Case& data, lem::Section& section, ground::ToldWater& told) {
+void add_water(const input::Case& data, lem::Section& section, ground::WaterResult& out) {
   section.water_unit_weight = ground::find_water_weight(data);
   if (ground::needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-    set_pressures(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &told),
+    set_pressures(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &out),
                   ground::find_first_time(data), section);
     return;
   }
   if (data.initial.water.pressure == input::InitialPressure::water_table) {
     ground::check_upright(data, "a water table");
     section.water_table = data.initial.water.water_table;
-    told = ground::tell_water_table(data);
+    out = ground::make_water_table_result(data);
     const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground, ground::find_first_time(data));
     if (!ponds.empty()) section.water_table = ground::add_ponds(section.water_table, ponds, section.ground);
   }

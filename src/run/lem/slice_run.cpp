@@ -44,7 +44,7 @@ void SliceRun::keep() const {
     results::write_file(options_.folder / slice_file, results::SliceFile{hash_, outcome_.result, outcome_.trials}, -1);
 }
 
-void SliceRun::tell(results::RunResult& run) const {
+void SliceRun::write_result(results::RunResult& run) const {
   if (!is_done_) return;
   run.slices = outcome_.result;
   for (const std::string& warning : outcome_.result.warnings)

@@ -28,7 +28,7 @@ class SliceRun {
   void take_referee(results::Referee referee);
   /// lem.json; nothing where it is that of an earlier run.
   void keep() const;
-  void tell(results::RunResult& run) const;
+  void write_result(results::RunResult& run) const;
 
   /// Fields of the water that pore pressures are from; nullptr in dry ground.
   const results::WaterFields* water_fields() const {

@@ -8,7 +8,7 @@
 namespace talus::run {
 namespace {
 
-results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& cut) {
+results::SliceTable make_slice_table(const lem::Slope& slope, const lem::CutSurface& cut) {
   results::SliceTable t;
   for (const lem::Slice& s : cut.slices) {
     t.left.push_back(s.left);
@@ -39,17 +39,17 @@ results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& c
   return t;
 }
 
-results::DrawnSurface tell_drawdown(const lem::Critical& c) {
-  results::DrawnSurface told;
-  if (c.solution.before > 0) told.factor_before = c.solution.before;
-  if (c.solution.undrained > 0) told.undrained_factor = c.solution.undrained;
+results::DrawnSurface make_drawdown_result(const lem::Critical& c) {
+  results::DrawnSurface out;
+  if (c.solution.before > 0) out.factor_before = c.solution.before;
+  if (c.solution.undrained > 0) out.undrained_factor = c.solution.undrained;
   for (const lem::DrawnBase& base : c.cut.bases) {
-    told.normal.push_back(base.normal);
-    told.shear.push_back(base.shear);
-    told.strength.push_back(base.strength);
-    told.counts.push_back(base.drains ? results::Drainage::drained : results::Drainage::undrained);
+    out.normal.push_back(base.normal);
+    out.shear.push_back(base.shear);
+    out.strength.push_back(base.strength);
+    out.counts.push_back(base.drains ? results::Drainage::drained : results::Drainage::undrained);
   }
-  return told;
+  return out;
 }
 
 }  // namespace
@@ -63,70 +63,70 @@ std::vector<lem::Point> list_points(const lem::CutSurface& cut) {
   return points.empty() ? cut.surface.line : points;
 }
 
-results::SlipSurface tell_surface(const lem::Critical& c) {
-  results::SlipSurface told;
-  told.method = c.method;
-  told.title = get_title(c.method);
-  told.circular = c.surface.circle.has_value();
-  if (c.solution.factor > 0) told.factor = c.solution.factor;
-  if (c.surface.circle) told.circle = {c.surface.circle->centre, c.surface.circle->radius};
-  told.points = list_points(c.cut);
-  if (!c.surface.name.empty()) told.name = c.surface.name;
-  return told;
+results::SlipSurface make_surface_result(const lem::Critical& c) {
+  results::SlipSurface out;
+  out.method = c.method;
+  out.title = get_title(c.method);
+  out.circular = c.surface.circle.has_value();
+  if (c.solution.factor > 0) out.factor = c.solution.factor;
+  if (c.surface.circle) out.circle = {c.surface.circle->centre, c.surface.circle->radius};
+  out.points = list_points(c.cut);
+  if (!c.surface.name.empty()) out.name = c.surface.name;
+  return out;
 }
 
-results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Critical& c) {
-  results::CriticalSurface told;
-  told.surface = tell_surface(c);
-  if (is_rigorous(c.method)) told.lambda = c.solution.lambda;
-  told.correction = c.solution.correction;
-  told.area = c.cut.area;
-  told.depth = c.cut.depth;
-  if (c.surface.crack > 0) told.crack = c.surface.crack;
-  told.slides_left = c.cut.slides_left;
-  told.yield_acceleration = c.yield_acceleration;
-  if (slope.before() != nullptr) told.drawdown = tell_drawdown(c);
+results::CriticalSurface make_critical_result(const lem::Slope& slope, const lem::Critical& c) {
+  results::CriticalSurface out;
+  out.surface = make_surface_result(c);
+  if (is_rigorous(c.method)) out.lambda = c.solution.lambda;
+  out.correction = c.solution.correction;
+  out.area = c.cut.area;
+  out.depth = c.cut.depth;
+  if (c.surface.crack > 0) out.crack = c.surface.crack;
+  out.slides_left = c.cut.slides_left;
+  out.yield_acceleration = c.yield_acceleration;
+  if (slope.before() != nullptr) out.drawdown = make_drawdown_result(c);
   const lem::Refusal refusal = c.cut.refusal != lem::Refusal::none ? c.cut.refusal : c.solution.refusal;
-  told.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside, c.solution.residual,
+  out.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside, c.solution.residual,
                  refusal == lem::Refusal::none ? "" : lem::name_refusal(refusal)};
-  told.slices = tell_table(slope, c.cut);
-  told.warnings = c.warnings;
-  return told;
+  out.slices = make_slice_table(slope, c.cut);
+  out.warnings = c.warnings;
+  return out;
 }
 
-results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::SearchResult& result) {
-  results::SliceSearch told;
-  told.kind = options.kind == lem::SearchKind::grid ? results::SearchKind::grid : results::SearchKind::entry_exit;
-  told.tried = result.tried;
+results::SliceSearch make_search_result(const lem::SearchOptions& options, const lem::SearchResult& result) {
+  results::SliceSearch out;
+  out.kind = options.kind == lem::SearchKind::grid ? results::SearchKind::grid : results::SearchKind::entry_exit;
+  out.tried = result.tried;
   for (std::size_t m = 0; m < result.refused.size(); ++m) {
-    auto& counts = told.refused[to_word(options.methods[m])];
+    auto& counts = out.refused[to_word(options.methods[m])];
     for (const auto& [why, count] : result.refused[m]) counts[lem::name_refusal(why)] = count;
   }
-  for (const lem::LimitHit& hit : result.limit_hits) told.limit_hits.push_back({get_title(hit.method), hit.limit});
+  for (const lem::LimitHit& hit : result.limit_hits) out.limit_hits.push_back({get_title(hit.method), hit.limit});
   if (const auto& e = result.entry_exit; e && options.kind == lem::SearchKind::entry_exit) {
-    told.ranges.exit = e->exit;
-    told.ranges.entry = e->entry;
-    told.ranges.exits = e->exits;
-    told.ranges.entries = e->entries;
-    told.ranges.depths = e->depths;
+    out.ranges.exit = e->exit;
+    out.ranges.entry = e->entry;
+    out.ranges.exits = e->exits;
+    out.ranges.entries = e->entries;
+    out.ranges.depths = e->depths;
   }
   if (const auto& g = result.grid; g && options.kind == lem::SearchKind::grid) {
-    told.ranges.grid = {g->from, g->to, g->columns, g->rows, g->radii, std::nullopt};
-    if (g->lowest && g->highest) told.ranges.grid->levels = {*g->lowest, *g->highest};
+    out.ranges.grid = {g->from, g->to, g->columns, g->rows, g->radii, std::nullopt};
+    if (g->lowest && g->highest) out.ranges.grid->levels = {*g->lowest, *g->highest};
   }
-  told.smallest_depth = result.smallest_depth;
-  told.seconds = result.seconds;
-  told.circles_per_second = result.seconds > 0 ? static_cast<double>(result.tried) / result.seconds : 0;
-  return told;
+  out.smallest_depth = result.smallest_depth;
+  out.seconds = result.seconds;
+  out.circles_per_second = result.seconds > 0 ? static_cast<double>(result.tried) / result.seconds : 0;
+  return out;
 }
 
-results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::SearchResult& result) {
+results::SliceTrials make_trials_result(const lem::SearchOptions& options, const lem::SearchResult& result) {
   constexpr double digits = 1e4;
-  results::SliceTrials told;
-  for (const lem::Method m : options.methods) told.methods.emplace_back(to_word(m));
+  results::SliceTrials out;
+  for (const lem::Method m : options.methods) out.methods.emplace_back(to_word(m));
   for (const lem::TriedCircle& t : result.trials) {
     if (!t.surface.circle) continue;
-    std::vector<double>& row = told.trials.emplace_back();
+    std::vector<double>& row = out.trials.emplace_back();
     for (const double x : {t.surface.circle->centre[0], t.surface.circle->centre[1], t.surface.circle->radius,
                            t.surface.from, t.surface.to})
       row.push_back(round_to(x, digits));
@@ -134,12 +134,12 @@ results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::S
   }
   for (std::size_t m = 0; m < result.maps.size(); ++m) {
     const auto& map = result.maps[m];
-    results::FactorMap& shown = told.maps[to_word(options.methods[m])];
+    results::FactorMap& shown = out.maps[to_word(options.methods[m])];
     shown = {map.from, map.to, map.columns, map.rows, {}};
     for (const float f : map.factor)
       shown.factor.push_back(std::isfinite(f) ? std::optional(round_to(f, digits)) : std::nullopt);
   }
-  return told;
+  return out;
 }
 
 }  // namespace talus::run

@@ -13,14 +13,14 @@ namespace talus::run {
 std::vector<lem::Point> list_points(const lem::CutSurface& cut);
 
 /// Method, factor and shape.
-results::SlipSurface tell_surface(const lem::Critical& critical);
+results::SlipSurface make_surface_result(const lem::Critical& critical);
 /// The same with checks, slices and warnings.
-results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Critical& critical);
+results::CriticalSurface make_critical_result(const lem::Slope& slope, const lem::Critical& critical);
 
 /// How many surfaces were tried and refused, why, where, and at which limits critical surfaces lie.
-results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::SearchResult& result);
+results::SliceSearch make_search_result(const lem::SearchOptions& options, const lem::SearchResult& result);
 
 /// Every circle with the factors by each method, and the least factor over each centre of a grid.
-results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::SearchResult& result);
+results::SliceTrials make_trials_result(const lem::SearchOptions& options, const lem::SearchResult& result);
 
 }  // namespace talus::run

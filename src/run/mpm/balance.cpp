@@ -51,20 +51,20 @@ std::vector<double> measure_chunks(const mpm::Body<D>& share, double mine) {
 }  // namespace
 
 template <int D>
-Balance<D>::Balance(mpm::Body<D>* whole, const mpm::Body<D>& share)
+LoadBalance<D>::LoadBalance(mpm::Body<D>* whole, const mpm::Body<D>& share)
     : whole_(get_ranks().rank() == 0 ? whole : nullptr),
       spent_(sum(share.timing)),
       sent_(get_ranks().traffic().seconds) {}
 
 template <int D>
-void Balance<D>::leave_out(const std::function<void()>& work) {
+void LoadBalance<D>::leave_out(const std::function<void()>& work) {
   const double before = get_ranks().traffic().seconds;
   work();
   sent_ += get_ranks().traffic().seconds - before;
 }
 
 template <int D>
-void Balance<D>::look(mpm::Body<D>& share) {
+void LoadBalance<D>::look(mpm::Body<D>& share) {
   if (++looks_ % period != 0) return;
   Ranks& ranks = get_ranks();
   const double spent = sum(share.timing), sent = ranks.traffic().seconds;
@@ -89,7 +89,7 @@ void Balance<D>::look(mpm::Body<D>& share) {
   sent_ = ranks.traffic().seconds;
 }
 
-template class Balance<2>;
-template class Balance<3>;
+template class LoadBalance<2>;
+template class LoadBalance<3>;
 
 }  // namespace talus::run

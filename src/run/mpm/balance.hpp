@@ -10,10 +10,10 @@ namespace talus::run {
 
 /// Of one stage. Numbers do not depend on which rank has a chunk, so nothing but time does on what is measured.
 template <int D>
-class Balance {
+class LoadBalance {
  public:
   /// `whole`: on rank 0 the body that the shares were taken of, which is put together in between.
-  Balance(mpm::Body<D>* whole, const mpm::Body<D>& share);
+  LoadBalance(mpm::Body<D>* whole, const mpm::Body<D>& share);
 
   /// At every look, by all ranks: measures what each has done, and takes another share where that saves time.
   void look(mpm::Body<D>& share);

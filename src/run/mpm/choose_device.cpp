@@ -33,7 +33,7 @@ ChosenDevice::~ChosenDevice() {
   mpm::use_no_device();
 }
 
-std::string tell_device() {
+std::string describe_device() {
   return mpm::get_device_name();
 }
 

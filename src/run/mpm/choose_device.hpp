@@ -24,7 +24,7 @@ class ChosenDevice {
 };
 
 /// The name of the device in use, empty where none is.
-std::string tell_device();
+std::string describe_device();
 
 /// The stages that a device which is used does not calculate, because water has a velocity of its own there.
 std::vector<std::string> list_left_to_processor(const input::Case& data);

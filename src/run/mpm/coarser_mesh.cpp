@@ -61,7 +61,7 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
   const std::string hash = hash_text(input_hash + "coarser mesh");
   const input::Case coarser = coarsen(data);
   if (options.progress)
-    options.progress->show(fmt::format("the runout on elements of {}", say_length(run, coarser.mesh.size)));
+    options.progress->show(fmt::format("the runout on elements of {}", format_length(run, coarser.mesh.size)));
   results::RunResult found;
   const auto why = attempt(options, false, [&] {
     if (auto finished = load_finished(beside, hash)) {
@@ -81,7 +81,7 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
   });
   if (why)
     return fmt::format("front, runout and height have no interval, because the mesh with elements of {} failed: {}",
-                       say_length(run, coarser.mesh.size), *why);
+                       format_length(run, coarser.mesh.size), *why);
   bool agrees = true;
   if (run.runout && found.runout) agrees = add(*found.runout, coarser.mesh.size, *run.runout);
   if (run.runouts && found.runouts)
@@ -93,7 +93,7 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
   return fmt::format(
       "on elements of {} the soil runs the other way, so that front, runout and height have no interval: refine "
       "mesh.size",
-      say_length(run, coarser.mesh.size));
+      format_length(run, coarser.mesh.size));
 }
 
 template std::optional<std::string> compare_with_coarser_mesh<2>(const input::LoadedCase&, const input::Case&,

@@ -78,7 +78,7 @@ std::string describe_restless(const input::Stage& stage, const results::Stage& r
       stage.name, stage.duration, moved, report.force_ratio);
 }
 
-std::string describe_setback(const std::string& what, const results::Setback& s) {
+std::string describe_setback(const std::string& what, const results::Retry& s) {
   return fmt::format(
       "{} became unstable at t = {:.4g} s: {}. It was calculated again from t = {:.4g} s with courant = {:g} and "
       "smoothing = \"{}\"; look at the soil at that place, and write these two values into the case where the result "

@@ -23,6 +23,6 @@ std::string describe_restless(const input::Stage& stage, const results::Stage& r
 
 /// "stage 'slide' became unstable at t = 3 s: …", with how it was calculated instead and what to do. `what`: "stage
 /// 'slide'".
-std::string describe_setback(const std::string& what, const results::Setback& setback);
+std::string describe_setback(const std::string& what, const results::Retry& setback);
 
 }  // namespace talus::run

@@ -99,9 +99,9 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   if (body_.water.is_wet()) initial_water_ = mpm::find_water_state(body_).mass;
   preparation_ = find_seconds(start);
   slope_height_ = find_slope_height(body_, data_.gravity);
-  run.mesh = tell_mesh(body_);
+  run.mesh = make_mesh_result(body_);
   run.slope_height = slope_height_;
-  water_ = ground::tell_water<D>(data_, body_.mesh(), seepage, season_);
+  water_ = ground::make_water_result<D>(data_, body_.mesh(), seepage, season_);
   if (origin_) water_.states.reset(), water_.fields.reset();  // its own water took their place
   ground::give(water_, run);
   if (seepage && seepage->undecided > 0)
@@ -109,7 +109,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
         fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
                     "mesh is coarse for the height of the capillary fringe",
                     seepage->undecided));
-  if (origin_) tell_origin(*origin_, run);
+  if (origin_) write_origin(*origin_, run);
   origin_.reset();  // it is as large as the body
   if (const std::vector<std::string> left = list_left_to_processor(data_); !left.empty())
     warnings_.push_back(
@@ -210,8 +210,8 @@ std::vector<results::TimedPart> PointRun<D>::list_parts(double cpu) const {
 }
 
 template <int D>
-results::StepSeconds PointRun<D>::tell_stage_seconds() const {
-  return tell_seconds(body_.timing);
+results::StepSeconds PointRun<D>::get_stage_seconds() const {
+  return make_seconds_result(body_.timing);
 }
 
 template <int D>
@@ -239,7 +239,7 @@ void PointRun<D>::open_origin() {
 }
 
 template <int D>
-void PointRun<D>::tell_origin(const EndState& origin, results::RunResult& run) {
+void PointRun<D>::write_origin(const EndState& origin, results::RunResult& run) {
   run.start = origin.tell();
   const std::string result = data_.initial.result;
   if (origin.is_on_another_mesh(loaded_.echo))
@@ -335,7 +335,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
 template <int D>
 void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& report, bool last) {
   if (report.setbacks)
-    for (const results::Setback& setback : *report.setbacks)
+    for (const results::Retry& setback : *report.setbacks)
       warnings_.push_back(describe_setback(fmt::format("stage '{}'", stage.name), setback));
   if (report.moving) {
     warnings_.push_back(describe_restless(stage, report));
@@ -351,8 +351,8 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
 template <int D>
 void PointRun<D>::end_stages(results::RunResult& run) {
   save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
-  run.budgets = tell_budgets<D>(body_, find_gravity<D>(data_.gravity), work_before_);
-  if (body_.water.is_wet()) run.water = tell_water<D>(data_, body_, initial_water_);
+  run.budgets = make_budgets_result<D>(body_, find_gravity<D>(data_.gravity), work_before_);
+  if (body_.water.is_wet()) run.water = make_water_result<D>(data_, body_, initial_water_);
 }
 
 template <int D>

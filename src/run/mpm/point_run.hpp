@@ -45,7 +45,7 @@ class PointRun {
   void finish(results::RunResult& run);
   /// Seconds by part; `cpu`: of the whole process.
   std::vector<results::TimedPart> list_parts(double cpu) const;
-  results::StepSeconds tell_stage_seconds() const;
+  results::StepSeconds get_stage_seconds() const;
   /// Fields of the water that the points begin with; nullptr where there are none.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
   /// What outlives an interruption only.
@@ -61,7 +61,7 @@ class PointRun {
   }
   void prepare_body(results::RunResult& run);
   void open_origin();
-  void tell_origin(const EndState& origin, results::RunResult& run);
+  void write_origin(const EndState& origin, results::RunResult& run);
   void check_names(const mesh::Mesh<D>& mesh) const;
   void run_stages(results::RunResult& run);
   void warn_about(const input::Stage& stage, const results::Stage& report, bool last);
@@ -81,7 +81,7 @@ class PointRun {
   mpm::Work work_before_;
   mpm::Body<D> body_;
   std::optional<ground::SeasonRecord> season_;
-  ground::ToldWater water_;
+  ground::WaterResult water_;
   double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
   mpm::Timing trial_timing_;
   std::mutex adding_;

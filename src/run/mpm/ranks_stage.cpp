@@ -16,7 +16,7 @@
 namespace talus::results {
 
 template <class Visit>
-void visit_members(Visit&& visit, Like<Setback> auto& s) {
+void visit_members(Visit&& visit, Like<Retry> auto& s) {
   visit(s.time, s.back_to, s.courant, s.smoothing, s.reason);
 }
 
@@ -33,7 +33,7 @@ template <class Visit, class P>
 requires Like<P, StagePlan<2>> || Like<P, StagePlan<3>>
 void visit_members(Visit&& visit, P& p) {
   visit(p.name, p.cohesion, p.strength_factor, p.duration, p.until_rest, p.step, p.rest, p.gravity, p.gravity_ramp);
-  visit(p.soil_height, p.failed_displacement, p.evens_inertia, p.threads);
+  visit(p.soil_height, p.failed_displacement, p.equalises_mass, p.threads);
 }
 
 namespace {
@@ -83,7 +83,7 @@ class SharedStage {
     if (ranks.rank() == 0) chunks = mpm::divide_chunks(mpm::count_work(*whole_), ranks.size());
     broadcast(chunks);
     mpm::Body<D> share = mpm::take_share<D>(whole_, std::move(description), ranks, chunks);
-    Balance<D> balance(whole_, share);
+    LoadBalance<D> balance(whole_, share);
     balance_ = &balance;
     const results::StageEnd end = run_stage(share, plan, state, make_hooks());
     mpm::collect(share, all_have_it, whole_);
@@ -102,7 +102,7 @@ class SharedStage {
             PauseHere<D> here(*whole_);
             hooks_.output(here, s);
           });
-          for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
+          for (double* result : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*result);
         });
       };
     if (hooked_.look) {
@@ -116,13 +116,13 @@ class SharedStage {
       };
     }
     if (hooked_.tell) {
-      shared.tell_is_due = [this] {
-        bool due = hooks_.tell_is_due && hooks_.tell_is_due();
+      shared.report_is_due = [this] {
+        bool due = hooks_.report_is_due && hooks_.report_is_due();
         balance_->leave_out([&] { broadcast(due); });
         return due;
       };
-      shared.tell = [this](const mpm::Body<D>& share, const StageState& s, double moved) {
-        if (hooks_.tell) hooks_.tell(share, s, moved);
+      shared.report = [this](const mpm::Body<D>& share, const StageState& s, double moved) {
+        if (hooks_.report) hooks_.report(share, s, moved);
       };
     }
     if (hooked_.save_last_good)
@@ -151,12 +151,12 @@ class SharedStage {
   mpm::Body<D>* whole_;
   const StageHooks<D>& hooks_;
   const Hooked hooked_;
-  Balance<D>* balance_ = nullptr;
+  LoadBalance<D>* balance_ = nullptr;
 };
 
 template <int D>
 Hooked find_hooked(const StageHooks<D>& hooks) {
-  return {static_cast<bool>(hooks.output), static_cast<bool>(hooks.look), static_cast<bool>(hooks.tell),
+  return {static_cast<bool>(hooks.output), static_cast<bool>(hooks.look), static_cast<bool>(hooks.report),
           static_cast<bool>(hooks.save_last_good), static_cast<bool>(hooks.mark)};
 }
 

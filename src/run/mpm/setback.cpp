@@ -39,7 +39,7 @@ bool GoodStates<D>::go_back(mpm::Body<D>& body, StageState& state, const std::st
   // A copy to which it went back before, and which failed again, was not good.
   const bool failed_before = !state.setbacks.empty() && state.setbacks.back().back_to == older_->body.time;
   const std::shared_ptr<const Kept> to = failed_before ? start_ : older_;
-  std::vector<results::Setback> setbacks = std::move(state.setbacks);
+  std::vector<results::Retry> setbacks = std::move(state.setbacks);
   const StagePlan<D> calm = calm_down(plan_, setbacks.size() + 1, to->body.water.is_wet());
   setbacks.push_back({body.time, to->body.time, calm.step.courant, input::get_word(calm.step.smoothing), reason});
   body = to->body;

@@ -179,7 +179,7 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   o.moving = step.geometry == input::Geometry::moving;
   o.objective = step.objective_rate;
   o.threads = plan.threads;
-  o.mixture = step.water == input::WaterMotion::seeps;
+  o.darcy = step.water == input::WaterMotion::seeps;
   o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
   o.water_damping = step.water_damping;
   o.net_damping = step.damped_force == input::DampedForce::net;
@@ -192,8 +192,8 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
 namespace {
 
 template <int D>
-bool evens_inertia(const mpm::Body<D>& body, const StagePlan<D>& plan) {
-  return plan.evens_inertia && plan.step.geometry == input::Geometry::frozen && !body.water.is_wet();
+bool equalises_mass(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  return plan.equalises_mass && plan.step.geometry == input::Geometry::frozen && !body.water.is_wet();
 }
 
 }  // namespace
@@ -201,7 +201,7 @@ bool evens_inertia(const mpm::Body<D>& body, const StagePlan<D>& plan) {
 template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
   if (body.water.is_wet() && plan.step.water == input::WaterMotion::held) return find_drained_critical_step(body, plan);
-  if (evens_inertia(body, plan)) return mpm::find_critical_step(make_even_body(body, plan, {}), make_options(plan));
+  if (equalises_mass(body, plan)) return mpm::find_critical_step(make_even_body(body, plan, {}), make_options(plan));
   return mpm::find_critical_step(body, make_options(plan));
 }
 
@@ -265,10 +265,10 @@ template <int D>
 bool look(Stepper<D>& stepper, mpm::Body<D>& body, const StageState& state, const StagePlan<D>& plan,
           const StageHooks<D>& hooks) {
   if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(stepper.bring_back(), state);
-  const bool tells = hooks.tell && hooks.tell_is_due();
+  const bool tells = hooks.report && hooks.report_is_due();
   if (!tells && plan.failed_displacement <= 0) return false;
   const double moved = find_largest(body, stepper.find_largest_displacement());
-  if (tells) hooks.tell(body, state, moved);
+  if (tells) hooks.report(body, state, moved);
   return plan.failed_displacement > 0 && moved > plan.failed_displacement;
 }
 
@@ -279,10 +279,10 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
                             const StageHooks<D>& hooks) {
   if (body.water.is_wet() && wanted.step.water == input::WaterMotion::held)
     return run_drained_stage(body, wanted, state, hooks);
-  if (evens_inertia(body, wanted)) {
+  if (equalises_mass(body, wanted)) {
     mpm::Body<D> even = make_even_body(body, wanted, state);
     StagePlan<D> plan = wanted;
-    plan.evens_inertia = false;
+    plan.equalises_mass = false;
     return run_stand_in(even, body, plan, state, hooks);
   }
   if (get_ranks().size() > 1 && !body.share) return run_on_ranks(body, wanted, state, hooks);

@@ -32,8 +32,8 @@ struct StagePlan {
   double gravity_ramp = 0;         ///< [s]
   double soil_height = 0;          ///< H of the rest criterion [m]
   double failed_displacement = 0;  ///< stop when a point has moved farther [m]; 0: never
-  bool evens_inertia =
-      false;  ///< frozen geometry of one phase: small elements do not decide the step (even_inertia.hpp)
+  bool equalises_mass =
+      false;  ///< frozen geometry of one phase: small elements do not decide the step (equalise_mass.hpp)
   int threads = 1;
   Helpers<D>* helpers = nullptr;  ///< other ranks, where this one alone has the body
 };
@@ -51,7 +51,7 @@ struct StageState {
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
   double soft_band = 0;      ///< thinnest band of soil that softens, so far, in elements; 0: none
   double soft_size = 0;      ///< largest elements of such a band [m]
-  std::vector<results::Setback> setbacks;
+  std::vector<results::Retry> setbacks;
 };
 
 /// Puts what is recorded back to where it was when the function was made, as the body now is. The plan: the changed
@@ -69,8 +69,8 @@ struct StageHooks {
   std::function<bool()> look_is_due;
   /// The same for progress, which needs less: of the body only time, step count and monitor are up to date. `moved`:
   /// the largest displacement of a point [m].
-  std::function<void(const mpm::Body<D>&, const StageState&, double moved)> tell;
-  std::function<bool()> tell_is_due;  ///< where there is `tell`
+  std::function<void(const mpm::Body<D>&, const StageState&, double moved)> report;
+  std::function<bool()> report_is_due;  ///< where there is `tell`
   /// Called every look_interval steps. May put another body in place, which goes on with the same numbers: with other
   /// parts of the soil on this rank.
   std::function<void(mpm::Body<D>&)> rebalance;

@@ -9,13 +9,13 @@ namespace talus::run {
 
 /// Mesh and points.
 template <int D>
-results::Mesh tell_mesh(const mpm::Body<D>& body);
+results::Mesh make_mesh_result(const mpm::Body<D>& body);
 
 /// Energy, momentum and mass: what came in, what is there, what was lost.
 template <int D>
-results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity, const mpm::Work& before);
+results::Budgets make_budgets_result(const mpm::Body<D>& body, const Vec<D>& gravity, const mpm::Work& before);
 
 /// Wall seconds by part of the step.
-results::StepSeconds tell_seconds(const mpm::Timing& timing);
+results::StepSeconds make_seconds_result(const mpm::Timing& timing);
 
 }  // namespace talus::run

@@ -30,36 +30,36 @@ results::SurfaceCondition find_condition(mpm::SurfaceKind kind) {
 }  // namespace
 
 template <int D>
-results::WaterBudget tell_water(const input::Case& data, const mpm::Body<D>& body, double initial) {
+results::WaterBudget make_water_result(const input::Case& data, const mpm::Body<D>& body, double initial) {
   const mpm::Water<D>& water = body.water;
   const std::vector<std::string> names = name_surfaces(water.surfaces);
-  results::WaterBudget told;
-  told.density = data.water.density;
-  told.initial = initial;
+  results::WaterBudget result;
+  result.density = data.water.density;
+  result.initial = initial;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const mpm::SurfaceBudget& b = water.budgets[i];
-    told.entered += b.entered;
-    told.left += b.left;
-    told.runoff += b.runoff;
-    told.surfaces.push_back(
+    result.entered += b.entered;
+    result.left += b.left;
+    result.runoff += b.runoff;
+    result.surfaces.push_back(
         {names[i], find_condition(water.surfaces[i].kind), b.entered, b.left, b.supplied, b.runoff});
   }
   const mpm::WaterState<D> state = mpm::find_water_state(body);
-  told.stored = state.mass;
-  told.lost_between = water.lost_between;
-  told.left_grid = water.left_grid;
-  told.pressed_in = water.pressed_in;
-  const double unexplained = told.stored - (initial + told.entered + water.pressed_in - told.left - water.transpired -
+  result.stored = state.mass;
+  result.lost_between = water.lost_between;
+  result.left_grid = water.left_grid;
+  result.pressed_in = water.pressed_in;
+  const double unexplained = result.stored - (initial + result.entered + water.pressed_in - result.left - water.transpired -
                                             water.lost_between - water.left_grid);
-  told.error = unexplained / std::max({initial, told.stored, 1e-300});
-  told.largest_pressure = state.largest_pressure;
-  told.largest_suction = state.largest_suction;
-  told.largest_suction_at.assign(state.place.begin(), state.place.end());
-  if (!water.uptakes.empty()) told.transpired = water.transpired;
-  return told;
+  result.error = unexplained / std::max({initial, result.stored, 1e-300});
+  result.largest_pressure = state.largest_pressure;
+  result.largest_suction = state.largest_suction;
+  result.largest_suction_at.assign(state.place.begin(), state.place.end());
+  if (!water.uptakes.empty()) result.transpired = water.transpired;
+  return result;
 }
 
-template results::WaterBudget tell_water<2>(const input::Case&, const mpm::Body<2>&, double);
-template results::WaterBudget tell_water<3>(const input::Case&, const mpm::Body<3>&, double);
+template results::WaterBudget make_water_result<2>(const input::Case&, const mpm::Body<2>&, double);
+template results::WaterBudget make_water_result<3>(const input::Case&, const mpm::Body<3>&, double);
 
 }  // namespace talus::run

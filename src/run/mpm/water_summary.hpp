@@ -11,6 +11,6 @@ namespace talus::run {
 /// Water at the start and now, and what passed each condition [kg], [Pa]. `initial` is its mass at the start. The
 /// error of the budget is given as a share of the water in the model.
 template <int D>
-results::WaterBudget tell_water(const input::Case& data, const mpm::Body<D>& body, double initial);
+results::WaterBudget make_water_result(const input::Case& data, const mpm::Body<D>& body, double initial);
 
 }  // namespace talus::run

@@ -25,15 +25,15 @@ lem::Critical* find_by(std::vector<lem::Critical>& list, lem::Method method) {
 }
 
 /// Results hold a polyline with a point for each side of a slice: those on straight lines go again.
-lem::Surface take_surface(const results::SlipSurface& told, int vertices) {
+lem::Surface take_surface(const results::SlipSurface& result, int vertices) {
   lem::Surface surface;
-  surface.name = told.name.value_or("");
-  surface.from = told.points.front()[0];
-  surface.to = told.points.back()[0];
-  if (told.circle)
-    surface.circle = lem::Circle{told.circle->centre, told.circle->radius};
+  surface.name = result.name.value_or("");
+  surface.from = result.points.front()[0];
+  surface.to = result.points.back()[0];
+  if (result.circle)
+    surface.circle = lem::Circle{result.circle->centre, result.circle->radius};
   else
-    surface.line = lem::thin_points({told.points.begin(), told.points.end()}, vertices);
+    surface.line = lem::thin_points({result.points.begin(), result.points.end()}, vertices);
   return surface;
 }
 
@@ -105,7 +105,7 @@ results::SearchedMoment keep_moment(const Moment& moment) {
   kept.time = moment.time;
   kept.error = moment.error;
   const auto keep = [&](const std::vector<lem::Critical>& from, std::vector<results::SlipSurface>& to) {
-    for (const lem::Critical& c : from) to.push_back(tell_critical(*moment.slope, c).surface);
+    for (const lem::Critical& c : from) to.push_back(make_critical_result(*moment.slope, c).surface);
   };
   keep(moment.circular, kept.circular);
   keep(moment.noncircular, kept.noncircular);
@@ -162,30 +162,30 @@ std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& know
   return least;
 }
 
-results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment& moment) {
+results::TimedFactor make_moment_result(const lem::SearchOptions& options, const Moment& moment) {
   results::SliceResult slices;
   slices.methods = options.methods;
   const auto tell = [&](const std::vector<lem::Critical>& from, std::vector<results::CriticalSurface>& to) {
-    for (const lem::Critical& c : from) to.push_back(tell_critical(*moment.slope, c));
+    for (const lem::Critical& c : from) to.push_back(make_critical_result(*moment.slope, c));
   };
   tell(moment.circular, slices.critical);
   tell(moment.noncircular, slices.noncircular);
   tell(moment.given, slices.given);
   if (moment.referee) results::take_referee(*moment.referee, slices);
-  results::TimedFactor told;
-  told.time = moment.time;
-  told.referee = moment.referee;
+  results::TimedFactor result;
+  result.time = moment.time;
+  result.referee = moment.referee;
   if (const auto governing = results::find_governing_surface(slices, nullptr)) {
-    told.factor = governing->found->surface.factor;
-    told.surface = governing->found->surface;
-    told.source = results::name_surface(*governing);
-    told.refusal = governing->found->checks.refusal;
+    result.factor = governing->found->surface.factor;
+    result.surface = governing->found->surface;
+    result.source = results::name_surface(*governing);
+    result.refusal = governing->found->checks.refusal;
   } else if (const auto proven = results::find_slices_factor(slices, nullptr)) {
-    told.factor = proven;
-    told.surface.title = "Limit analysis";
-    told.source = proven == moment.referee->upper ? "proven upper bound" : "proven lower bound";
+    result.factor = proven;
+    result.surface.title = "Limit analysis";
+    result.source = proven == moment.referee->upper ? "proven upper bound" : "proven lower bound";
   }
-  return told;
+  return result;
 }
 
 }  // namespace talus::run

@@ -45,6 +45,6 @@ std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& know
                                    const lem::Slope& slope);
 
 /// The surface that governs.
-results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment& moment);
+results::TimedFactor make_moment_result(const lem::SearchOptions& options, const Moment& moment);
 
 }  // namespace talus::run

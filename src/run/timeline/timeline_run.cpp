@@ -53,7 +53,7 @@ struct TimelineRun::Parts {
         search(make_search_options(data.lem, 1)) {
     mesh = mesh::generate<2>(data.mesh);
     model = ground::make_seepage_model<2>(data, mesh, wet_mesh);
-    told.pool_loading = data.timeline->pool_loading;
+    summary.pool_loading = data.timeline->pool_loading;
     fem::check_storage(model);
   }
 
@@ -72,8 +72,8 @@ struct TimelineRun::Parts {
   std::vector<std::size_t> searched;  ///< of the times of the moments
   results::TimelineFile kept{hash, {}};
   std::vector<std::optional<double>> guide;  ///< least factor of the surfaces that govern at some times, at all times
-  ground::ToldWater water;
-  results::Timeline told;
+  ground::WaterResult water;
+  results::Timeline summary;
   std::optional<results::WaterFields> fields;
 
   void follow_water(const PreparedSlope& prepared) {
@@ -92,9 +92,9 @@ struct TimelineRun::Parts {
     flow = ground::follow_flow<2>(data, model, heads, schedule, "[timeline]");
     times = {0};
     times.insert(times.end(), schedule.outputs.begin(), schedule.outputs.end());
-    told.weather = ground::tell_season(flow.record);
-    told.step_error = flow.history.largest_error;
-    told.seepage_seconds = count_seconds(start);
+    summary.weather = ground::make_season_result(flow.record);
+    summary.step_error = flow.history.largest_error;
+    summary.seepage_seconds = count_seconds(start);
   }
 
   const std::vector<double>& pressure(std::size_t number) const {
@@ -114,11 +114,11 @@ struct TimelineRun::Parts {
   void search_times(const results::SliceResult& first) {
     const Clock::time_point start = Clock::now();
     const input::Timeline& asked = *data.timeline;
-    told.duration = asked.duration;
-    if (data.initial.date) told.start = say_date(data.initial.date->seconds);
-    told.target = asked.target;
-    told.chosen = asked.times.empty();
-    const int most = told.chosen ? asked.most_times : static_cast<int>(times.size());
+    summary.duration = asked.duration;
+    if (data.initial.date) summary.start = format_date(data.initial.date->seconds);
+    summary.target = asked.target;
+    summary.chosen = asked.times.empty();
+    const int most = summary.chosen ? asked.most_times : static_cast<int>(times.size());
     TimeChoice choice(times, asked.target, asked.tolerance, most);
     std::size_t guided = 0;  // moments whose surfaces the guide has
     guide.assign(times.size(), std::nullopt);
@@ -131,26 +131,26 @@ struct TimelineRun::Parts {
       take_kept(known, search, moments.back());
     }
     search_more({times.size() - 1});  // the others begin with what these two know
-    for (std::vector<std::size_t> next = told.chosen ? choice.next() : list_all(); !next.empty();
+    for (std::vector<std::size_t> next = summary.chosen ? choice.next() : list_all(); !next.empty();
          next = choice.next()) {
       search_more(next);
       share();
       std::vector<results::TimedFactor> fresh;
       for (std::size_t i = 0; i < moments.size(); ++i) {
-        results::TimedFactor factor = tell_moment(search, moments[i]);
+        results::TimedFactor factor = make_moment_result(search, moments[i]);
         choice.set(searched[i], factor.factor);
         if (i >= guided) fresh.push_back(std::move(factor));
       }
-      if (!told.chosen) break;
+      if (!summary.chosen) break;
       guided = moments.size();
       extend_guide(fresh);
       choice.set_guide(guide);
     }
-    if (told.chosen) told.distance = choice.find_distance();
-    tell_factors();
+    if (summary.chosen) summary.distance = choice.find_distance();
+    make_factors_result();
     if (asked.release && asked.release->criterion == input::ReleaseCriterion::equilibrium) find_loss();
     if (asked.release) search_releases();
-    told.search_seconds = count_seconds(start);
+    summary.search_seconds = count_seconds(start);
     if (data.lem.referee) judge_governing_times();
   }
 
@@ -160,14 +160,14 @@ struct TimelineRun::Parts {
     constexpr int most_times = 12;
     for (int judged = 0; judged < most_times; ++judged) {
       const auto is_governing = [&](double time) {
-        return told.least_time == time || (told.failure && (told.failure->from == time || told.failure->to == time));
+        return summary.least_time == time || (summary.failure && (summary.failure->from == time || summary.failure->to == time));
       };
       const auto next = std::find_if(moments.begin(), moments.end(),
                                      [&](const Moment& m) { return !m.referee && is_governing(m.time); });
       if (next == moments.end()) return;
       const std::size_t number = searched[static_cast<std::size_t>(next - moments.begin())];
       next->referee = search_referee_interval(begin_at(number), find_factor(number), options);
-      tell_factors();
+      make_factors_result();
     }
   }
 
@@ -198,14 +198,14 @@ struct TimelineRun::Parts {
   }
 
   /// The factors of all times that were tried, in time, and when they pass the target.
-  void tell_factors() {
-    told.factors.clear();
-    told.fails_from_start = false;
-    told.failure.reset();
-    told.least.reset();
-    for (const Moment& moment : moments) told.factors.push_back(tell_moment(search, moment));
-    std::sort(told.factors.begin(), told.factors.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-    results::find_failure(told);
+  void make_factors_result() {
+    summary.factors.clear();
+    summary.fails_from_start = false;
+    summary.failure.reset();
+    summary.least.reset();
+    for (const Moment& moment : moments) summary.factors.push_back(make_moment_result(search, moment));
+    std::sort(summary.factors.begin(), summary.factors.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    results::find_failure(summary);
   }
 
   /// The times at which points take over are searched as well: a search there may find an earlier failure, whose times
@@ -216,25 +216,25 @@ struct TimelineRun::Parts {
       next.push_back(*at);
       if (!search_more(next)) return;
       share();
-      tell_factors();
+      make_factors_result();
     }
   }
 
   /// When finite elements lose their equilibrium: between two kept times that follow each other. The times of the
   /// searches are tried first, one after the other, and then those between.
   void find_loss() {
-    results::EquilibriumLoss& loss = told.equilibrium.emplace();
+    results::EquilibriumLoss& loss = summary.equilibrium.emplace();
     const auto is_balanced = [&](std::size_t number) {
       if (options.progress)
-        options.progress->show(fmt::format("timeline: equilibrium at {}", units::say_time(times[number])));
+        options.progress->show(fmt::format("timeline: equilibrium at {}", units::format_time(times[number])));
       ++loss.trials;
       const Balance found = find_balance(begin_at(number), options.threads);
       (found.stands ? loss.from : loss.to) = times[number];
       if (found.undecided)
-        told.notes.push_back(
+        summary.notes.push_back(
             fmt::format("at {} finite elements ran out of iterations before their soil flowed: with more "
                         "`iterations` under [fem] they may find equilibrium later than that",
-                        units::say_time(times[number])));
+                        units::format_time(times[number])));
       return found.stands;
     };
     std::vector<std::size_t> tried = searched;
@@ -276,15 +276,15 @@ struct TimelineRun::Parts {
     const input::Timeline& asked = *data.timeline;
     std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
     for (std::size_t i = 0; i < moments.size(); ++i)
-      if (!told.factors[i].factor && !moments[i].error.empty())
-        told.notes.push_back(fmt::format("no factor at {:g} s: {}", moments[i].time, moments[i].error));
+      if (!summary.factors[i].factor && !moments[i].error.empty())
+        summary.notes.push_back(fmt::format("no factor at {:g} s: {}", moments[i].time, moments[i].error));
     note_refusals();
     note_sudden_pools();
-    if (told.distance && *told.distance > asked.tolerance)
-      told.notes.push_back(
+    if (summary.distance && *summary.distance > asked.tolerance)
+      summary.notes.push_back(
           fmt::format("after {} times straight lines between them may still be off by {:.2g} % of the "
                       "factor; a larger most_times or times of your own tell more",
-                      moments.size(), 100 * *told.distance));
+                      moments.size(), 100 * *summary.distance));
     keep_water();
   }
 
@@ -298,10 +298,10 @@ struct TimelineRun::Parts {
     const input::Release& asked = *data.timeline->release;
     std::optional<double> time = asked.time;
     if (asked.criterion == input::ReleaseCriterion::equilibrium) {
-      time = told.equilibrium->to;
+      time = summary.equilibrium->to;
     } else {
-      if (!time && told.fails_from_start) time = 0;
-      if (!time && told.failure) time = told.failure->to;
+      if (!time && summary.fails_from_start) time = 0;
+      if (!time && summary.failure) time = summary.failure->to;
     }
     return time ? std::optional(find_nearest(*time)) : std::nullopt;
   }
@@ -323,15 +323,15 @@ struct TimelineRun::Parts {
   }
 
   std::optional<double> find_factor(std::size_t number) const {
-    for (const results::TimedFactor& f : told.factors)
+    for (const results::TimedFactor& f : summary.factors)
       if (f.time == times[number]) return f.factor;
     return std::nullopt;
   }
 
   ReleaseCase make_release(std::size_t number) const {
     ReleaseCase release;
-    release.told.time = times[number];
-    release.told.factor = find_factor(number);
+    release.summary.time = times[number];
+    release.summary.factor = find_factor(number);
     release.data = begin_at(number);
     return release;
   }
@@ -353,15 +353,15 @@ struct TimelineRun::Parts {
     const char* why = "";
     for (std::size_t i = 0; i < moments.size(); ++i) {
       const Moment& m = moments[i];
-      if (!told.factors[i].factor || m.refused_factor >= noticeable * *told.factors[i].factor) continue;
+      if (!summary.factors[i].factor || m.refused_factor >= noticeable * *summary.factors[i].factor) continue;
       when.push_back(m.time);
       if (m.refused_factor < least) least = m.refused_factor, why = lem::name_refusal(m.refusal);
     }
     if (when.empty()) return;
-    told.notes.push_back(fmt::format(
+    summary.notes.push_back(fmt::format(
         "at {} of {} times, from {} to {}, surfaces with lower factors, down to {:.3f}, are refused ({}): the factor "
         "may be lower there than it is shown",
-        when.size(), moments.size(), units::say_time(when.front()), units::say_time(when.back()), least, why));
+        when.size(), moments.size(), units::format_time(when.front()), units::format_time(when.back()), least, why));
   }
 
   /// Whether water of that level lies on the ground of a condition, and not on a side of the model or inside it.
@@ -382,15 +382,15 @@ struct TimelineRun::Parts {
       for (std::size_t i = 1; i < h.head.time.size(); ++i) {
         const double at = h.head.time[i];
         const bool jumps = at == h.head.time[i - 1] && h.head.value[i] != h.head.value[i - 1];
-        if (!jumps || at < 0 || at >= told.duration ||
+        if (!jumps || at < 0 || at >= summary.duration ||
             !stands_on_ground(h, std::max(h.head.value[i], h.head.value[i - 1])))
           continue;
         const bool falls = h.head.value[i] < h.head.value[i - 1];
-        told.notes.push_back(fmt::format(
+        summary.notes.push_back(fmt::format(
             "the pool on '{}' {} at once at {}, and total stress is taken as constant: right after, pore pressures are "
             "too "
             "{} and factors too {}; pool_loading = true lets its weight count",
-            h.on, falls ? "falls" : "rises", units::say_time(at), falls ? "high" : "low", falls ? "low" : "high"));
+            h.on, falls ? "falls" : "rises", units::format_time(at), falls ? "high" : "low", falls ? "low" : "high"));
       }
     }
   }
@@ -411,15 +411,15 @@ struct TimelineRun::Parts {
     fields = ground::begin_fields(data, wet_mesh);
     for (const Moment& moment : moments) {
       if (moment.time == 0) {
-        told.states.push_back(water.states->back());
+        summary.states.push_back(water.states->back());
         if (fields) fields->states.push_back(make_first_field());
         continue;
       }
       const auto at = std::find(times.begin(), times.end(), moment.time);
       const auto& state = flow.history.states[static_cast<std::size_t>(at - times.begin()) - 1];
-      told.states.push_back(ground::tell_state<2>(data, state, results::WaterFlow::transient, moment.time));
+      summary.states.push_back(ground::make_state_result<2>(data, state, results::WaterFlow::transient, moment.time));
       if (fields)
-        fields->states.push_back(ground::tell_field<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
+        fields->states.push_back(ground::make_field_result<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
     }
   }
 };
@@ -442,17 +442,17 @@ const results::WaterFields* TimelineRun::water_fields() const {
 std::vector<ReleaseCase> TimelineRun::list_releases() {
   const auto at = parts_->find_release();
   if (!at) {
-    parts_->told.notes.push_back(
+    parts_->summary.notes.push_back(
         fmt::format("material points do not take over: {}; [timeline.release] time lets them go all the same",
-                    parts_->told.equilibrium
+                    parts_->summary.equilibrium
                         ? "finite elements find equilibrium at every time that was tried"
-                        : fmt::format("the factor is not below {:g} at any time that was tried", parts_->told.target)));
+                        : fmt::format("the factor is not below {:g} at any time that was tried", parts_->summary.target)));
     return {};
   }
   std::vector<ReleaseCase> releases{parts_->make_release(*at)};
   for (const std::size_t beside : parts_->find_beside(*at)) {
     releases.push_back(parts_->make_release(beside));
-    releases.back().told.folder = beside < *at ? "released_earlier" : "released_later";
+    releases.back().summary.folder = beside < *at ? "released_earlier" : "released_later";
   }
   return releases;
 }
@@ -461,35 +461,35 @@ std::vector<ReductionCase> TimelineRun::list_reductions() const {
   std::vector<double> times;
   if (const auto& asked = parts_->data.timeline->element_times)
     times = *asked;
-  else if (parts_->told.least_time)
-    times = {*parts_->told.least_time};
+  else if (parts_->summary.least_time)
+    times = {*parts_->summary.least_time};
   std::vector<ReductionCase> reductions;
   for (const double time : times) {
     const std::size_t number = parts_->find_nearest(time);
     if (number == 0) continue;  // the run itself
     ReductionCase& reduction = reductions.emplace_back();
-    reduction.told.time = parts_->times[number];
-    reduction.told.folder = fmt::format("elements_{}", reductions.size());
+    reduction.summary.time = parts_->times[number];
+    reduction.summary.folder = fmt::format("elements_{}", reductions.size());
     reduction.data = parts_->begin_at(number);
   }
   return reductions;
 }
 
 void TimelineRun::add_reduction(results::TimedReduction reduction) {
-  parts_->told.elements.push_back(std::move(reduction));
+  parts_->summary.elements.push_back(std::move(reduction));
 }
 
 void TimelineRun::add_release(results::Release release) {
-  parts_->told.releases.push_back(std::move(release));
+  parts_->summary.releases.push_back(std::move(release));
 }
 
 void TimelineRun::forget() const {
   remove_file(parts_->options.folder / kept_file);
 }
 
-void TimelineRun::tell(results::RunResult& run) const {
-  run.timeline = parts_->told;
-  for (const std::string& note : parts_->told.notes) run.warnings.push_back("timeline: " + note);
+void TimelineRun::write_result(results::RunResult& run) const {
+  run.timeline = parts_->summary;
+  for (const std::string& note : parts_->summary.notes) run.warnings.push_back("timeline: " + note);
 }
 
 }  // namespace talus::run

@@ -16,12 +16,12 @@ namespace talus::run {
 
 /// A case that begins with the pore water of one time, and whose series go on from there.
 struct ReleaseCase {
-  results::Release told;  ///< time, factor and folder
+  results::Release summary;  ///< time, factor and folder
   input::Case data;
 };
 
 struct ReductionCase {
-  results::TimedReduction told;  ///< time and folder
+  results::TimedReduction summary;  ///< time and folder
   input::Case data;
 };
 
@@ -41,7 +41,7 @@ class TimelineRun {
   std::vector<ReductionCase> list_reductions() const;
   void add_reduction(results::TimedReduction reduction);
   void add_release(results::Release release);
-  void tell(results::RunResult& run) const;
+  void write_result(results::RunResult& run) const;
   /// Removes what an interrupted run would go on from.
   void forget() const;
   /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.

@@ -95,24 +95,24 @@ void visit_vectors(Body& body, Visit&& visit) {
 
 /// What stays of the step of the mixture from step to step, and what a later stage will start with.
 template <int D>
-void put_mixture(ArchiveWriter& archive, const mpm::MixtureWater<D>& mixture) {
-  if (mixture.pressure.empty()) return;
-  archive.put("water/mixture/is_used", std::vector<int>{mixture.is_used ? 1 : 0});
-  archive.put("water/mixture/pressure", mixture.pressure);
-  archive.put("water/mixture/change", mixture.change);
-  archive.put("water/mixture/own", mixture.own);
-  archive.put("water/mixture/ponded", std::vector<int>(mixture.ponded.begin(), mixture.ponded.end()));
+void put_darcy(ArchiveWriter& archive, const mpm::DarcyWater<D>& darcy) {
+  if (darcy.pressure.empty()) return;
+  archive.put("water/mixture/is_used", std::vector<int>{darcy.is_used ? 1 : 0});
+  archive.put("water/mixture/pressure", darcy.pressure);
+  archive.put("water/mixture/change", darcy.change);
+  archive.put("water/mixture/own", darcy.own);
+  archive.put("water/mixture/ponded", std::vector<int>(darcy.ponded.begin(), darcy.ponded.end()));
 }
 
 template <int D>
-void get_mixture(const ArchiveReader& archive, mpm::MixtureWater<D>& mixture) {
-  mixture = {};
+void get_darcy(const ArchiveReader& archive, mpm::DarcyWater<D>& darcy) {
+  darcy = {};
   if (!archive.has("water/mixture/pressure")) return;
-  mixture.is_used = archive.integers("water/mixture/is_used")[0] != 0;
-  mixture.pressure = archive.reals("water/mixture/pressure");
-  mixture.change = archive.reals("water/mixture/change");
-  if (archive.has("water/mixture/own")) mixture.own = archive.reals("water/mixture/own");
-  copy_into(mixture.ponded, archive.integers("water/mixture/ponded"));
+  darcy.is_used = archive.integers("water/mixture/is_used")[0] != 0;
+  darcy.pressure = archive.reals("water/mixture/pressure");
+  darcy.change = archive.reals("water/mixture/change");
+  if (archive.has("water/mixture/own")) darcy.own = archive.reals("water/mixture/own");
+  copy_into(darcy.ponded, archive.integers("water/mixture/ponded"));
 }
 
 template <int D>
@@ -192,7 +192,7 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
       archive.put(name, std::span<const double>(values.data(), values.size()));
     });
     put_budgets(archive, body.water);
-    put_mixture(archive, body.water.mixture);
+    put_darcy(archive, body.water.darcy);
   }
   visit_integers(body, [&](const char* name, const auto& values) {
     const std::vector<int> plain(values.begin(), values.end());
@@ -246,7 +246,7 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   if (body.water.is_wet()) {
     visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
     get_water(archive, body);
-    get_mixture(archive, body.water.mixture);
+    get_darcy(archive, body.water.darcy);
   }
   visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
   visit_vectors(body, [&](const char* name, auto& values) { unflatten(archive.reals(name), values); });
@@ -281,7 +281,7 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
   archive.put("stage/integers", integers);
   std::vector<double> setbacks;
   std::string texts;  // two lines each
-  for (const results::Setback& b : s.setbacks) {
+  for (const results::Retry& b : s.setbacks) {
     setbacks.insert(setbacks.end(), {b.time, b.back_to, b.courant});
     texts += b.smoothing + "\n" + b.reason + "\n";
   }
@@ -297,7 +297,7 @@ StageState get_stage(const ArchiveReader& archive) {
   const auto& setbacks = archive.reals("stage/setbacks");
   std::istringstream texts(archive.text("stage/setback_texts"));
   for (std::size_t k = 0; k + 3 <= setbacks.size(); k += 3) {
-    results::Setback b{setbacks[k], setbacks[k + 1], setbacks[k + 2], {}, {}};
+    results::Retry b{setbacks[k], setbacks[k + 1], setbacks[k + 2], {}, {}};
     std::getline(texts, b.smoothing);
     std::getline(texts, b.reason);
     state.setbacks.push_back(std::move(b));

@@ -53,7 +53,7 @@ Node<D> read_node(const mpm::Body<D>& body, int i) {
             *end = &body.layout->node_rows[0] + body.layout->row_start[i + 1];
   const std::size_t first = static_cast<std::size_t>(*rows);
   Node<D> node;
-  if (!body.water.is_wet() || body.water.mixture.is_used) {
+  if (!body.water.is_wet() || body.water.darcy.is_used) {
     for (; rows != end; ++rows) node.mass += body.nodes.sums[static_cast<std::size_t>(*rows) * mpm::sums_stride];
     node.velocity = &body.nodes.motion[first * mpm::motion_stride<D> + D];
     return node;

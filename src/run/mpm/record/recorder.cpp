@@ -191,8 +191,8 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   hooks.output = [this](Pause<D>& now, StageState& s) { on_output(now, s); };
   hooks.look_is_due = [this] { return is_look_due(); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
-  hooks.tell_is_due = [this] { return settings_.progress && settings_.progress->is_due(); };
-  hooks.tell = [this](const mpm::Body<D>& b, const StageState& s, double moved) { show_progress(b, s, moved); };
+  hooks.report_is_due = [this] { return settings_.progress && settings_.progress->is_due(); };
+  hooks.report = [this](const mpm::Body<D>& b, const StageState& s, double moved) { show_progress(b, s, moved); };
   hooks.mark = [this] { return mark(); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
     // Where --resume goes on, with a smaller Courant number for instance.

@@ -21,7 +21,7 @@ namespace {
 /// Rounds of halving at most; each adds factors on both sides of every bend.
 constexpr int most_refinements = 4;
 /// Points that moved less than this share of the slope's height did not take part in the slide.
-constexpr double moved_share = 0.01;
+constexpr double moved_fraction = 0.01;
 /// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
 constexpr int frames_per_window = 25;
 
@@ -100,7 +100,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     if (runs_out) {
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
-      runout_start = {find_profile(start, bin), moved_share * slope_height};
+      runout_start = {find_profile(start, bin), moved_fraction * slope_height};
       files.runout_start = &runout_start;
       legs.push_back(legs[0]);
       legs[1].name = fmt::format("runout SRF {:g}", factor);

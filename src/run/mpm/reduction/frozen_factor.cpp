@@ -138,7 +138,7 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
   plan.gravity = find_acceleration<D>(data);
   plan.soil_height = slope_height;
   plan.failed_displacement = settings.failed_displacement * slope_height;
-  plan.evens_inertia = true;
+  plan.equalises_mass = true;
   plan.threads = threads;
   return plan;
 }

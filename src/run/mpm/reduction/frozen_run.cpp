@@ -71,7 +71,7 @@ StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stag
   plan.step.objective_rate = stage.step.objective_rate;
   // Undamped or nearly undamped stages would oscillate for long without changing their state of rest.
   plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
-  plan.evens_inertia = true;
+  plan.equalises_mass = true;
   plan.until_rest = true;
   plan.duration = std::max(stage.duration, longest_frozen_stage);
   plan.rest = settings.rest;
@@ -114,7 +114,7 @@ class FrozenMesh {
       warnings.push_back(std::move(undecided));
     for (const results::Trial& trial : factor.trials)
       if (trial.setbacks)
-        for (const results::Setback& setback : *trial.setbacks)
+        for (const results::Retry& setback : *trial.setbacks)
           warnings.push_back(describe_setback(
               fmt::format("at h = {:g} m the frozen trial at SRF {:.4g}", factor.size, trial.factor), setback));
     remove_file(folder_ / recording_.checkpoint_name);
@@ -228,9 +228,9 @@ class FrozenMesh {
   static std::optional<results::SlipLine> find_slip_line(double factor, const mpm::Body<2>& body) {
     MovedLimit limit = find_frozen_limit(body);
     if (limit.line.empty()) return std::nullopt;
-    results::SlipLine told{factor, std::move(limit.line), {}};
-    if (!limit.sides.empty()) told.sides = std::move(limit.sides);
-    return told;
+    results::SlipLine out{factor, std::move(limit.line), {}};
+    if (!limit.sides.empty()) out.sides = std::move(limit.sides);
+    return out;
   }
 
   const TrialContext& context_;

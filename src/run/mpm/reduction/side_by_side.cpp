@@ -87,13 +87,13 @@ std::vector<results::TrialOutcome> run_side_by_side(int count, int side_by_side,
     leads = get_ranks().rank() == 0;
     mine = run_group(group.number(), groups, count, work, folder);
   }
-  Message told;
-  told.put(mine.done);
-  told.put(leads);
-  told.put(mine.failure.code);
-  told.put_text(mine.failure.sentence);
-  told.put(mine.outcomes.bytes().data(), mine.outcomes.bytes().size());
-  std::vector<Bytes> all = ranks.gather(told.bytes(), true), files = ranks.gather(mine.files.bytes(), false);
+  Message result;
+  result.put(mine.done);
+  result.put(leads);
+  result.put(mine.failure.code);
+  result.put_text(mine.failure.sentence);
+  result.put(mine.outcomes.bytes().data(), mine.outcomes.bytes().size());
+  std::vector<Bytes> all = ranks.gather(result.bytes(), true), files = ranks.gather(mine.files.bytes(), false);
   int number = 0;
   Failure first{ExitCode::success, ""};
   for (std::size_t r = 0; r < all.size(); ++r) {

@@ -174,7 +174,7 @@ void EndState::take_over(mpm::Body<D>& body) const {
   adapt_fields(body.points, fresh.points.fields, wet ? mpm::WaterFields<D>::count : 0);
   const auto refilled = find_refilled(archive_, materials, body.water.laws);
   refill(body, old_materials, refilled);
-  if (!refilled.empty()) body.water.mixture.own.clear();  // the pressures stay, and what nodes hold at them does not
+  if (!refilled.empty()) body.water.darcy.own.clear();  // the pressures stay, and what nodes hold at them does not
   // What follows from the points is gathered at the start of the stage; another version may number its rows otherwise.
   if (body.nodes.sums.size() != fresh.nodes.sums.size()) {
     body.nodes = fresh.nodes;

@@ -177,7 +177,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   resolve_water_conditions(body, data);
   ground::resolve_root_uptakes(body, data);
   if (data.softening_length) mpm::set_softening_length(body, *data.softening_length);
-  body.water.mixture.pressure = ground::find_nodal_pressures<D>(data, body.mesh(), water);
+  body.water.darcy.pressure = ground::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
   if (season != nullptr) *season = std::move(water.season);
   return body;

@@ -69,8 +69,8 @@ results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const
     };
   }
   inner.look_is_due = hooks.look_is_due;
-  inner.tell = hooks.tell;
-  inner.tell_is_due = hooks.tell_is_due;
+  inner.report = hooks.report;
+  inner.report_is_due = hooks.report_is_due;
   if (hooks.save_last_good) {
     inner.save_last_good = [&](const mpm::Body<D>& b, const StageState& s) {
       copy_from_stand_in(b, body);
