@@ -21,7 +21,6 @@
 #include <utility>
 
 #include "mpm/body/observe.hpp"
-#include "mpm/device/device_choice.hpp"
 #include "mpm/device/device_image.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "wet_yardstick.hpp"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A GPU as a grid (mpm/device/host_grid.hpp tells what that is). All goes through one stream, in its order.
+// A GPU as a grid (mpm/device/emulated.hpp tells what that is). All goes through one stream, in its order.
 
-#include <cub/cub.cuh>
 #include <thrust/iterator/counting_iterator.h>
+#include <cub/cub.cuh>
 
 #include <new>
 #include <string>
 #include <utility>
 
 #include "mpm/device/device.hpp"
-#include "mpm/device/host_grid.hpp"
+#include "mpm/device/emulated.hpp"
 
 namespace talus::mpm::device {
 

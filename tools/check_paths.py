@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that names of cases, jobs and results become paths in one place only, base/file_name, that files are opened in
-one place only for each purpose, that what is printed goes through print() of base/encoding, and that nothing depends
+"""Checks that names of cases, jobs and results become paths in one place only, base/user_file, that files are opened in
+one place only for each purpose, that what is printed goes through print() of base/text, and that nothing depends
 on the locale: a name may hold ".." or an escape sequence, a file may be a pipe or a link to another one, and a locale may
 have a decimal comma.
 
@@ -27,14 +27,14 @@ MAY_OPEN = {
     "src/base/user_file.cpp": "regular files that a user names",
     "src/base/atomic_file.cpp": "new files under their temporary names",
     "src/base/file_list.cpp": "the list of a folder, which no link may stand for",
-    "src/base/listed_files.cpp": "files of a list, which are regular",
+    "src/base/file_list.cpp": "files of a list, which are regular",
     "src/base/folder_lock.cpp": "the lock of a folder",
-    "src/base/child_process.cpp": "/dev/null",
+    "src/base/foreign_code.cpp": "/dev/null",
     "src/base/memory.cpp": "what the system says of its memory",
-    "src/base/modules.cpp": "the program's own modules",
+    "src/base/foreign_code.cpp": "the program's own modules",
     "src/output/files/history.cpp": "rows at the end of a history that it has begun",
     "src/output/files/hdf5.cpp": "results in HDF5, after find_file_fault()",
-    "src/mesh/check_mesh_file.cpp": "a mesh line by line, after find_file_fault()",
+    "src/mesh/read_mesh_file.cpp": "a mesh line by line, after find_file_fault()",
     "src/mesh/read_mesh_file.cpp": "a mesh by Gmsh, after check_mesh_file()",
     "src/material/external.cpp": "a compiled soil, after find_file_fault()",
 }
@@ -42,14 +42,14 @@ MAY_OPEN = {
 PRINTS = re.compile(r'\bfmt::print\(|\bstd::(?:fputs|puts|printf|fprintf|fwrite|cout|cerr)\b')
 # Files that may print otherwise, with the reason.
 MAY_PRINT = {
-    "src/base/encoding.cpp": "print() itself",
+    "src/base/text.cpp": "print() itself",
     "src/base/progress.cpp": "the codes that clear a line",
     "src/app/command_line.cpp": "texts of the program alone",
     "src/app/launch/launch.cpp": "before the program is chosen",
-    "src/app/manual.cpp": "texts of the program alone",
-    "src/app/schema.cpp": "texts of the program alone",
-    "src/app/template.cpp": "texts of the program alone",
-    "src/app/version.cpp": "texts of the program alone",
+    "src/app/commands.cpp": "texts of the program alone",
+    "src/app/commands.cpp": "texts of the program alone",
+    "src/app/commands.cpp": "texts of the program alone",
+    "src/app/commands.cpp": "texts of the program alone",
     "src/output/plots/gnuplot.cpp": "a script, into a temporary file",
 }
 
@@ -66,13 +66,13 @@ def find_faults(root):
             if code.lstrip().startswith("#"):
                 continue
             if NAMED.search(code) and name not in MAY_NAME:
-                faults.append(f"{name}:{number}: a name becomes a path; use join_name() of base/file_name.hpp")
+                faults.append(f"{name}:{number}: a name becomes a path; use join_name() of base/user_file.hpp")
             if OPENS.search(code) and name not in MAY_OPEN:
                 faults.append(f"{name}:{number}: opens a file; use base/user_file.hpp or base/atomic_file.hpp")
             if PRINTS.search(code) and name not in MAY_PRINT:
-                faults.append(f"{name}:{number}: prints what may hold names; use print() of base/encoding.hpp")
+                faults.append(f"{name}:{number}: prints what may hold names; use print() of base/text.hpp")
             if LOCAL.search(code):
-                faults.append(f"{name}:{number}: depends on the locale; use read_number() of base/numbers.hpp, or to_lower() of base/encoding.hpp")
+                faults.append(f"{name}:{number}: depends on the locale; use read_number() of base/numbers.hpp, or to_lower() of base/text.hpp")
     return faults
 
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "bind.hpp"
 
 namespace talus::python {

@@ -8,11 +8,10 @@
 
 #include "bind.hpp"
 #include "drive.hpp"
-#include "run/mpm/choose_device.hpp"
+#include "run/mpm/stepper.hpp"
 #include "run/run_case.hpp"
-#include "study/job_folder.hpp"
 #include "study/jobs.hpp"
-#include "study/whole_study.hpp"
+#include "study/study.hpp"
 
 namespace talus::python {
 namespace {

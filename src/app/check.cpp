@@ -7,14 +7,14 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
-#include "base/encoding.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_case.hpp"
-#include "study/whole_study.hpp"
+#include "study/study.hpp"
 
 namespace talus::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "base/lane.hpp"
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "base/user_file.hpp"
 
 namespace talus::app {

@@ -13,9 +13,9 @@
 
 #include "app/command_line.hpp"
 #include "app/wait_policy.hpp"
-#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/ranks.hpp"
+#include "base/text.hpp"
 
 namespace {
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 // `talus report DIR`: one HTML file that shows what a folder of results holds.
-
-#include "report/report.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands.hpp"
-#include "base/encoding.hpp"
-#include "base/interrupt.hpp"
+#include "base/error.hpp"
+#include "base/file_list.hpp"
+#include "base/folder_lock.hpp"
+#include "base/progress.hpp"
+#include "base/text.hpp"
+#include "output/files/frames_reader.hpp"
+#include "report/report.hpp"
 
 namespace talus::app {
 
@@ -22,6 +27,51 @@ void add_report(CLI::App& app) {
     catch_interrupts();
     print(stdout, fmt::format("{}\n", report::write_report(*folder).string()));
   });
+}
+
+// `talus collect DIR`: makes result files of the frames that a killed run left behind.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder itself and all below it that hold frames: trials and variants keep frames of their own.
+std::vector<fs::path> find_runs(const fs::path& folder) {
+  std::vector<fs::path> found;
+  if (output::holds_frames(folder)) found.push_back(folder);
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_directory() && output::holds_frames(entry.path())) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Throws Error (wrong_input) when a frame that the run wrote is missing or has changed.
+void check_frames(const fs::path& run) {
+  const fs::path frames = fs::absolute(run / "frames").lexically_normal();
+  const auto listed = find_listed_folder(frames);
+  if (listed) check_listed(*listed, [&](const std::string& name) { return (*listed / name).parent_path() == frames; });
+}
+
+void collect(const std::string& name) {
+  if (!fs::is_directory(name)) throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", name));
+  const std::vector<fs::path> runs = find_runs(name);
+  const ResultsLock lock(name, runs);  // a run that has just begun has no frames yet
+  if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
+  for (const fs::path& run : runs) {
+    check_frames(run);
+    const auto files = FileList::find(run / "results.vtkhdf");
+    const int count = output::collect(run);
+    print(stdout, fmt::format("{}: {} frame{}\n", (run / "results.vtkhdf").string(), count, count == 1 ? "" : "s"));
+  }
+}
+
+}  // namespace
+
+void add_collect(CLI::App& app) {
+  const Command command(app, "collect", "Write the result files of a run that was killed, from its frames");
+  const auto folder = std::make_shared<std::string>();
+  command.take("DIR", *folder, "Folder of the results, with those of its trials and variants").required();
+  command.act([folder] { collect(*folder); });
 }
 
 }  // namespace talus::app

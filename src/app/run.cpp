@@ -9,17 +9,16 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/closing_report.hpp"
 #include "app/commands.hpp"
-#include "base/encoding.hpp"
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
 #include "base/lane.hpp"
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "base/ranks.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "run/digest.hpp"
-#include "run/mpm/choose_device.hpp"
+#include "run/mpm/stepper.hpp"
 #include "run/run_case.hpp"
 #include "run/run_folder.hpp"
 

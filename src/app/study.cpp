@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `talus study CASE`: calculates a case for every value that its [study] lists, here or in jobs that run anywhere.
 
-#include "base/encoding.hpp"
-#include "study/whole_study.hpp"
+#include "study/study.hpp"
+#include "base/text.hpp"
 
 #include <fmt/format.h>
 
@@ -12,12 +12,10 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/closing_report.hpp"
 #include "app/commands.hpp"
-#include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "base/ranks.hpp"
-#include "study/job_folder.hpp"
 #include "study/jobs.hpp"
 
 namespace talus::app {
@@ -45,7 +43,7 @@ struct StudyCommand {
 
 /// Runs `calculate`, which writes the tables into `folder`, then the report, and prints the tables.
 void print_study(const StudyCommand& command, const std::filesystem::path& folder,
-                const std::function<study::StudyOutcome()>& calculate) {
+                 const std::function<study::StudyOutcome()>& calculate) {
   study::StudyOutcome outcome;
   do_and_report(folder, !command.no_report, [&] { outcome = calculate(); });
   if (!command.quiet)

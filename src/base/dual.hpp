@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "base/lane.hpp"
-#include "base/lane_math.hpp"
 
 namespace talus {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/encoding.hpp"
+#include "base/text.hpp"
 
 namespace talus {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/modules.hpp"
+#include "base/foreign_code.hpp"
 
 namespace talus {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "base/portable.hpp"
 
@@ -23,5 +25,11 @@ template <std::size_t D>
 TALUS_PORTABLE double norm(const std::array<double, D>& a) {
   return std::sqrt(dot(a, a));
 }
+
+// Cholesky's factorisation of a small matrix, for files that need nothing else of Eigen: its templates cost seconds
+// each.
+
+/// The lower triangle L of L Lᵀ = C, both row by row; nothing where C is not positive definite.
+std::optional<std::vector<double>> factorise(const std::vector<double>& symmetric, int size);
 
 }  // namespace talus

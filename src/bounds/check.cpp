@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Both checks: from nodes, stresses and velocities alone.
-
 #include "bounds/check.hpp"
 
 #include <algorithm>
@@ -8,8 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "bounds/edges.hpp"
-#include "bounds/strength.hpp"
+#include "bounds/problem.hpp"
 
 namespace talus::bounds {
 

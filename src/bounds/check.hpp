@@ -2,9 +2,23 @@
 #pragma once
 // What a field proves, by itself: nothing here knows how it was found.
 
-#include "bounds/field.hpp"
+#include "bounds/problem.hpp"
+#include "bounds/velocities.hpp"
 
 namespace talus::bounds {
+
+// The fields of both bounds.
+
+/// Effective stress at the corners of the triangles.
+struct StressField {
+  std::vector<std::array<Stress, 3>> stress;  ///< [Pa]
+};
+
+/// Velocities at the nodes of the six-node triangles, of any size.
+struct VelocityField {
+  Velocities mesh;
+  std::vector<Vec<2>> velocity;
+};
 
 /// What rounding may leave of equilibrium, in units of stress.
 inline constexpr double rounding = 1e-8;

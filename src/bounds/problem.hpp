@@ -4,7 +4,11 @@
 // strain; lengths in metres, x to the right, y up. Stress is positive in tension: xx, yy, xy. Pore pressure is positive
 // in compression.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -81,5 +85,87 @@ struct Units {
 
 /// Numbers of about one: the height of the section, and the largest weight over it or load.
 Units find_units(const Problem& problem);
+
+// Mohr–Coulomb's criterion in plane strain with the strength divided by F, and the F that a stress or a strain rate
+// allows.
+
+/// Half the difference of the principal stresses, R, and their mean.
+struct Circle {
+  double radius = 0, mean = 0;
+};
+
+inline Circle find_circle(const Stress& s) {
+  return {std::hypot(0.5 * (s[0] - s[1]), s[2]), 0.5 * (s[0] + s[1])};
+}
+
+/// Divided strength in the program of the lower bound is at most so many units of stress: a block of steel beside soil
+/// without cohesion would leave the soil below the tolerance of the solver. A field that holds in weaker soil holds in
+/// stronger soil too.
+inline constexpr double most_strength = 30;
+/// Soil of a triangle with more cohesion, in units of stress, moves as a rigid body in the upper bound: fewer motions
+/// give no smaller upper bound.
+inline constexpr double rigid_strength = 100;
+
+inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units) {
+  return std::all_of(corners.begin(), corners.end(), [&](const Strength& s) {
+    const double least = rigid_strength * units.stress;
+    return s.cohesion >= least && (!s.tension || *s.tension >= least);
+  });
+}
+
+/// The largest F with R cos φ_F-criterion fulfilled: R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is
+/// F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ; and R + σ'_m ≤ tension/F. 0 where no F is small enough, infinite without shear.
+inline double find_factor(const Strength& soil, const Stress& effective) {
+  const Circle circle = find_circle(effective);
+  constexpr double any = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(circle.radius) || !std::isfinite(circle.mean)) return 0;
+  const double available = soil.cohesion - circle.mean * soil.tan_friction;
+  double factor = any;
+  if (circle.radius > 0) {
+    const double ratio = available / circle.radius;
+    factor = ratio > soil.tan_friction ? std::sqrt((ratio - soil.tan_friction) * (ratio + soil.tan_friction)) : 0;
+  } else if (available < 0) {
+    factor = 0;
+  }
+  if (soil.tension && circle.radius + circle.mean > 0)
+    factor = std::min(factor, *soil.tension / (circle.radius + circle.mean));
+  return factor;
+}
+
+// Edges of a triangulation, with the triangles on both sides.
+
+/// An edge by its corners, the smaller number first.
+using EdgeKey = std::pair<int, int>;
+inline EdgeKey make_key(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+struct Edge {
+  int from = 0, to = 0;        ///< counterclockwise of `triangle`
+  int triangle = 0, side = 0;  ///< its side from corner `side` to the next
+  int other = -1;              ///< triangle on the other side; -1: the border
+};
+
+/// In the order in which the triangles meet them.
+inline std::vector<Edge> list_edges(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  std::map<EdgeKey, std::size_t> known;
+  for (std::size_t e = 0; e < triangles.size(); ++e)
+    for (int i = 0; i < 3; ++i) {
+      const int a = triangles[e][static_cast<std::size_t>(i)], b = triangles[e][static_cast<std::size_t>((i + 1) % 3)];
+      const auto [at, is_new] = known.try_emplace(make_key(a, b), edges.size());
+      if (is_new) {
+        edges.push_back({a, b, static_cast<int>(e), i, -1});
+      } else {
+        edges[at->second].other = static_cast<int>(e);
+      }
+    }
+  return edges;
+}
+
+/// Number of a node among the corners of a triangle.
+inline std::size_t find_corner(const Triangle& triangle, int node) {
+  return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
+}
 
 }  // namespace talus::bounds

@@ -6,8 +6,10 @@
 // slope stands with strengths divided by F where m ≤ 0. (A multiplier of gravity, as in the literature, has no value in
 // soil without cohesion; m has one always.)
 
-#include "bounds/conic/program.hpp"
+#include "bounds/check.hpp"
+#include "bounds/conic/cones.hpp"
 #include "bounds/problem.hpp"
+#include "bounds/velocities.hpp"
 
 namespace talus::bounds {
 
@@ -31,5 +33,17 @@ double use_room(const ConicProgram& program, double room, ConicSolution& solutio
 /// The derivative of the least m by the factor, at a solution of that program.
 double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
                       const ConicSolution& solution);
+
+// From what the solver found to fields that a check can be asked of.
+
+/// The field of a solution of the lower bound's program, moved by the least squares of stress into equilibrium.
+StressField read_stress(const Problem& problem, const ConicProgram& program, const ConicSolution& solution,
+                        const Units& units);
+
+/// The field of a solution of the upper bound's program for this factor: its velocities, moved by the least squares
+/// into constant volume where the soil has no friction, and opened everywhere by as much as the worst corner lacks of
+/// its flow rule. `opening` is that of the mesh.
+VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution,
+                            OpeningSearch& opening);
 
 }  // namespace talus::bounds

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Bisection of longest edges.
-
 #include "bounds/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/edges.hpp"
+#include "bounds/problem.hpp"
 
 namespace talus::bounds {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Sparse LU and LDLᵀ of Eigen behind a plain interface; docs/decisions/0021 says why these.
-
 #include "fem/sparse_solver.hpp"
 
 #include <Eigen/Sparse>

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "input/case/partial_factors.hpp"
-#include "results/referee.hpp"
+#include "results/bounds.hpp"
 
 namespace talus::ground {
 namespace {

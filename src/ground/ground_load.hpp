@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "fem/solid/solid.hpp"
-#include "ground/plane_water.hpp"
+#include "ground/initial_water.hpp"
 #include "input/case/case.hpp"
+#include "mesh/plan.hpp"
 
 namespace talus::ground {
 
@@ -28,5 +29,12 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
 
 /// Surcharge [Pa per horizontal metre] at x: the sum of all.
 double find_surcharge(const input::Case& data, double x);
+
+// A plan whose mesh has nodes wherever a load on the ground begins, ends or bends.
+
+/// `plan` with more corners in its polygons: on the ground at the ends and breaks of surcharges, at the ends of ponds,
+/// under the breaks of a water table that lies above the ground, and where that table meets the ground. A traction
+/// that is linear on each side of the mesh is then the load itself. A ready mesh, and a plan in 3D, stay as they are.
+mesh::Plan conform_to_loads(const input::Case& data, mesh::Plan plan);
 
 }  // namespace talus::ground

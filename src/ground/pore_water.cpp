@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "ground/initial_water.hpp"
+#include "ground/weights.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "mesh/locate.hpp"
 
 namespace talus::ground {
 
@@ -67,5 +70,110 @@ void check_upright(const input::Case& data, const char* what) {
 
 template const input::Material* find_soil<2>(const input::Case&, const mesh::Mesh<2>&, int);
 template const input::Material* find_soil<3>(const input::Case&, const mesh::Mesh<3>&, int);
+
+namespace {
+
+/// Parts of an element's edge, for means over elements that the water table cuts.
+constexpr int element_parts = 5;
+
+/// The mean over an element of something that follows from the pore pressure, linear between its corners.
+template <int D, class F>
+double find_mean(const std::array<double, D + 1>& corners, const F& find) {
+  double sum = 0;
+  int count = 0;
+  const auto add = [&](double p) { sum += find(p), ++count; };
+  constexpr double n = element_parts;
+  for (int i = 0; i < element_parts; ++i)
+    for (int j = 0; i + j < element_parts; ++j) {
+      if constexpr (D == 2) {
+        const double a = (i + 1.0 / 3) / n, b = (j + 1.0 / 3) / n;
+        add(a * corners[0] + b * corners[1] + (1 - a - b) * corners[2]);
+      } else {
+        for (int k = 0; i + j + k < element_parts; ++k) {
+          const double a = (i + 0.25) / n, b = (j + 0.25) / n, c = (k + 0.25) / n;
+          add(a * corners[0] + b * corners[1] + c * corners[2] + (1 - a - b - c) * corners[3]);
+        }
+      }
+    }
+  return sum / count;
+}
+
+}  // namespace
+
+template <int D>
+HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* result) {
+  const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, result);
+  const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
+  HeldWater<D> water;
+  water.unit_weight.assign(mesh.elements.size(), 0.0);
+  water.pore.assign(mesh.elements.size(), {});
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    if (soil == nullptr) continue;
+    const input::Material& m = *soil;
+    const bool wet = takes_water(data, m);
+    std::array<double, D + 1> p{};
+    for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh.elements[e][c]] : 0;
+    // Without water in the case the soil is dry.
+    const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
+    water.unit_weight[e] =
+        is_dry ? find_unit_weight(data, m, 1) : find_mean<D>(p, [&](double q) { return find_unit_weight(data, m, q); });
+    if (material::is_total_stress(m.model, m)) continue;
+    for (std::size_t c = 0; c <= D; ++c) {
+      water.pore[e][c] = p[c] > 0 ? find_suction_stress(m, p[c]) : p[c];
+      water.acts = water.acts || water.pore[e][c] != 0;
+    }
+  }
+  water.acts = add_pressure_ratio<D>(data, mesh, water.unit_weight, water.pore) || water.acts;
+  return water;
+}
+
+template <int D>
+bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& unit_weight,
+                        std::vector<std::array<double, D + 1>>& pore) {
+  std::vector<mesh::LocalPoint<D>> places;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    if (soil == nullptr || soil->slices.pore_pressure_ratio == 0) continue;
+    for (std::size_t c = 0; c <= D; ++c) {
+      std::array<double, D> xi{};
+      if (c > 0) xi[c - 1] = 1;
+      places.push_back({e, xi});
+    }
+  }
+  if (places.empty()) return false;
+  Vec<D> up;
+  for (std::size_t d = 0; d < D; ++d) up[d] = -data.gravity.direction[d];
+  const std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const int e = places[i].element;
+    pore[e][i % (D + 1)] = -find_soil(data, mesh, e)->slices.pore_pressure_ratio * overburden[i];
+  }
+  return true;
+}
+
+template <int D>
+Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground) {
+  Vec<D> added{};
+  const input::Earthquake& quake = data.earthquake;
+  const bool falls_to_the_left = !ground.empty() && ground.front()[1] < ground.back()[1];
+  const bool pushes_left = quake.direction == input::EarthquakeDirection::both
+                               ? falls_to_the_left
+                               : quake.direction == input::EarthquakeDirection::left;
+  const double amount =
+      quake.direction == input::EarthquakeDirection::both ? std::abs(quake.horizontal) : quake.horizontal;
+  added[0] = pushes_left ? -amount : amount;
+  added[1] = -quake.vertical;
+  return added;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                \
+  template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);         \
+  template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&, \
+                                      std::vector<std::array<double, D + 1>>&);                             \
+  template Vec<D> find_earthquake<D>(const input::Case&, const std::vector<std::array<double, 2>>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
 
 }  // namespace talus::ground

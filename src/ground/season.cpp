@@ -9,9 +9,8 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "ground/root_content.hpp"
-#include "ground/root_sink.hpp"
-#include "ground/tell_seepage.hpp"
+#include "ground/roots.hpp"
+#include "ground/seepage_results.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::ground {
@@ -126,7 +125,8 @@ void keep_states(const input::Case& data, const fem::SeepageModel<D>& model,
   for (std::size_t i = kept_interval - 1; i < states.size(); i += kept_interval) {
     record.states.push_back(make_state_result<D>(data, states[i], results::WaterFlow::transient, states[i].time));
     if constexpr (D == 2)
-      record.fields.push_back(make_field_result<D>(*model.mesh, states[i], results::WaterFlow::transient, states[i].time));
+      record.fields.push_back(
+          make_field_result<D>(*model.mesh, states[i], results::WaterFlow::transient, states[i].time));
   }
 }
 

@@ -1,18 +1,241 @@
 // SPDX-License-Identifier: MIT
 // Steady seepage as the case describes it.
+#include "ground/seepage_model.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
+#include "base/error.hpp"
 #include "ground/initial_water.hpp"
-#include "ground/pool_weight.hpp"
+#include "ground/mesh_sides.hpp"
 #include "ground/pore_water.hpp"
-#include "ground/side_normals.hpp"
-#include "ground/water_sides.hpp"
+#include "ground/weights.hpp"
 #include "input/case/soil_water_law.hpp"
 
 namespace talus::ground {
+
+namespace {
+
+using input::WaterCondition;
+
+/// A plane condition holds a side whose normal is within 20° of the plane's.
+constexpr double parallel_cosine = 0.9397;
+
+template <int D>
+using Side = std::array<int, D>;
+
+template <int D>
+Side<D> sort_nodes(Side<D> side) {
+  std::sort(side.begin(), side.end());
+  return side;
+}
+
+/// What the case says about named sides, by side.
+template <int D>
+class NamedSides {
+ public:
+  NamedSides(const mesh::Mesh<D>& mesh, const input::Case& data) {
+    for (std::size_t h = 0; h < data.hydraulics.size(); ++h) {
+      for (const auto& side : find_sides(mesh, data.hydraulics[h].on)) {
+        const int number = static_cast<int>(h) + 1;
+        const auto [at, is_new] = conditions_.try_emplace(sort_nodes<D>(side), number);
+        if (!is_new) at->second = choose(data, at->second, number);
+      }
+    }
+    int moved = static_cast<int>(data.hydraulics.size());
+    for (const input::Boundary& b : data.boundaries) {
+      if (b.fix == input::Fix::velocity) ++moved;
+      for (const auto& [side, elements] : map_sides<D>(mesh, find_sides(mesh, b.on))) {
+        if (b.fix == input::Fix::plane && !is_parallel(mesh, b, elements)) continue;
+        walls_.insert(side);
+        if (b.fix == input::Fix::velocity) conditions_.try_emplace(side, moved);
+      }
+    }
+  }
+  bool is_wall(const Side<D>& sorted) const { return walls_.contains(sorted); }
+  /// Number of the condition, or 0.
+  int get_condition(const Side<D>& sorted) const {
+    const auto found = conditions_.find(sorted);
+    return found == conditions_.end() ? 0 : found->second;
+  }
+
+ private:
+  static int choose(const input::Case& data, int a, int b) {
+    const auto rank = [&](int number) {
+      constexpr double lowest = -1e300;  // a head is a head below its level
+      return find_rank(make_surface_condition(data.hydraulics[static_cast<std::size_t>(number) - 1]), lowest, true);
+    };
+    return rank(b) < rank(a) ? b : a;
+  }
+  static bool is_parallel(const mesh::Mesh<D>& mesh, const input::Boundary& b,
+                          const std::vector<SideElement>& elements) {
+    if (elements.empty()) return false;
+    const Vec<D> n = find_outward_normal(mesh, elements.front().element, elements.front().opposite).first;
+    double cosine = 0;
+    for (std::size_t d = 0; d < D; ++d) cosine += n[d] * b.normal[d];
+    return std::abs(cosine) > parallel_cosine;
+  }
+
+  std::map<Side<D>, int> conditions_;
+  std::set<Side<D>> walls_;
+};
+
+input::TimeTable make_constant(double value) {
+  return {{0.0}, {value}};
+}
+
+template <int D>
+std::vector<bool> find_wet_elements(const mesh::Mesh<D>& mesh, const input::Case& data) {
+  std::vector<bool> wet(mesh.elements.size(), false);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    wet[static_cast<std::size_t>(e)] = soil != nullptr && soil->water.is_wet();
+  }
+  return wet;
+}
+
+template <int D>
+Side<D> get_side(const mesh::Mesh<D>& mesh, int e, int opposite) {
+  Side<D> side;
+  std::size_t n = 0;
+  for (int j = 0; j <= D; ++j) {
+    if (j != opposite) side[n++] = mesh.elements[e][j];
+  }
+  return side;
+}
+
+/// The sides of boundaries that stand still, but not those that a [[hydraulic]] opens.
+template <int D>
+void add_held_walls(const mesh::Mesh<D>& mesh, const input::Case& data, const NamedSides<D>& named,
+                    WaterSides<D>& result) {
+  for (const input::Boundary& b : data.boundaries) {
+    if (b.fix == input::Fix::velocity) continue;
+    std::vector<Side<D>> held;
+    for (const auto& side : find_sides(mesh, b.on)) {
+      const Side<D> sorted = sort_nodes<D>(side);
+      const int number = named.get_condition(sorted);
+      const bool opened =
+          number > static_cast<int>(data.hydraulics.size()) ||
+          (number > 0 && data.hydraulics[static_cast<std::size_t>(number) - 1].condition != WaterCondition::no_flow);
+      if (named.is_wall(sorted) && !opened) held.push_back(side);
+    }
+    if (!held.empty()) result.held.push_back(std::move(held));
+  }
+}
+
+}  // namespace
+
+mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& h) {
+  mpm::SurfaceCondition s;
+  s.name = h.on;
+  s.value = h.values();
+  s.vertical = h.rain == input::RainDirection::vertical;
+  s.suction_limit = h.suction_limit;
+  switch (h.condition) {
+    case WaterCondition::total_head:
+      s.kind = mpm::SurfaceKind::head;
+      break;
+    case WaterCondition::pressure:
+      s.kind = mpm::SurfaceKind::pressure;
+      for (double& p : s.value.value) p = -p;
+      break;
+    case WaterCondition::seepage_face:
+      s.kind = mpm::SurfaceKind::seepage;
+      break;
+    case WaterCondition::rain:
+      s.kind = mpm::SurfaceKind::rain;
+      break;
+    case WaterCondition::flux:
+      s.kind = mpm::SurfaceKind::flux;
+      break;
+    case WaterCondition::no_flow:
+      s.kind = mpm::SurfaceKind::flux;
+      s.value = make_constant(0);
+      break;
+  }
+  return s;
+}
+
+int find_rank(const mpm::SurfaceCondition& s, double y, bool is_named) {
+  constexpr int seepage = 4, unnamed = 5, closed = 6;
+  switch (s.kind) {
+    case mpm::SurfaceKind::head: {
+      const auto highest = std::max_element(s.value.value.begin(), s.value.value.end());
+      return highest != s.value.value.end() && *highest > y ? 0 : seepage;
+    }
+    case mpm::SurfaceKind::pressure:
+    case mpm::SurfaceKind::open:
+      return 1;
+    case mpm::SurfaceKind::flux:
+      return mpm::lets_nothing_through(s) ? closed : 2;
+    case mpm::SurfaceKind::rain:
+      return 3;
+    case mpm::SurfaceKind::seepage:
+      break;
+  }
+  return is_named ? seepage : unnamed;
+}
+
+template <int D>
+WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data) {
+  WaterSides<D> result;
+  result.surfaces.push_back({"other surfaces", mpm::SurfaceKind::seepage, {}});
+  for (const input::Hydraulic& h : data.hydraulics) result.surfaces.push_back(make_surface_condition(h));
+  for (const input::Boundary& b : data.boundaries) {
+    if (b.fix == input::Fix::velocity) result.surfaces.push_back({b.on, mpm::SurfaceKind::flux, make_constant(0)});
+  }
+  const NamedSides<D> named(mesh, data);
+  const std::vector<bool> wet = find_wet_elements(mesh, data);
+  const auto has_wet = [&](int e) { return e >= 0 && wet[static_cast<std::size_t>(e)]; };
+  const auto is_no_flow = [&](int number) {
+    return number > 0 && number <= static_cast<int>(data.hydraulics.size()) &&
+           data.hydraulics[static_cast<std::size_t>(number) - 1].condition == WaterCondition::no_flow;
+  };
+  std::vector<std::vector<Side<D>>> lines(result.surfaces.size());
+  std::vector<bool> is_met(result.surfaces.size(), false);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    for (int k = 0; k <= D; ++k) {
+      const int behind = mesh.neighbours[e][k];
+      const Side<D> side = get_side(mesh, e, k), sorted = sort_nodes<D>(side);
+      const int number = named.get_condition(sorted);
+      const bool wall = named.is_wall(sorted);
+      if (!has_wet(e)) {
+        if (behind < 0 && number > 0 && wall && !is_no_flow(number))
+          for (int node : side) result.reserved.emplace_back(node, number);
+        continue;
+      }
+      if (has_wet(behind)) {
+        if (is_no_flow(number) && e < behind) lines[static_cast<std::size_t>(number)].push_back(side);
+        continue;
+      }
+      if (wall && (number == 0 || is_no_flow(number))) continue;  // held
+      is_met[static_cast<std::size_t>(number)] = true;
+      result.open.push_back({side, mesh.elements[e][k], find_outward_normal(mesh, e, k).first, wall, number});
+    }
+  }
+  add_held_walls(mesh, data, named, result);
+  for (auto& line : lines) {
+    if (!line.empty()) result.held.push_back(std::move(line));
+  }
+  for (std::size_t h = 0; h < data.hydraulics.size(); ++h) {
+    const WaterCondition c = data.hydraulics[h].condition;
+    if (is_met[h + 1] || c == WaterCondition::no_flow || c == WaterCondition::seepage_face) continue;
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the hydraulic condition on '{}' has no effect: no side of '{}' is a surface of soil with "
+                            "pore water at the start",
+                            data.hydraulics[h].on, data.hydraulics[h].on));
+  }
+  return result;
+}
+
+template WaterSides<2> find_water_sides<2>(const mesh::Mesh<2>&, const input::Case&);
+template WaterSides<3> find_water_sides<3>(const mesh::Mesh<3>&, const input::Case&);
+
 namespace {
 
 using input::WaterCondition;

@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <type_traits>
 
 #include "input/case/case.hpp"
-#include "input/language/codecs.hpp"
+#include "input/language/codec_types.hpp"
+#include "input/read.hpp"
 
 namespace talus::input {
+
 namespace {
 
 constexpr std::string_view within_name = ".NAME.";  ///< in the name of a block within a block of the user's name
@@ -128,6 +132,281 @@ BlockEntry collect_catalogue() {
   Collector visitor(root);
   describe(visitor, data);
   return root;
+}
+
+// `talus manual`: every key in a table of its block, and an example of each block.
+
+namespace {
+
+/// "|" would end the cell of a table.
+std::string write_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);
+  return cell;
+}
+
+std::string write_default(const KeyEntry& key) {
+  if (const auto& condition = key.spec.condition; condition && condition->required)
+    return fmt::format("required where `{}`{}", write_condition(*condition), write_waivers(key.spec));
+  if (key.spec.is_required) return "required" + write_waivers(key.spec);
+  std::string text = key.default_text.empty() ? "none" : fmt::format("`{}`", key.default_text);
+  if (const auto& condition = key.spec.condition) text += fmt::format("; only where `{}`", write_condition(*condition));
+  return text;
+}
+
+std::string write_type(const KeyEntry& key) {
+  if (key.words.empty()) return key.type;
+  const bool is_list = key.type != "word";
+  std::string text;
+  for (const auto& [word, meaning] : key.words) text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
+  return is_list ? key.type + ": " + text : text;
+}
+
+std::string write_meaning(const KeyEntry& key) {
+  std::string text = key.meaning;
+  for (const auto& [word, meaning] : key.words) text += fmt::format("<br>`{}`: {}", word, meaning);
+  return text;
+}
+
+std::string write_ranges(const Spec& spec) {
+  const std::string range = spec.write_range(), usual = spec.write_usual_range();
+  return usual.empty() ? range : fmt::format("{}{}usually {}", range, range.empty() ? "" : "; ", usual);
+}
+
+std::string write_keys(const BlockEntry& block) {
+  std::string text = "| Key | Value | Range | Default | Meaning |\n|---|---|---|---|---|\n";
+  for (const KeyEntry& key : block.keys)
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, write_cell(write_type(key)), write_ranges(key.spec),
+                        write_cell(write_default(key)), write_cell(write_meaning(key)));
+  return text;
+}
+
+std::string write_example(const BlockEntry& block) {
+  std::string text = "\nExample of each line:\n\n```toml\n";
+  if (!block.name.empty()) text += block.write_header(block.sample) + "\n";
+  for (const KeyEntry& key : block.keys)
+    text += fmt::format("{} = {}\n", block.kind == BlockKind::entries ? block.sample : key.name, key.get_example());
+  return text + "```\n";
+}
+
+std::string write_section(const BlockEntry& block) {
+  std::string text;
+  if (!block.name.empty()) text = fmt::format("\n## `{}`\n\n{}\n", block.write_header(), block.meaning);
+  if (!block.keys.empty()) text += "\n" + write_keys(block) + write_example(block);
+  for (const BlockEntry& inner : block.blocks) text += write_section(inner);
+  return text;
+}
+
+}  // namespace
+
+std::string write_manual() {
+  const std::string head =
+      "# The case file\n\n"
+      "A case is one TOML file. This page is written by `talus manual` from the declarations that also read the "
+      "file.\n\n"
+      "A quantity is a number in the unit that stands in brackets, or a text with any unit of the same dimension:\n"
+      "`cohesion = 2` and `cohesion = \"2 kPa\"` are the same, and so is `cohesion = \"0.002 MPa\"`. "
+      "Infinite values (`inf`) are refused except where this page says otherwise.\n"
+      "Numbers outside the usual range, where a key has one, are allowed with a warning; `unusual` silences it.\n"
+      "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: "
+      "`--set materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` "
+      "(entries of lists by their name, their side, or their number from 0).\n";
+  return head + write_section(collect_catalogue());
+}
+
+// `talus schema`: JSON Schema of case files, for the completion and checks of editors.
+
+namespace {
+
+using nlohmann::json;
+
+std::string write_description(const KeyEntry& key) {
+  std::string text = key.meaning;
+  for (const auto& [word, meaning] : key.words) text += fmt::format(" {}: {}.", word, meaning);
+  if (!key.spec.unit.empty()) text += " Unit of plain numbers: " + key.spec.unit + ".";
+  if (key.spec.usual_range) text += " Usually " + key.spec.write_usual_range() + ".";
+  if (key.spec.condition) text += " Only where " + write_condition(*key.spec.condition) + ".";
+  return text;
+}
+
+json write_key_schema(const KeyEntry& key) {
+  json schema = key.schema.get();
+  schema["description"] = write_description(key);
+  if (!key.default_text.empty()) {
+    // Defaults are TOML texts of numbers, words and lists, all of which are JSON as well.
+    const json value = json::parse(key.default_text, nullptr, false);
+    if (!value.is_discarded()) schema["default"] = value;
+  }
+  return schema;
+}
+
+json write_block_schema(const BlockEntry& block);
+
+/// `if fix = "plane" then normal is required`, as the schema says it.
+json write_requirement(const KeyEntry& key) {
+  const Condition& condition = *key.spec.condition;
+  const json then = {{"required", json::array({key.name})}};
+  if (condition.is_absence())
+    return {{"if", {{"not", {{"required", json::array({condition.any.front().key})}}}}}, {"then", then}};
+  json cases = json::array();
+  for (const Alternative& a : condition.any)
+    cases.push_back({{"properties", {{a.key, {{"const", json::parse(a.value)}}}}}, {"required", json::array({a.key})}});
+  return {{"if", cases.size() == 1 ? cases.front() : json{{"anyOf", cases}}}, {"then", then}};
+}
+
+/// The object of keys and inner blocks; additional ones are refused, as the reader does.
+json write_object(const BlockEntry& block) {
+  json object = {{"type", "object"}, {"additionalProperties", false}, {"properties", json::object()}};
+  json required = json::array(), all_of = json::array();
+  for (const KeyEntry& key : block.keys) {
+    object["properties"][key.name] = write_key_schema(key);
+    // What depends on the methods or on another table cannot be said here; the reader checks it.
+    const bool has_waivers = !key.spec.methods.empty() || key.spec.instead;
+    if (key.spec.is_required && !has_waivers) required.push_back(key.name);
+    if (const auto& condition = key.spec.condition;
+        condition && condition->required && !has_waivers && condition->any.front().key.find('.') == std::string::npos)
+      all_of.push_back(write_requirement(key));
+  }
+  for (const BlockEntry& inner : block.blocks) object["properties"][inner.key] = write_block_schema(inner);
+  if (!required.empty()) object["required"] = required;
+  if (!all_of.empty()) object["allOf"] = all_of;
+  return object;
+}
+
+json write_block_schema(const BlockEntry& block) {
+  json schema;
+  switch (block.kind) {
+    case BlockKind::table:
+      schema = write_object(block);
+      break;
+    case BlockKind::list:
+      schema = {{"type", "array"}, {"items", write_object(block)}};
+      break;
+    case BlockKind::named:
+      schema = {{"type", "object"}, {"additionalProperties", write_object(block)}};
+      break;
+    case BlockKind::entries:
+      schema = {{"type", "object"}, {"additionalProperties", write_key_schema(block.keys.front())}};
+      break;
+  }
+  schema["description"] = block.meaning;
+  return schema;
+}
+
+}  // namespace
+
+json write_schema() {
+  json schema = write_object(collect_catalogue());
+  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["title"] = "Talus case file";
+  schema["required"] = json::array({"materials", "regions"});
+  // Stages are those of the material point method.
+  const json no_points = {{"not", {{"contains", {{"const", "mpm"}}}}}};
+  const json asks = {{"required", {"methods"}}, {"properties", {{"methods", no_points}}}};
+  schema["if"] = {{"required", {"analysis"}}, {"properties", {{"analysis", asks}}}};
+  schema["else"] = {{"required", {"stage"}}};
+  return schema;
+}
+
+// `talus template`: a case file that can be calculated as it is, in which every key stands with its default.
+// A line "#key = value" is a default that can be uncommented without changing anything; "# ..." is prose.
+
+namespace {
+
+constexpr std::size_t line_width = 110;
+
+/// A paragraph as lines that begin with "# ".
+std::string write_comment(const std::string& text) {
+  std::istringstream words(text);
+  std::string result, line = "#", word;
+  while (words >> word) {
+    if (line.size() + 1 + word.size() > line_width) {
+      result += line + "\n";
+      line = "#  ";
+    }
+    line += " " + word;
+  }
+  return result + line + "\n";
+}
+
+std::string write_note(const KeyEntry& key) {
+  std::string text = key.meaning + " ";
+  if (key.words.empty()) {
+    const std::string range = key.spec.write_range();
+    text += fmt::format("({}{})", key.type, range.empty() ? "" : ", " + range);
+  } else {
+    std::string list;
+    for (const auto& [word, meaning] : key.words)
+      list += fmt::format("{}\"{}\": {}", list.empty() ? "" : "; ", word, meaning);
+    text += fmt::format("({})", list);
+  }
+  return write_comment(text);
+}
+
+/// What `key` of sample `i` is set to in the template; empty when it is not set.
+std::string find_value(const BlockEntry& block, const std::string& key, std::size_t i);
+
+/// Whether the condition of a key holds in sample `i` of its block. The template names no ready mesh file.
+bool holds(const BlockEntry& block, const Condition& condition, std::size_t i) {
+  return condition.is_absence() || std::any_of(condition.any.begin(), condition.any.end(), [&](const Alternative& a) {
+           return (find_value(block, a.key, i) == a.value) != a.differs;
+         });
+}
+
+bool is_set(const BlockEntry& block, const KeyEntry& key, std::size_t i) {
+  if (key.spec.condition) return key.spec.condition->required && holds(block, *key.spec.condition, i);
+  return key.spec.is_required;
+}
+
+std::string find_value(const BlockEntry& block, const std::string& key, std::size_t i) {
+  for (const KeyEntry& entry : block.keys)
+    if (entry.name == key) return is_set(block, entry, i) ? entry.get_example(i) : entry.default_text;
+  return "";
+}
+
+std::string write_key(const BlockEntry& block, const KeyEntry& key, std::size_t i) {
+  const std::string name = block.kind == BlockKind::entries ? block.sample : key.name;
+  if (block.samples == 0) return fmt::format("#   {} = {}\n", name, key.get_example(i));
+  if (is_set(block, key, i)) return fmt::format("{} = {}\n", name, key.get_example(i));
+  if (i > 0) return "";
+  if (key.spec.condition && !holds(block, *key.spec.condition, i))
+    return write_comment(
+        fmt::format("  only with {}: {} = {}", write_condition(*key.spec.condition), name, key.get_example(i)));
+  // An empty list or text as a default says less than an example of what could stand there.
+  const bool says_nothing = key.default_text.empty() || key.default_text == "\"\"" || key.default_text == "[]";
+  std::string text = key.default_text.empty() ? "" : fmt::format("#{} = {}\n", name, key.default_text);
+  if (says_nothing && !key.spec.examples.empty())
+    text = write_comment(fmt::format("  for example: {} = {}", name, key.get_example(i))) + text;
+  return text;
+}
+
+std::string write_block(const BlockEntry& block) {
+  std::string text;
+  if (!block.name.empty() && (!block.keys.empty() || block.samples == 0))
+    text += "\n" + write_comment("---- " + block.meaning);
+  const std::size_t samples = static_cast<std::size_t>(std::max(1, block.samples));
+  for (std::size_t i = 0; i < samples && !block.keys.empty(); ++i) {
+    const std::string header = block.write_header(block.sample);
+    if (block.samples == 0)
+      text += "#   " + header + "\n";
+    else if (!block.name.empty())
+      text += (i > 0 ? "\n" : "") + header + "\n";
+    for (const KeyEntry& key : block.keys) {
+      if (i == 0 && block.kind != BlockKind::entries) text += write_note(key);
+      text += write_key(block, key, i);
+    }
+  }
+  for (const BlockEntry& inner : block.blocks) text += write_block(inner);
+  return text;
+}
+
+}  // namespace
+
+std::string write_template() {
+  const std::string head =
+      "# A case of Talus: a dry, homogeneous slope. Keys without a default are set; \"#key = value\" shows a default.\n"
+      "# Quantities are numbers in the unit in brackets, or texts with a unit such as \"45 MPa\".\n\n";
+  return head + write_block(collect_catalogue());
 }
 
 }  // namespace talus::input

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "input/echo.hpp"
 
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,10 +17,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
+#include "base/hash.hpp"
 #include "input/case/case.hpp"
-#include "input/language/codecs.hpp"
+#include "input/case/complete.hpp"
+#include "input/case/material.hpp"
+#include "input/language/codec_types.hpp"
+#include "input/language/parse.hpp"
 
 namespace talus::input {
+
 namespace {
 
 using nlohmann::json;
@@ -98,6 +112,235 @@ json echo(const Case& data, const Places& places) {
   Echo visitor(places, methods);
   describe(visitor, copy);
   return visitor.take();
+}
+
+// Questions to an echo without reading it into a case: whether two agree, and what they are called.
+
+namespace {
+
+using nlohmann::json;
+
+json strip_marks(json node) {
+  if (node.is_object()) node.erase("given");
+  if (node.is_structured())
+    for (json& inner : node) inner = strip_marks(inner);
+  return node;
+}
+
+/// What a mesh was made from.
+json describe_mesh_input(const json& echo) {
+  json mesh = strip_marks(echo.at("mesh"));
+  mesh.erase("points_per_element");
+  // The path of a ready mesh is the one from where the program was started.
+  if (mesh.contains("file"))
+    mesh["file"] = std::filesystem::path(mesh["file"].at("value").get<std::string>()).filename().string();
+  return {strip_marks(echo.at("geometry")), mesh};
+}
+
+}  // namespace
+
+std::string hash_input(const JsonTree& tree) {
+  json echo = tree.get();
+  for (const char* block : {"output", "project", "compare"}) echo.erase(block);
+  const std::function<void(json&)> strip = [&](json& node) {
+    if (node.is_object()) node.erase("courant");
+    if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
+  };
+  strip(echo);
+  return hash_text(echo.dump());
+}
+
+bool has_same_mesh_input(const JsonTree& a, const JsonTree& b) {
+  return describe_mesh_input(a.get()) == describe_mesh_input(b.get());
+}
+
+JsonTree replace_mesh_input(const JsonTree& echo, const JsonTree& other) {
+  json replaced = echo.get();
+  for (const char* block : {"geometry", "mesh"}) replaced[block] = other.get().at(block);
+  return JsonTree(std::move(replaced));
+}
+
+std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std::string& source) {
+  std::vector<MaterialModel> models;
+  for (const auto& [name, material] : echo.get().at("materials").items()) {
+    const std::string word = material.at("model").at("value");
+    const auto& words = choices<MaterialModel>;
+    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
+    if (found == words.end())
+      throw Error(ExitCode::wrong_input, fmt::format("the result '{}' has a material of the model '{}', which this "
+                                                     "version does not know",
+                                                     source, word));
+    models.push_back(found->value);
+  }
+  return models;
+}
+
+// Keys of a case by their paths, from its echo.
+
+namespace {
+
+using nlohmann::json;
+
+/// The entry of an echo's list that `step` names, as --set names it: by number from 0, by its name or its side.
+const json* find_entry(const json& list, const std::string& step) {
+  std::size_t number = 0;
+  const char* end = step.data() + step.size();
+  if (const auto [stop, failure] = std::from_chars(step.data(), end, number); failure == std::errc{} && stop == end)
+    return number < list.size() ? &list[number] : nullptr;
+  for (const json& entry : list)
+    for (const char* label : {"name", "on"})
+      if (entry.contains(label) && entry[label].value("value", "") == step) return &entry;
+  return nullptr;
+}
+
+std::string write_value(const json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_number_float()) return value.dump();
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value.get<double>()).ptr};
+}
+
+json strip_given(const json& echo) {
+  json stripped = echo;
+  if (stripped.is_object()) stripped.erase("given");
+  if (stripped.is_structured())
+    for (json& child : stripped) child = strip_given(child);
+  return stripped;
+}
+
+}  // namespace
+
+std::optional<EchoedKey> find_key(const JsonTree& echo, const std::string& path) {
+  const json* at = &echo.get();
+  for (const std::string& step : split_path(path)) {
+    if (at->is_array())
+      at = find_entry(*at, step);
+    else
+      at = at->is_object() && at->contains(step) ? &(*at)[step] : nullptr;
+    if (at == nullptr) return std::nullopt;
+  }
+  if (!at->is_object() || !at->contains("value")) return std::nullopt;
+  return EchoedKey{write_value(at->at("value")), at->value("unit", "")};
+}
+
+std::string write_calculated(const JsonTree& echo) {
+  return strip_given(echo.get()).dump();
+}
+
+// A case from its echo, for readers that have the results of a run but not its file.
+
+namespace {
+
+using nlohmann::json;
+
+/// A JSON value as TOML has it; nothing for null.
+void append(toml::array& list, const json& value);
+
+toml::array to_array(const json& values) {
+  toml::array list;
+  for (const json& value : values) append(list, value);
+  return list;
+}
+
+/// Calls `take` with the TOML value of a JSON value; not for null and objects, which no leaf of an echo has.
+template <class Take>
+void with_toml(const json& value, const Take& take) {
+  if (value.is_boolean()) return take(toml::value<bool>(value.get<bool>()));
+  if (value.is_number_integer()) return take(toml::value<std::int64_t>(value.get<std::int64_t>()));
+  if (value.is_number()) return take(toml::value<double>(value.get<double>()));
+  if (value.is_string()) return take(toml::value<std::string>(value.get<std::string>()));
+  if (value.is_array()) return take(to_array(value));
+}
+
+void append(toml::array& list, const json& value) {
+  with_toml(value, [&](auto&& node) { list.push_back(std::forward<decltype(node)>(node)); });
+}
+
+/// The visitor that reads the structs from an echo. A key that is missing, or whose form has changed, keeps its
+/// default: the results may be those of another version.
+class EchoReader {
+ public:
+  EchoReader(const json& object, Findings& findings) : object_(object), findings_(findings) {}
+
+  template <class T>
+  void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
+    const json& leaf = look_up(name);
+    if (!leaf.is_object() || !leaf.contains("value")) return;
+    decode(leaf.at("value"), name, spec, member);
+  }
+
+  template <class T>
+  void table(const std::string& name, T&& block, const char* /*meaning*/) {
+    read_block(look_up(name), block);
+  }
+
+  template <class T>
+  void optional_table(const std::string& name, std::optional<T>& block, const char* /*meaning*/) {
+    if (look_up(name).is_object()) read_block(look_up(name), block.emplace());
+  }
+
+  template <class T>
+  void tables(const std::string& name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
+    const json& list = look_up(name);
+    if (!list.is_array()) return;
+    blocks.resize(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) read_block(list[i], blocks[i]);
+  }
+
+  template <class T>
+  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/,
+             const char* /*meaning*/) {
+    if (!look_up(name).is_object()) return;
+    for (const auto& [label, block] : look_up(name).items()) read_block(block, blocks[label]);
+  }
+
+  template <class T>
+  void entries(const std::string& name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
+               const Spec& spec, const char* meaning) {
+    if (!look_up(name).is_object()) return;
+    EchoReader inner(look_up(name), findings_);
+    for (const auto& [label, leaf] : look_up(name).items()) inner.key(label, values[label], spec, meaning);
+  }
+
+ private:
+  const json& look_up(const std::string& name) const {
+    static const json nothing;
+    return object_.is_object() && object_.contains(name) ? object_.at(name) : nothing;
+  }
+
+  template <class T>
+  void read_block(const json& object, T& block) {
+    EchoReader inner(object, findings_);
+    describe(inner, block);
+  }
+
+  template <class T>
+  void decode(const json& value, const std::string& name, const Spec& spec, T& member) {
+    using Value = std::remove_cvref_t<T>;
+    // JSON has no infinity: it is written as null.
+    if constexpr (std::is_same_v<Value, double>)
+      if (value.is_null() && spec.allows_infinity) return void(member = std::numeric_limits<double>::infinity());
+    with_toml(value, [&](const toml::node& node) {
+      Codec<Value>::decode(Decoding{spec, name, findings_}, node, name, member);
+    });
+  }
+
+  const json& object_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+Case read_echo(const JsonTree& echo) {
+  Places places("");
+  Findings findings(places);
+  Case data;
+  EchoReader reader(echo.get(), findings);
+  describe(reader, data);
+  complete_porosities(data);
+  normalise_directions(data);
+  return data;
 }
 
 }  // namespace talus::input

@@ -9,7 +9,7 @@
 #include "base/json_tree.hpp"
 #include "input/case/case.hpp"
 #include "input/language/findings.hpp"
-#include "input/language/overrides.hpp"
+#include "input/language/parse.hpp"
 
 namespace talus::input {
 
@@ -59,5 +59,11 @@ std::string write_manual();
 std::string write_template();
 /// JSON Schema (draft 2020-12) of case files, for editors.
 nlohmann::json write_schema();
+
+// The other files that a case names: a ready mesh, tables of series, compiled soils, the result that it starts from.
+
+/// Their names as the text of a case with these changes gives them, in the order of their keys, each once; a result is
+/// named by its folder. The case was read without a fault before.
+std::vector<std::string> list_files(const std::string& text, const std::vector<Override>& overrides);
 
 }  // namespace talus::input

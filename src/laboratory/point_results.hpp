@@ -5,12 +5,20 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "input/case/case.hpp"
 #include "input/case/result_names.hpp"
 #include "laboratory/point_test.hpp"
 #include "results/laboratory.hpp"
 
 namespace talus::laboratory {
+
+// How element tests are shown: which belong into one picture, over what, and with which line.
+
+/// The groups of a case in the order of their first tests, without their pictures; four panels each. Tests that set the
+/// same have one colour.
+std::vector<results::PointGroup> group_tests(const std::vector<input::PointTest>& tests);
 
 /// The whole curve as comma-separated text, stresses in `stress_unit`.
 std::string write_point_table(const PointCurve& curve, const std::string& stress_unit);

@@ -11,18 +11,16 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
-#include "laboratory/point_groups.hpp"
+#include "base/user_file.hpp"
 #include "laboratory/point_results.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "output/plots/point_plot.hpp"
 #include "results/json.hpp"
 #include "run/head.hpp"
-#include "run/named_results.hpp"
 
 namespace talus::laboratory {
 namespace {

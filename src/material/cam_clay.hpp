@@ -11,7 +11,6 @@
 
 #include "input/language/forms.hpp"
 #include "material/cam_clay_return.hpp"
-#include "material/cam_clay_tangent.hpp"
 #include "material/linear_elastic.hpp"
 
 namespace talus::material {

@@ -16,7 +16,6 @@
 
 #include "material/linear_elastic.hpp"
 #include "material/principal_stress.hpp"
-#include "material/separation.hpp"
 
 namespace talus::material {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Overlaps and gaps by Boost.Polygon, whose operations on whole numbers are exact (docs/decisions/0027).
-
 #include "mesh/cover.hpp"
 
 #include <algorithm>

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What every element needs once: orientation, volume, gradients of its local coordinates, smallest altitude.
+#include "mesh/finish.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
+#include "mesh/locate.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/neighbours.hpp"
-#include "mesh/renumber.hpp"
 
 namespace talus::mesh {
+
 namespace {
 
 /// An element whose volume is below this fraction of (longest edge)^D is taken as flat: its altitude is then below
@@ -174,5 +178,232 @@ template <int D>
 Mesh<D>::~Mesh() = default;
 template struct Mesh<2>;
 template struct Mesh<3>;
+
+namespace {
+
+/// Interleaves the bits of D integers, the first axis lowest.
+template <int D>
+std::uint64_t interleave(std::array<std::uint64_t, D> cell, int bits) {
+  std::uint64_t code = 0;
+  for (int b = 0; b < bits; ++b)
+    for (int d = 0; d < D; ++d) code |= ((cell[d] >> b) & 1u) << (b * D + d);
+  return code;
+}
+
+/// Morton code of every element's centroid on a grid of cubes that covers the mesh.
+template <int D>
+std::vector<std::pair<std::uint64_t, int>> compute_codes(const Mesh<D>& mesh) {
+  constexpr int bits = D == 2 ? 24 : 20;  // far finer than any mesh; the doubles below stay exact
+  std::array<double, D> low, high;
+  low.fill(std::numeric_limits<double>::max());
+  high.fill(std::numeric_limits<double>::lowest());
+  for (const auto& x : mesh.nodes)
+    for (int d = 0; d < D; ++d) {
+      low[d] = std::min(low[d], x[d]);
+      high[d] = std::max(high[d], x[d]);
+    }
+  double extent = 0;
+  for (int d = 0; d < D; ++d) extent = std::max(extent, high[d] - low[d]);
+  const double cells = static_cast<double>((std::uint64_t{1} << bits) - 1) / (extent > 0 ? extent : 1);
+
+  std::vector<std::pair<std::uint64_t, int>> codes(mesh.elements.size());
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    std::array<std::uint64_t, D> cell;
+    for (int d = 0; d < D; ++d) {
+      double sum = 0;
+      for (int node : mesh.elements[e]) sum += mesh.nodes[node][d];
+      cell[d] = static_cast<std::uint64_t>(std::max(0.0, (sum / (D + 1) - low[d]) * cells));
+    }
+    codes[e] = {interleave<D>(cell, bits), e};
+  }
+  return codes;
+}
+
+template <int D>
+void reorder_elements(Mesh<D>& mesh) {
+  auto codes = compute_codes(mesh);
+  std::sort(codes.begin(), codes.end());  // the element's number breaks ties, so the sort is stable
+  std::vector<typename Mesh<D>::Element> elements(codes.size());
+  std::vector<int> regions(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    elements[i] = mesh.elements[codes[i].second];
+    regions[i] = mesh.element_region[codes[i].second];
+  }
+  mesh.elements = std::move(elements);
+  mesh.element_region = std::move(regions);
+}
+
+template <int D>
+void reorder_nodes(Mesh<D>& mesh) {
+  std::vector<int> new_number(mesh.nodes.size(), -1);
+  std::vector<typename Mesh<D>::Point> nodes;
+  nodes.reserve(mesh.nodes.size());
+  for (auto& element : mesh.elements)
+    for (int& node : element) {
+      if (new_number[node] < 0) {
+        new_number[node] = static_cast<int>(nodes.size());
+        nodes.push_back(mesh.nodes[node]);
+      }
+      node = new_number[node];
+    }
+  for (auto& [name, sides] : mesh.sides)
+    for (auto& side : sides)
+      for (int& node : side) {
+        if (new_number[node] < 0)
+          throw Error(ExitCode::wrong_input, "a part of side '" + name + "' of the mesh does not touch any element");
+        node = new_number[node];
+      }
+  mesh.nodes = std::move(nodes);
+}
+
+}  // namespace
+
+template <int D>
+void renumber(Mesh<D>& mesh) {
+  reorder_elements(mesh);
+  reorder_nodes(mesh);
+}
+
+template void renumber<2>(Mesh<2>&);
+template void renumber<3>(Mesh<3>&);
+
+namespace {
+
+/// Elements are worked on below this ratio of altitude to size. The regular simplex has 0.866 (2D) and 0.816 (3D).
+template <int D>
+constexpr double target = D == 2 ? 0.7 : 0.5;
+constexpr int most_sweeps = 30;
+constexpr double first_step = 0.2, last_step = 0.01;  ///< of the element size
+constexpr double least_gain = 1e-3;                   ///< smaller gains are not worth a step
+
+/// Smallest altitude of a simplex, D V / (largest side) [m]; negative when it is turned inside out.
+template <int D>
+double measure_altitude(const std::array<std::array<double, D>, D + 1>& x, double orientation) {
+  const auto subtract = [](const std::array<double, D>& a, const std::array<double, D>& b) {
+    std::array<double, D> c;
+    for (int d = 0; d < D; ++d) c[d] = a[d] - b[d];
+    return c;
+  };
+  if constexpr (D == 2) {
+    const auto a = subtract(x[1], x[0]), b = subtract(x[2], x[0]), c = subtract(x[2], x[1]);
+    const double longest = std::max({a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1], c[0] * c[0] + c[1] * c[1]});
+    return orientation * (a[0] * b[1] - a[1] * b[0]) / std::sqrt(longest);
+  } else {
+    const auto cross = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
+      return std::array<double, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto square = [](const std::array<double, 3>& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; };
+    const auto a = subtract(x[1], x[0]), b = subtract(x[2], x[0]), c = subtract(x[3], x[0]);
+    const auto ab = cross(a, b);
+    const double largest =
+        std::max({square(ab), square(cross(a, c)), square(cross(b, c)), square(cross(subtract(b, a), subtract(c, a)))});
+    return orientation * (ab[0] * c[0] + ab[1] * c[1] + ab[2] * c[2]) / std::sqrt(largest);
+  }
+}
+
+template <int D>
+class Smoother {
+ public:
+  using Point = typename Mesh<D>::Point;
+
+  Smoother(Mesh<D>& mesh, const std::vector<Freedom<D>>& freedoms, const std::function<double(const Point&)>& get_size)
+      : mesh_(mesh), freedoms_(freedoms), orientations_(mesh.elements.size(), 1), start_(mesh.nodes.size() + 1, 0) {
+    sizes_.reserve(mesh.nodes.size());
+    for (const Point& x : mesh.nodes) sizes_.push_back(get_size(x));
+    for (int e = 0; e < mesh.element_count(); ++e) {
+      if (measure(e) < 0) orientations_[e] = -1;
+      for (int node : mesh.elements[e]) ++start_[node + 1];
+    }
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    star_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<int> fill(start_.begin(), start_.end() - 1);
+    for (int e = 0; e < mesh.element_count(); ++e)
+      for (int node : mesh.elements[e]) star_[fill[node]++] = e;
+  }
+
+  void run() {
+    bool moved = true;
+    for (int sweep = 0; moved && sweep < most_sweeps; ++sweep) {
+      moved = false;
+      for (int node = 0; node < mesh_.node_count(); ++node)
+        if (freedoms_[node].count > 0 && measure_star(node) < target<D>) moved = improve(node) || moved;
+    }
+  }
+
+ private:
+  /// Altitude over the mean size wanted at the element's nodes.
+  double measure(int e) const {
+    std::array<Point, D + 1> x;
+    double size = 0;
+    for (int k = 0; k <= D; ++k) {
+      x[k] = mesh_.nodes[mesh_.elements[e][k]];
+      size += sizes_[mesh_.elements[e][k]] / (D + 1);
+    }
+    return measure_altitude<D>(x, orientations_[e]) / size;
+  }
+
+  double measure_star(int node) const {
+    double worst = 1;
+    for (int i = start_[node]; i < start_[node + 1]; ++i) worst = std::min(worst, measure(star_[i]));
+    return worst;
+  }
+
+  /// Compass search: the best of the directions, or a shorter step when none is better.
+  bool improve(int node) {
+    Point& x = mesh_.nodes[node];
+    const Freedom<D>& freedom = freedoms_[node];
+    double best = measure_star(node);
+    bool moved = false;
+    for (double step = first_step; step > last_step;) {
+      const Point origin = x;
+      Point target_place = x;
+      double value = best * (1 + least_gain);
+      int combinations = 1;
+      for (int i = 0; i < freedom.count; ++i) combinations *= 3;
+      for (int c = 0; c < combinations; ++c) {
+        Point offset{};
+        int terms = 0;
+        for (int i = 0, rest = c; i < freedom.count; ++i, rest /= 3) {
+          const int sign = rest % 3 - 1;
+          terms += sign * sign;
+          for (int d = 0; d < D; ++d) offset[d] += sign * freedom.directions[i][d];
+        }
+        if (terms == 0) continue;
+        for (int d = 0; d < D; ++d) x[d] = origin[d] + step * sizes_[node] / std::sqrt(terms) * offset[d];
+        if (const double tried = measure_star(node); tried > value) {
+          value = tried;
+          target_place = x;
+        }
+      }
+      x = target_place;
+      if (x == origin) {
+        step /= 2;
+      } else {
+        best = value;
+        moved = true;
+      }
+    }
+    return moved;
+  }
+
+  Mesh<D>& mesh_;
+  const std::vector<Freedom<D>>& freedoms_;
+  std::vector<double> orientations_;  ///< 1 or -1
+  std::vector<double> sizes_;         ///< wanted at each node [m]
+  std::vector<int> start_, star_;     ///< the elements around each node
+};
+
+}  // namespace
+
+template <int D>
+void raise_altitudes(Mesh<D>& mesh, const std::vector<Freedom<D>>& freedoms,
+                     const std::function<double(const typename Mesh<D>::Point&)>& get_size) {
+  Smoother<D>(mesh, freedoms, get_size).run();
+}
+
+template void raise_altitudes<2>(Mesh<2>&, const std::vector<Freedom<2>>&,
+                                 const std::function<double(const Mesh<2>::Point&)>&);
+template void raise_altitudes<3>(Mesh<3>&, const std::vector<Freedom<3>>&,
+                                 const std::function<double(const Mesh<3>::Point&)>&);
 
 }  // namespace talus::mesh

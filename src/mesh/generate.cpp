@@ -11,11 +11,10 @@
 #include <numeric>
 #include <span>
 
-#include "base/child_process.hpp"
 #include "base/error.hpp"
-#include "mesh/check_plan.hpp"
+#include "base/foreign_code.hpp"
 #include "mesh/gmsh_mesh.hpp"
-#include "mesh/gmsh_session.hpp"
+#include "mesh/plan.hpp"
 #include "mesh/planar.hpp"
 
 namespace talus::mesh {

@@ -3,12 +3,28 @@
 // The steps between a plan and a mesh that happen inside Gmsh. All need a GmshSession.
 
 #include <functional>
+#include <string>
 
+#include "mesh/finish.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/plan.hpp"
-#include "mesh/raise_altitudes.hpp"
 
 namespace talus::mesh {
+
+// The start and the end of Gmsh, which keeps one global state per process.
+
+/// Gmsh for the caller: quiet, one thread, a fixed random seed, no configuration files, nothing left behind. Gmsh may
+/// crash and does not look for interruptions, so the program has one only in a child process (base/foreign_code.hpp).
+class GmshSession {
+ public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+
+  /// Gmsh's last message of an error, without its full stop; "no reason given" where there is none.
+  static std::string get_last_error();
+};
 
 /// Wanted element size at a place: the general one, or what the nearest refinement asks for [m].
 double compute_size(const Plan& plan, const std::array<double, 2>& x);

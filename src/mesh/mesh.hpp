@@ -3,6 +3,7 @@
 // The background mesh: linear triangles (D = 2) or tetrahedra (D = 3), as plain arrays.
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -81,6 +82,23 @@ TALUS_PORTABLE std::array<double, D> find_local(const M& mesh, int e, const std:
   for (std::size_t k = 0; k < D; ++k)
     for (std::size_t d = 0; d < D; ++d) xi[k] += mesh.gradients[e][k * D + d] * (x[d] - origin[d]);
   return xi;
+}
+
+// The gradient of a linear shape function: minus the normal of the side opposite its node, over the altitude.
+
+/// ∇N_k [1/m] of local node `k` in element `e` of a finished mesh, this one or that on a GPU.
+template <template <int> class M, int D>
+TALUS_PORTABLE std::array<double, D> find_shape_gradient(const M<D>& mesh, int e, int k) {
+  const std::array<double, D* D>& g = mesh.gradients[static_cast<std::size_t>(e)];
+  std::array<double, D> gradient{};
+  for (std::size_t d = 0; d < D; ++d) {
+    if (k > 0) {
+      gradient[d] = g[static_cast<std::size_t>(k - 1) * D + d];
+    } else {
+      for (std::size_t j = 0; j < D; ++j) gradient[d] -= g[j * D + d];
+    }
+  }
+  return gradient;
 }
 
 }  // namespace talus::mesh

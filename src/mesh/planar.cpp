@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "mesh/plan.hpp"
 
 namespace talus::mesh {
+
 namespace {
 
 double cross(const Point2& o, const Point2& a, const Point2& b) {
@@ -172,6 +176,89 @@ Relation compare(const Polyline& a, const Polyline& b, double tolerance) {
   if (of_a.inside || (!of_a.outside && of_b.outside)) return Relation::inside;
   if (of_b.inside || (!of_b.outside && of_a.outside)) return Relation::around;
   return Relation::apart;
+}
+
+namespace {
+
+/// Soil on more than a half circle by less is a bend of the ground, not a corner.
+constexpr double least_turn = 10 * std::numbers::pi / 180;
+/// Looks around a corner: one every degree.
+constexpr int looks = 360;
+
+bool has_soil(const Plan& plan, const Point2& x) {
+  return std::any_of(plan.polygons.begin(), plan.polygons.end(),
+                     [&](const Polygon& polygon) { return is_inside(x, polygon.points); });
+}
+
+bool is_on_box(const Plan& plan, const Point2& x, double near) {
+  for (int d = 0; d < 2; ++d)
+    if (x[d] - plan.box_min[d] < near || plan.box_max[d] - x[d] < near) return true;
+  return false;
+}
+
+/// Angle of the soil around `x`, which lies inside the box, at a distance of `radius`.
+double measure_soil_angle(const Plan& plan, const Point2& x, double radius) {
+  int soil = 0;
+  for (int i = 0; i < looks; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / looks;
+    soil += has_soil(plan, {x[0] + radius * std::cos(angle), x[1] + radius * std::sin(angle)});
+  }
+  return 2 * std::numbers::pi * soil / looks;
+}
+
+}  // namespace
+
+std::vector<Point2> find_reentrant_corners(const Plan& plan) {
+  const double near = get_tolerance(plan), radius = 100 * near;
+  std::vector<Point2> corners;
+  for (const Polygon& polygon : plan.polygons)
+    for (const Point2& x : polygon.points) {
+      const bool known = std::any_of(corners.begin(), corners.end(),
+                                     [&](const Point2& c) { return std::hypot(c[0] - x[0], c[1] - x[1]) <= near; });
+      if (known || is_on_box(plan, x, radius)) continue;
+      const double angle = measure_soil_angle(plan, x, radius);
+      if (angle >= std::numbers::pi + least_turn && angle < 2 * std::numbers::pi - least_turn) corners.push_back(x);
+    }
+  return corners;
+}
+
+Plan refine_corners(Plan plan, double finer, double reach) {
+  if (!(finer > 1)) return plan;
+  for (const Point2& corner : find_reentrant_corners(plan))
+    plan.refinements.push_back({{corner}, plan.size / finer, reach * plan.size});
+  return plan;
+}
+
+namespace {
+
+/// Share of the soil that moved across that is a side of its own at least [-].
+constexpr double least_side = 0.05;
+/// Share of the smaller side that may lie on the wrong side of the divide [-].
+constexpr double most_mixed = 0.25;
+
+}  // namespace
+
+std::optional<Divide> find_divide(std::vector<MovedSoil> soil, double threshold) {
+  std::erase_if(soil, [&](const MovedSoil& s) { return !(std::abs(s.across) > threshold); });
+  std::stable_sort(soil.begin(), soil.end(), [](const MovedSoil& a, const MovedSoil& b) { return a.x < b.x; });
+  double to_left = 0, to_right = 0;
+  for (const MovedSoil& s : soil) (s.across < 0 ? to_left : to_right) += s.amount;
+  const double all = to_left + to_right, smaller = std::min(to_left, to_right);
+  if (!(smaller > 0) || smaller < least_side * all) return std::nullopt;
+  // Soil on the wrong side when that on the left should move to the left: with the divide before all of the soil it is
+  // what moved to the left, and each piece that the divide passes takes its amount out or adds it.
+  Divide best;
+  double wrong = to_left, fewest = most_mixed * smaller;
+  bool found = false;
+  for (std::size_t i = 0; i + 1 < soil.size(); ++i) {
+    wrong += soil[i].across < 0 ? -soil[i].amount : soil[i].amount;
+    const double least = std::min(wrong, all - wrong);
+    if (least >= fewest) continue;
+    fewest = least;
+    best = {0.5 * (soil[i].x + soil[i + 1].x), wrong < all - wrong ? -1 : 1};
+    found = true;
+  }
+  return found ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace talus::mesh

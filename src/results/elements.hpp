@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "results/about.hpp"
-#include "results/referee.hpp"
-#include "results/side_line.hpp"
+#include "results/bounds.hpp"
 #include "results/water.hpp"
 
 namespace talus::results {

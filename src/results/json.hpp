@@ -32,4 +32,12 @@ std::optional<T> find_file(const std::filesystem::path& path);
 template <class T>
 void write_file(const std::filesystem::path& path, const T& result, int indent = 2, const std::string& safe = "");
 
+// The descriptions of results for people and editors: a JSON Schema, and a table for the manual.
+
+/// JSON Schema of summary.json: `talus schema --results`.
+std::string write_schema();
+
+/// Every key of summary.json with its unit and what it is, as a Markdown table: `talus manual --results`.
+std::string write_manual();
+
 }  // namespace talus::results

@@ -11,7 +11,7 @@
 
 #include "base/json_tree.hpp"
 #include "results/comparison.hpp"
-#include "results/head.hpp"
+#include "results/run.hpp"
 
 namespace talus::results {
 

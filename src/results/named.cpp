@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "base/units.hpp"
+#include "results/bounds.hpp"
 #include "results/governing.hpp"
-#include "results/side_line.hpp"
 
 namespace talus::results {
 namespace {

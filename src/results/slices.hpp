@@ -9,7 +9,7 @@
 
 #include "base/methods.hpp"
 #include "results/about.hpp"
-#include "results/referee.hpp"
+#include "results/bounds.hpp"
 #include "results/water.hpp"
 
 namespace talus::results {

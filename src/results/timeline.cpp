@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/dates.hpp"
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 
@@ -55,9 +54,10 @@ std::string format_failure(const Timeline& t) {
       fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
                   format_moment(t, f.from), format_moment(t, f.to), f.factor_from, f.factor_to);
   if (f.earliest < f.from || f.latest != f.to)
-    text += fmt::format("Allowing ± {:g} % for the search, it fails {}. ", 100 * search_scatter,
-                        f.latest ? fmt::format("between {} and {}", format_moment(t, f.earliest), format_moment(t, *f.latest))
-                                 : fmt::format("after {}, or not at all", format_moment(t, f.earliest)));
+    text += fmt::format(
+        "Allowing ± {:g} % for the search, it fails {}. ", 100 * search_scatter,
+        f.latest ? fmt::format("between {} and {}", format_moment(t, f.earliest), format_moment(t, *f.latest))
+                 : fmt::format("after {}, or not at all", format_moment(t, f.earliest)));
   return text + least;
 }
 
@@ -68,7 +68,8 @@ std::string format_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
   if (!loss.from)
-    return fmt::format("Finite elements with the strength as given do not converge at {}. ", format_moment(t, *loss.to));
+    return fmt::format("Finite elements with the strength as given do not converge at {}. ",
+                       format_moment(t, *loss.to));
   return fmt::format("Finite elements with the strength as given converge at {} and not at {}. ",
                      format_moment(t, *loss.from), format_moment(t, *loss.to));
 }

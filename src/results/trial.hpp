@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "results/bounds.hpp"
 #include "results/runout.hpp"
-#include "results/side_line.hpp"
 
 namespace talus::results {
 
@@ -73,7 +73,7 @@ struct Stage {
   double force_ratio = 0, speed = 0;
   double wall = 0;  ///< [s]
   std::optional<Preconsolidation> preconsolidation;
-  std::optional<MovingSoil> moving;              ///< it was to end at rest, and did not
+  std::optional<MovingSoil> moving;            ///< it was to end at rest, and did not
   std::optional<std::vector<Retry>> setbacks;  ///< in the order in which they happened
 };
 template <class V, As<Stage> R>

@@ -5,13 +5,18 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
+#include <functional>
 
 #include "base/lane.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "input/case/result_names.hpp"
+#include "results/named.hpp"
 
 namespace talus::run {
+
 namespace {
 
 std::string now_as_text() {
@@ -70,6 +75,81 @@ results::RunResult begin_result(const input::LoadedCase& loaded, const std::stri
 
 std::string format_length(const results::RunResult& run, double metres, int digits) {
   return fmt::format("{:.{}g} {}", metres / units::get_si_factor(run.units.length), digits, run.units.length);
+}
+
+namespace {
+
+results::Unit find_unit(const std::string& unit, const input::Output& output) {
+  const std::string shown = unit == "m" ? output.length_unit : (unit == "Pa" ? output.stress_unit : unit);
+  return {shown, units::get_si_factor(shown)};
+}
+
+/// A computed value, and what a reader must know about how it was found.
+struct Found {
+  std::optional<double> value;
+  std::string note;
+};
+
+results::Comparison compare_with(const input::Case& data, const input::Compare& compare,
+                                 const std::function<Found(const std::string&)>& find) {
+  const auto result = input::find_result_name(data, compare.name);
+  const auto known = result ? result : input::find_possible_name(data, compare.name);
+  const std::string unit = compare.value.unit.empty() && known ? known->unit : compare.value.unit;
+  const Found found = result ? find(compare.name) : Found{std::nullopt, "the case leaves this result out"};
+  results::Comparison out;
+  out.name = compare.name;
+  out.title = known ? known->title : compare.name;
+  out.unit = {unit, units::get_si_factor(unit)};
+  out.computed = found.value;
+  out.published = input::to_si(compare.value);
+  out.tolerance = input::find_tolerance(compare);
+  out.tolerance_text = compare.tolerance.text;
+  out.source = compare.source;
+  out.note = found.value || !result ? found.note : "the run did not reach this result";
+  // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.
+  out.passes = found.value && std::abs(*found.value - out.published) <= out.tolerance * (1 + 1e-12);
+  return out;
+}
+
+Found find_in_run(const results::RunResult& run, const std::string& name) {
+  if (const auto factor = input::find_trial_factor(name)) {
+    results::CurveValue at = results::find_displacement(run, *factor);
+    return {at.displacement, std::move(at.note)};
+  }
+  return {results::find_value(run, name), ""};
+}
+
+}  // namespace
+
+std::optional<double> find_result(const results::RunResult& run, const std::string& name) {
+  return find_in_run(run, name).value;
+}
+
+std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run) {
+  std::vector<results::NamedResult> list;
+  for (const results::NamedValue& result : input::list_result_names(data))
+    if (const auto value = find_result(run, result.name))
+      list.push_back({result.name, result.title, *value, find_unit(result.unit, data.output)});
+  return list;
+}
+
+std::vector<results::Comparison> compare_results(const input::Case& data, const results::RunResult& run) {
+  std::vector<results::Comparison> list;
+  for (const input::Compare& compare : data.compare)
+    if (!input::find_point_result_name(compare.name))
+      list.push_back(compare_with(data, compare, [&](const std::string& name) { return find_in_run(run, name); }));
+  return list;
+}
+
+std::vector<results::Comparison> compare_results(const input::Case& data, const results::PointTests& tests) {
+  std::vector<results::Comparison> list;
+  for (const input::Compare& compare : data.compare)
+    if (input::find_point_result_name(compare.name))
+      list.push_back(compare_with(data, compare, [&](const std::string& name) {
+        const auto found = tests.point_results.find(name);
+        return found == tests.point_results.end() ? Found{} : Found{found->second, ""};
+      }));
+  return list;
 }
 
 }  // namespace talus::run

@@ -11,20 +11,17 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
+#include "base/user_file.hpp"
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
-#include "ground/plane_water.hpp"
-#include "ground/steep_faces.hpp"
-#include "ground/water_shape.hpp"
+#include "ground/initial_water.hpp"
 #include "input/echo.hpp"
 #include "mesh/generate.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
-#include "run/attempt.hpp"
 #include "run/bounds/bounds_run.hpp"
 #include "run/bounds/referee.hpp"
 #include "run/compare/compare.hpp"
@@ -32,15 +29,13 @@
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
-#include "run/forecast/counts.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"
-#include "run/mpm/choose_device.hpp"
 #include "run/mpm/coarser_mesh.hpp"
 #include "run/mpm/point_run.hpp"
-#include "run/named_results.hpp"
+#include "run/mpm/stepper.hpp"
 #include "run/run_folder.hpp"
 #include "run/timeline/timeline_run.hpp"
 
@@ -397,7 +392,7 @@ class CaseRun {
   std::unique_ptr<const ReleaseCase> released_;
   std::vector<ReleaseCase> beside_;
   std::vector<results::Release> results_beside_;  ///< of those that ran
-  bool is_followed_ = false;                   ///< the material points of the run itself came to their end
+  bool is_followed_ = false;                      ///< the material points of the run itself came to their end
   std::unique_ptr<const input::Case> point_case_;
   std::vector<std::string> point_notes_;  ///< of the earthquake that the points follow, and of their coarser mesh
   std::optional<PointRun<D>> points_;

@@ -7,7 +7,7 @@
 
 #include "input/read.hpp"
 #include "results/run.hpp"
-#include "run/options.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
 

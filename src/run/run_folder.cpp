@@ -8,10 +8,10 @@
 #include <cstdlib>
 
 #include "base/atomic_file.hpp"
-#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
-#include "input/list_files.hpp"
+#include "base/text.hpp"
+#include "input/read.hpp"
 #include "output/files/results_folder.hpp"
 #include "results/json.hpp"
 #include "run/mpm/reduction/frozen_run.hpp"

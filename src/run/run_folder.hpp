@@ -5,13 +5,50 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
+#include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/progress.hpp"
 #include "input/read.hpp"
 #include "results/run.hpp"
-#include "run/options.hpp"
 
 namespace talus::run {
+
+// How a case is run.
+
+/// What takes bodies of points through their steps.
+enum class DeviceKind {
+  cpu,
+  gpu,
+  emulated  ///< the kernels of a GPU on this processor: for tests
+};
+
+struct RunOptions {
+  std::filesystem::path folder;  ///< where results go; made when it does not exist
+  int threads = 1;
+  DeviceKind device = DeviceKind::cpu;
+  bool resume = false;           ///< go on from the folder's checkpoint; a finished run is not run again
+  bool overwrite = false;        ///< replace results that are there
+  Progress* progress = nullptr;  ///< where progress is shown, or nowhere
+  std::string label;             ///< before the name of a stage in the line of progress
+};
+
+// A method beside others: what it cannot do becomes a part of the results.
+
+/// Runs `part`. Returns the sentence of the Error that it throws, where the case has other methods as well. Throws it
+/// on where it was an interruption, or the method is `alone`.
+template <class Part>
+std::optional<std::string> attempt(const RunOptions& options, bool alone, Part part) {
+  try {
+    part();
+  } catch (const Error& error) {
+    if (options.progress) options.progress->clear();
+    if (alone || error.code() == ExitCode::interrupted) throw;
+    return error.what();
+  }
+  return std::nullopt;
+}
 
 /// Throws Error (folder_exists) when the folder holds something and neither --overwrite nor --resume was given, when
 /// the case starts from the result in it, when --overwrite or --resume find no list of files in it, and what

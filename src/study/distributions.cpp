@@ -1,14 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "study/distributions.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "study/normal_law.hpp"
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <unsupported/Eigen/SpecialFunctions>
+#include <utility>
 
 namespace talus::study {
+
+namespace {
+
+/// The p at which the regularised incomplete beta function I_p(a, b) is `level`.
+double invert_beta(double a, double b, double level) {
+  double low = 0, high = 1;
+  // The function rises: halving the interval cannot fail, and ends when no double lies between.
+  for (int i = 0; i < 2000; ++i) {
+    const double middle = low > 0 && high < 1e-3 ? std::sqrt(low * high) : 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (Eigen::numext::betainc(a, b, middle) < level ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double find_normal_probability(double z) {
+  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+double find_normal_score(double p) {
+  if (p <= 0) return -std::numeric_limits<double>::infinity();
+  if (p >= 1) return std::numeric_limits<double>::infinity();
+  return Eigen::numext::ndtri(p);
+}
+
+std::array<double, 2> bound_share(long count, long samples, double confidence) {
+  if (samples <= 0) return {0, 1};
+  const double k = static_cast<double>(count), n = static_cast<double>(samples), tail = 0.5 * (1 - confidence);
+  return {count == 0 ? 0 : invert_beta(k, n - k + 1, tail), count == samples ? 1 : invert_beta(k + 1, n - k, 1 - tail)};
+}
+
 namespace {
 
 using input::Distribution;
@@ -150,6 +187,153 @@ double correlate_values(const Marginal& a, const Marginal& b, double coefficient
       product += rule.second[i] * rule.second[j] * a.find_value(rule.first[i]) *
                  b.find_value(coefficient * rule.first[i] + rest * rule.first[j]);
   return (product - a.find_mean() * b.find_mean()) / (a.find_deviation() * b.find_deviation());
+}
+
+namespace {
+
+constexpr std::uint64_t multiplier_0 = 0xD2511F53, multiplier_1 = 0xCD9E8D57;
+constexpr std::uint32_t weyl_0 = 0x9E3779B9, weyl_1 = 0xBB67AE85;
+constexpr int rounds = 10;
+
+std::uint32_t take_low(std::uint64_t x) {
+  return static_cast<std::uint32_t>(x & 0xFFFFFFFF);
+}
+std::uint32_t take_high(std::uint64_t x) {
+  return static_cast<std::uint32_t>(x >> 32);
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 4> scramble(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
+  for (int i = 0; i < rounds; ++i) {
+    const std::uint64_t a = multiplier_0 * counter[0], b = multiplier_1 * counter[2];
+    counter = {take_high(b) ^ counter[1] ^ key[0], take_low(b), take_high(a) ^ counter[3] ^ key[1], take_low(a)};
+    key[0] += weyl_0;
+    key[1] += weyl_1;
+  }
+  return counter;
+}
+
+RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream)
+    : key_{take_low(seed), take_high(seed)}, stream_(stream) {}
+
+std::uint64_t RandomStream::draw_bits() {
+  const std::uint64_t block = drawn_ / 2;
+  if (drawn_ % 2 == 0)
+    words_ = scramble({take_low(block), take_high(block), take_low(stream_), take_high(stream_)}, key_);
+  const std::size_t first = 2 * (drawn_++ % 2);
+  return (static_cast<std::uint64_t>(words_[first]) << 32) | words_[first + 1];
+}
+
+double RandomStream::draw_uniform() {
+  return (static_cast<double>(draw_bits() >> 12) + 0.5) * 0x1p-52;  // 52 bits and a half: never 0 nor 1 after rounding
+}
+
+std::uint64_t RandomStream::draw_below(std::uint64_t count) {
+  // Numbers above the largest multiple of `count` would favour the first remainders.
+  const std::uint64_t usable = UINT64_MAX - UINT64_MAX % count;
+  std::uint64_t bits = draw_bits();
+  while (bits >= usable) bits = draw_bits();
+  return bits % count;
+}
+
+namespace {
+
+using Eigen::MatrixXd;
+
+/// The lower triangle L with L Lᵀ = C.
+MatrixXd factorise(const ScorePlan& plan) {
+  if (plan.correlation.empty()) return MatrixXd::Identity(plan.numbers, plan.numbers);
+  MatrixXd c(plan.numbers, plan.numbers);
+  std::size_t at = 0;
+  for (int i = 0; i < plan.numbers; ++i)
+    for (int j = 0; j < plan.numbers; ++j) c(i, j) = plan.correlation[at++];
+  return c.llt().matrixL();
+}
+
+RandomStream make_stream(const ScorePlan& plan, int replicate, int number) {
+  return {plan.seed, (static_cast<std::uint64_t>(replicate) << 32) + static_cast<std::uint64_t>(number)};
+}
+
+/// Fisher and Yates' shuffle of 0 … count-1.
+std::vector<int> draw_permutation(RandomStream& random, int count) {
+  std::vector<int> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.draw_below(i)]);
+  return order;
+}
+
+/// The rank of each entry of a column, from 0; equal entries in their order.
+std::vector<int> rank_column(const Eigen::Ref<const Eigen::VectorXd>& column) {
+  std::vector<int> order(static_cast<std::size_t>(column.size())), rank(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return column[a] < column[b]; });
+  for (std::size_t i = 0; i < order.size(); ++i) rank[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  return rank;
+}
+
+/// The class of every number in every sample of one hypercube: [number][sample].
+std::vector<std::vector<int>> pair_classes(std::vector<std::vector<int>> classes, const MatrixXd& wanted) {
+  const int numbers = static_cast<int>(classes.size()), samples = static_cast<int>(classes[0].size());
+  if (numbers == 1) return classes;
+  MatrixXd scores(samples, numbers);  // van der Waerden's
+  for (int j = 0; j < numbers; ++j)
+    for (int i = 0; i < samples; ++i)
+      scores(i, j) = find_normal_score((classes[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] + 1.0) /
+                                       (samples + 1.0));
+  // Removes the chance correlation of the shuffles, where the samples are enough to estimate it. Lazy products:
+  // those of Eigen's own threads would depend on how many there are.
+  MatrixXd change = wanted.transpose();
+  if (samples > 2 * numbers) {
+    const MatrixXd found = scores.transpose().lazyProduct(scores) / scores.col(0).squaredNorm();
+    const Eigen::LLT<MatrixXd> chance(found);
+    if (chance.info() == Eigen::Success) change = chance.matrixU().solve(change).eval();
+  }
+  scores = scores.lazyProduct(change).eval();
+  for (int j = 0; j < numbers; ++j) classes[static_cast<std::size_t>(j)] = rank_column(scores.col(j));
+  return classes;
+}
+
+void draw_hypercube(const ScorePlan& plan, int replicate, const MatrixXd& wanted,
+                    std::vector<std::vector<double>>& scores) {
+  const int first = find_first(plan, replicate), samples = find_first(plan, replicate + 1) - first;
+  std::vector<RandomStream> random;
+  std::vector<std::vector<int>> classes;
+  for (int j = 0; j < plan.numbers; ++j) {
+    random.push_back(make_stream(plan, replicate, j));
+    classes.push_back(draw_permutation(random.back(), samples));
+  }
+  classes = pair_classes(std::move(classes), wanted);
+  for (std::size_t j = 0; j < classes.size(); ++j)
+    for (std::size_t i = 0; i < classes[j].size(); ++i)
+      scores[j][static_cast<std::size_t>(first) + i] =
+          find_normal_score((classes[j][i] + random[j].draw_uniform()) / samples);
+}
+
+}  // namespace
+
+int find_first(const ScorePlan& plan, int replicate) {
+  return static_cast<int>(static_cast<long>(plan.samples) * replicate / plan.replicates);
+}
+
+std::vector<std::vector<double>> draw_scores(const ScorePlan& plan) {
+  const MatrixXd wanted = factorise(plan);
+  std::vector<std::vector<double>> scores(static_cast<std::size_t>(plan.numbers),
+                                          std::vector<double>(static_cast<std::size_t>(plan.samples)));
+  if (plan.latin) {
+    for (int r = 0; r < plan.replicates; ++r) draw_hypercube(plan, r, wanted, scores);
+    return scores;
+  }
+  std::vector<RandomStream> random;
+  for (int j = 0; j < plan.numbers; ++j) random.push_back(make_stream(plan, 0, j));
+  Eigen::VectorXd independent(plan.numbers);
+  for (int i = 0; i < plan.samples; ++i) {
+    for (int j = 0; j < plan.numbers; ++j)
+      independent[j] = find_normal_score(random[static_cast<std::size_t>(j)].draw_uniform());
+    const Eigen::VectorXd row = wanted.lazyProduct(independent);
+    for (int j = 0; j < plan.numbers; ++j) scores[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = row[j];
+  }
+  return scores;
 }
 
 }  // namespace talus::study

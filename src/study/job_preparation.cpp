@@ -9,16 +9,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
-#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/lane.hpp"
 #include "base/user_file.hpp"
 #include "base/version.hpp"
-#include "input/list_files.hpp"
+#include "input/read.hpp"
 #include "results/json.hpp"
 #include "run/mpm/start/end_state.hpp"
-#include "study/job_folder.hpp"
+#include "study/jobs.hpp"
 #include "study/sampling.hpp"
 
 namespace talus::study {
@@ -186,7 +185,8 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   jobs.files = copy.tell();
   jobs.changes = make_changes_result(overrides);
   jobs.work = planned.by_slices ? results::JobWork::slice_samples : results::JobWork::runs;
-  for (const Variant& v : planned.plan.variants) jobs.variants.push_back({v.name, v.label, make_changes_result(v.changes)});
+  for (const Variant& v : planned.plan.variants)
+    jobs.variants.push_back({v.name, v.label, make_changes_result(v.changes)});
   jobs.jobs = cut_work(planned.count(), options.jobs, planned.worth);
   const std::string text = results::to_json(jobs).dump(1) + "\n";
 
@@ -204,7 +204,8 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   make_folder(folder / "jobs");
   for (std::size_t k = 0; k < jobs.jobs.size(); ++k) files->add_folder(fmt::format("jobs/{}", k));
   copy.write(folder);
-  if (planned.by_slices) results::write_file(folder / "surfaces.json", make_surfaces_result(surfaces, hash_text(text)), -1);
+  if (planned.by_slices)
+    results::write_file(folder / "surfaces.json", make_surfaces_result(surfaces, hash_text(text)), -1);
   write_atomically(folder / "jobs.slurm", write_script(static_cast<int>(jobs.jobs.size())));
   write_atomically(folder / "jobs.json", text);  // last: with it the folder is prepared
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/normal_law.hpp"
+#include "study/distributions.hpp"
 
 namespace talus::study {
 namespace {

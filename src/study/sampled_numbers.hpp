@@ -11,6 +11,11 @@
 
 namespace talus::study {
 
+// Short names of keys.
+
+/// The shortest end of `path` that no other of `all` ends with.
+std::string shorten_path(const std::string& path, const std::vector<std::string>& all);
+
 struct SampledNumbers {
   std::vector<results::UncertainNumber> numbers;  ///< their names are the shortest ends of keys that no other has
   std::vector<Marginal> marginals;                ///< of each

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "study/latin_hypercube.hpp"
+#include "study/distributions.hpp"
 #include "study/reliability.hpp"
 #include "study/sampled_numbers.hpp"
 #include "study/slice_factor.hpp"
@@ -65,8 +65,8 @@ StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::O
                        const SampleSet& set);
 
 /// Factors and runouts of the samples from their runs. Returns the study's own table.
-results::StudyResult make_runs_result(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
-                               double seconds, SampleSet& set);
+results::StudyResult make_runs_result(const input::LoadedCase& base, const StudyPlan& plan,
+                                      const std::vector<StudyRow>& rows, double seconds, SampleSet& set);
 
 /// Completes `set.told` with the statistics of the samples.
 void make_samples_result(const input::Sampling& asked, SampleSet& set);

@@ -1,16 +1,125 @@
 // SPDX-License-Identifier: MIT
 // Statistics of samples: shares, moments and correlations of their results.
+#include "study/sampling_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
-#include "study/normal_law.hpp"
-#include "study/sample_statistics.hpp"
+#include "output/files/history.hpp"
+#include "output/plots/gnuplot.hpp"
+#include "study/distributions.hpp"
 #include "study/sampling.hpp"
 
 namespace talus::study {
+
+namespace {
+
+constexpr double most_classes = 60;
+
+std::vector<double> rank_values(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i;
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+    i = end;
+  }
+  return ranks;
+}
+
+/// The next 1, 2 or 5 times a power of ten.
+double round_up(double width) {
+  const double power = std::pow(10.0, std::floor(std::log10(width)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (width <= step * power * (1 + 1e-9)) return step * power;
+  return 10 * power;
+}
+
+}  // namespace
+
+results::SampledValues find_moments(const std::vector<double>& values) {
+  results::SampledValues m;
+  m.count = static_cast<long>(values.size());
+  if (values.empty()) return m;
+  const double n = static_cast<double>(values.size());
+  m.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double second = 0, third = 0;
+  for (const double x : values) {
+    const double d = x - m.mean;
+    second += d * d;
+    third += d * d * d;
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  m.smallest = *low;
+  m.largest = *high;
+  if (n > 1) m.deviation = std::sqrt(second / (n - 1));
+  if (n > 2 && second > 0) m.skewness = std::sqrt(n * (n - 1)) / (n - 2) * (third / n) / std::pow(second / n, 1.5);
+  return m;
+}
+
+double find_quantile(std::vector<double> values, double p) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const double at =
+      std::clamp(p * static_cast<double>(values.size()) - 0.5, 0.0, static_cast<double>(values.size() - 1));
+  const std::size_t i = static_cast<std::size_t>(at), next = std::min(i + 1, values.size() - 1);
+  return values[i] + (at - static_cast<double>(i)) * (values[next] - values[i]);
+}
+
+double correlate(const std::vector<double>& a, const std::vector<double>& b) {
+  const results::SampledValues ma = find_moments(a), mb = find_moments(b);
+  double product = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) product += (a[i] - ma.mean) * (b[i] - mb.mean);
+  const double scale = ma.deviation * mb.deviation * static_cast<double>(a.size() - 1);
+  return scale > 0 ? product / scale : 0;
+}
+
+double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b) {
+  return correlate(rank_values(a), rank_values(b));
+}
+
+results::HistogramCounts count_classes(const std::vector<double>& values) {
+  results::HistogramCounts h;
+  if (values.empty()) return h;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double range = *high - *low;
+  const double spread = find_quantile(values, 0.75) - find_quantile(values, 0.25);
+  double width = 2 * spread / std::cbrt(static_cast<double>(values.size()));
+  width = round_up(std::max(width, range / most_classes));
+  if (!(range > 0)) width = round_up(0.01 * std::max(1.0, std::abs(*low)));
+  const double first = std::floor(*low / width);
+  const auto find_class = [&](double x) {
+    return static_cast<std::size_t>(std::max(0.0, std::floor(x / width) - first));
+  };
+  h.counts.assign(find_class(*high) + 1, 0);
+  for (std::size_t i = 0; i <= h.counts.size(); ++i) h.edges.push_back((first + static_cast<double>(i)) * width);
+  for (const double x : values) ++h.counts[find_class(x)];
+  return h;
+}
+
+results::SampleShare estimate_share(long count, long samples, double confidence) {
+  const auto [lower, upper] = bound_share(count, samples, confidence);
+  return {count, samples, samples > 0 ? static_cast<double>(count) / static_cast<double>(samples) : 0.0, lower, upper};
+}
+
+double estimate_error(const std::vector<double>& values, const std::vector<int>& first) {
+  if (first.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> means;
+  for (std::size_t r = 0; r + 1 < first.size(); ++r) {
+    double sum = 0;
+    for (int i = first[r]; i < first[r + 1]; ++i) sum += values[static_cast<std::size_t>(i)];
+    means.push_back(sum / (first[r + 1] - first[r]));
+  }
+  return find_moments(means).deviation / std::sqrt(static_cast<double>(means.size()));
+}
+
 namespace {
 
 constexpr double seconds_of_day = 86400;
@@ -165,6 +274,106 @@ void make_samples_result(const input::Sampling& asked, SampleSet& set) {
   out.ranks = describe_ranks(set, set.factor);
   if (const long none = out.factor->none; none > 0)
     out.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
+}
+
+// study.md and samples.csv of sampling.
+
+namespace {
+
+std::string show_probability(double p) {
+  return p == 0 ? "0" : p < 1e-3 ? fmt::format("{:.2e}", p) : fmt::format("{:.4g}", p);
+}
+
+std::string show_index(const std::optional<double>& index) {
+  return index ? fmt::format("{:.3f}", *index) : "–";
+}
+
+std::string show_rank(const std::optional<std::vector<results::RankCorrelation>>& ranks, const std::string& key) {
+  if (ranks)
+    for (const results::RankCorrelation& r : *ranks)
+      if (r.key == key && r.coefficient) return fmt::format("{:.3f}", *r.coefficient);
+  return "–";
+}
+
+}  // namespace
+
+std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling) {
+  std::string text =
+      fmt::format("# {}\n\n{} samples ({}, seed {}), {}: {:.1f} s.\n\n| number | distribution |\n|---|---|\n",
+                  title.empty() ? "Study" : title, sampling.samples,
+                  sampling.plan == results::SampleDraw::random ? "random" : "Latin hypercube", sampling.seed,
+                  sampling.method_title, sampling.seconds);
+  for (const results::UncertainNumber& n : sampling.numbers) text += fmt::format("| {} | {} |\n", n.key, n.text);
+  for (const results::SampledCorrelation& c : sampling.correlations)
+    text += fmt::format("\nCorrelation of {} and {}: {:g} asked, {:.3f} sampled.\n", c.keys[0], c.keys[1], c.asked,
+                        c.sampled);
+  if (const auto& f = sampling.factor; f && sampling.failure) {
+    const results::FailureProbability& p = *sampling.failure;
+    text += fmt::format(
+        "\nFactor of safety: mean {:.3f}, deviation {:.3f}, skewness {:.2f}, {:.3f} to {:.3f}.\n\n"
+        "Probability of failure P(F < 1) = {} ({} of {} samples), between {} and {} with {:g} % "
+        "confidence; reliability index β = {}.\n",
+        f->mean, f->deviation, f->skewness, f->smallest, f->largest, show_probability(p.share.probability),
+        p.share.count, p.share.samples, show_probability(p.share.lower), show_probability(p.share.upper),
+        100 * p.confidence, show_index(p.index));
+  }
+  if (const auto& f = sampling.first_order)
+    text += fmt::format(
+        "\nFirst order at the means: F = {:.3f}, deviation {:.4f}, β = {:.3f} (normal), {:.3f} "
+        "(lognormal).\n",
+        f->mean_factor, f->deviation, f->index_normal, f->index_lognormal);
+  if (const auto& d = sampling.design_point) {
+    text += fmt::format("\nMost probable failure (Hasofer and Lind): β = {:.3f}, probability {}, at", d->index,
+                        show_probability(d->probability));
+    for (const results::DesignPointValue& v : d->values)
+      text += fmt::format("{} {} = {:.4g}{}", &v == d->values.data() ? "" : ",", v.name, v.value,
+                          v.unit.empty() ? "" : " " + v.unit);
+    text += ".\n";
+  }
+  if (sampling.tornado) {
+    text +=
+        "\n| number | at one deviation less | F | at one deviation more | F | rank correlation |\n"
+        "|---|--:|--:|--:|--:|--:|\n";
+    for (const results::TornadoBar& bar : *sampling.tornado)
+      text +=
+          fmt::format("| {} | {:.4g} {} | {:.3f} | {:.4g} {} | {:.3f} | {} |\n", bar.name, bar.low_value, bar.unit,
+                      bar.low_factor, bar.high_value, bar.unit, bar.high_factor, show_rank(sampling.ranks, bar.key));
+  }
+  if (const auto& r = sampling.runout) {
+    text += fmt::format(
+        "\nRunout beyond the toe: mean {:.3g} m, deviation {:.3g} m, {:.3g} to {:.3g} m.\n\n"
+        "| farther than | probability | from | to |\n|--:|--:|--:|--:|\n",
+        r->values.mean, r->values.deviation, r->values.smallest, r->values.largest);
+    for (const results::Exceedance& e : r->exceedance)
+      text += fmt::format("| {:.3g} m | {} | {} | {} |\n", e.distance, show_probability(e.share.probability),
+                          show_probability(e.share.lower), show_probability(e.share.upper));
+  }
+  if (const auto& t = sampling.failure_time; t && t->count > 0)
+    text += fmt::format("\nTime of failure of the {} samples that fail: mean {:.3g} days, {:.3g} to {:.3g} days.\n",
+                        t->count, t->mean, t->smallest, t->largest);
+  std::string notes;
+  for (const std::string& note : sampling.notes) notes += "- " + note + "\n";
+  return text + (notes.empty() ? "" : "\n" + notes);
+}
+
+std::string write_samples(const SampleSet& set) {
+  std::string text = "sample";
+  for (const results::UncertainNumber& n : set.summary.numbers)
+    text += "," + output::quote_field(output::make_label(n.key, n.unit));
+  if (!set.factor.empty()) text += ",factor of safety";
+  if (!set.runout.empty()) text += ",runout beyond the toe [m]";
+  if (!set.failure_time.empty()) text += ",time of failure [s]";
+  text += '\n';
+  const auto write = [](double x) { return std::isfinite(x) ? output::to_shortest(x) : std::string(); };
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    text += std::to_string(i + 1);
+    for (const auto& column : set.values) text += "," + write(column[i]);
+    if (!set.factor.empty()) text += "," + write(set.factor[i]);
+    if (!set.runout.empty()) text += "," + write(set.runout[i]);
+    if (!set.failure_time.empty()) text += "," + write(set.failure_time[i]);
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace talus::study

@@ -69,4 +69,20 @@ std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& optio
 /// One error for all rows that did not finish, with the most serious code; nothing when all did.
 std::optional<Error> find_failure(const std::vector<StudyRow>& rows);
 
+// A study whatever its mode: its forecast, and the one entry behind `talus study` and Python's talus.study.
+
+struct StudyOutcome {
+  std::string tables;            ///< study.md
+  std::optional<Error> failure;  ///< of variants or samples that did not finish
+};
+
+/// Calculates the variants or the samples of the case, which was read with `overrides`. Errors as run_study() and
+/// run_sampling().
+StudyOutcome calculate_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                             const StudyOptions& options);
+
+/// "a study varies 3 keys: 24 runs, about 10 minutes"; empty where the case has no study. The time is that of runs one
+/// after another. Throws InputError with the faults of the variants.
+std::string forecast_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides);
+
 }  // namespace talus::study

@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "base/encoding.hpp"
-#include "base/file_name.hpp"
+#include "base/text.hpp"
+#include "base/user_file.hpp"
 #include "input/echo.hpp"
 #include "run/run_case.hpp"
-#include "study/key_paths.hpp"
+#include "study/sampled_numbers.hpp"
 
 namespace talus::study {
 namespace {

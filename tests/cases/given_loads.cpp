@@ -2,7 +2,7 @@
 // Loads of limit analysis against those of the case: each side of the ground bears what stands on it, and a problem
 // with another load is rejected.
 
-#include "run/bounds/given_loads.hpp"
+#include "run/bounds/problem_of_case.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include <random>
 
 #include "cases/methods_slope.hpp"
-#include "run/bounds/problem_of_case.hpp"
 
 namespace talus {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "cases/methods_slope.hpp"
 #include "support/run_json.hpp"
 

@@ -7,10 +7,9 @@
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
-#include "ground/conform.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
-#include "ground/plane_water.hpp"
+#include "ground/initial_water.hpp"
 #include "mesh/generate.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "run/mpm/record/onset.hpp"
+#include "run/mpm/record/motion.hpp"
 #include "support/run_json.hpp"
 
 namespace talus::run {

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "output/files/frames_reader.hpp"
 #include "support/child.hpp"
 #include "support/run_json.hpp"

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
 #include "output/files/history.hpp"
-#include "run/timeline/begin_later.hpp"
+#include "run/timeline/moment.hpp"
 
 namespace talus {
 namespace {

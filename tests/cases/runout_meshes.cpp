@@ -4,7 +4,6 @@
 
 #include <fstream>
 
-#include "base/interrupt.hpp"
 #include "base/progress.hpp"
 #include "cases/methods_slope.hpp"
 

@@ -6,7 +6,7 @@
 #include "cases/sampling_slope.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "study/sampling.hpp"
-#include "study/slice_numbers.hpp"
+#include "study/slice_factor.hpp"
 
 namespace talus::study {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cases/sampling_slope.hpp"
 #include "results/json.hpp"
-#include "study/normal_law.hpp"
+#include "study/distributions.hpp"
 #include "study/sampling.hpp"
 
 namespace talus::study {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "methods_slope.hpp"
 #include "support/slopes.hpp"
 

@@ -9,9 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/sampling_slope.hpp"
-#include "input/list_files.hpp"
+#include "input/read.hpp"
 #include "results/json.hpp"
-#include "study/job_folder.hpp"
 #include "study/jobs.hpp"
 #include "study_slope.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "study_slope.hpp"
 #include "support/run_json.hpp"
 

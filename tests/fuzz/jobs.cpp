@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "results/json.hpp"
-#include "results/study_jobs.hpp"
-#include "study/job_folder.hpp"
+#include "results/study.hpp"
+#include "study/jobs.hpp"
 #include "target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "input/case/measured_table.hpp"
+#include "input/case/calibration.hpp"
 #include "output/files/history.hpp"
 #include "target.hpp"
 

@@ -11,7 +11,7 @@
 #include "golden/device_comparison.hpp"
 #include "golden/plain_translation.hpp"
 #include "mpm/body/node_rows.hpp"
-#include "mpm/step/element_lines.hpp"
+#include "mpm/step/element_kernels.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {

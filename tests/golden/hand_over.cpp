@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/ranks.hpp"
-#include "mpm/body/description.hpp"
-#include "mpm/body/share.hpp"
+#include "mpm/body/build.hpp"
+#include "mpm/body/partition.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -6,7 +6,7 @@
 
 #include "golden/wet_bodies.hpp"
 #include "golden/wet_run.hpp"
-#include "mpm/coupled/kernels.hpp"
+#include "mpm/two_velocity/kernels.hpp"
 #include "reference/plain_mixture.hpp"
 
 namespace talus {

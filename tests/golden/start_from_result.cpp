@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "golden/loaded_bank.hpp"
 #include "mesh/generate.hpp"
 #include "mpm/body/observe.hpp"

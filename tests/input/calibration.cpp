@@ -8,7 +8,7 @@
 
 #include "slope.hpp"
 
-#include "input/case/number_keys.hpp"
+#include "input/case/uncertain_number.hpp"
 
 namespace talus::input {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/dates.hpp"
+#include "base/units.hpp"
 #include "wet_slope.hpp"
 
 namespace talus::input {

@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "bounds/conic/solve.hpp"
-#include "bounds/edges.hpp"
 #include "bounds/find_bounds.hpp"
+#include "bounds/problem.hpp"
 #include "bounds/refine.hpp"
 #include "support/bounds_sections.hpp"
 

@@ -10,7 +10,7 @@
 #include "mpm/body/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/recorder.hpp"
-#include "run/mpm/setback.hpp"
+#include "run/mpm/stage.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {

@@ -2,12 +2,12 @@
 // Small elements whose points have more inertia at frozen geometry: the step is that of the ordinary elements, and the
 // soil comes to rest where it did.
 
-#include "run/mpm/start/even_inertia.hpp"
+#include "run/mpm/start/frozen_body.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mesh/corners.hpp"
 #include "mesh/generate.hpp"
+#include "mesh/planar.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "run/fem/tell_elements.hpp"
+#include "run/fem/element_run.hpp"
 #include "support/solid_model.hpp"
 
 namespace talus {

@@ -8,8 +8,7 @@
 #include <cmath>
 
 #include "mpm/body/observe.hpp"
-#include "mpm/body/point_state.hpp"
-#include "run/mpm/start/initial_state.hpp"
+#include "run/mpm/start/prepare.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

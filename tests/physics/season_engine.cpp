@@ -10,10 +10,10 @@
 
 #include "base/error.hpp"
 #include "ground/initial_water.hpp"
-#include "ground/root_sink.hpp"
+#include "ground/roots.hpp"
+#include "run/mpm/point_results.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/water_record.hpp"
-#include "run/mpm/water_summary.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

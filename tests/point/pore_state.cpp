@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "mpm/coupled/pore_state.hpp"
+#include "mpm/two_velocity/pore_state.hpp"
 
 namespace talus {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "material/root_bundle.hpp"
+#include "material/rooted_mohr_coulomb.hpp"
 #include "support/draw.hpp"
 
 namespace talus {

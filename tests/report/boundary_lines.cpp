@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sides of a mesh become the lines that are drawn.
 
-#include "report/content/boundary_lines.hpp"
+#include "report/content/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include "input/rooted_slope.hpp"
 #include "report/content/materials.hpp"
 #include "report/words/assumptions.hpp"
-#include "report/words/explained_methods.hpp"
 
 namespace talus::report {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rule of which frames and points a report shows.
 
-#include "report/content/thinning.hpp"
+#include "report/content/sequence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bounds/edges.hpp"
+#include "bounds/problem.hpp"
 
 namespace talus::bounds {
 

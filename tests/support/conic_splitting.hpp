@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "bounds/conic/program.hpp"
+#include "bounds/conic/cones.hpp"
 
 namespace talus::bounds {
 

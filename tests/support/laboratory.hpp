@@ -10,7 +10,7 @@
 
 #include "input/read.hpp"
 #include "laboratory/calibration.hpp"
-#include "laboratory/measured_match.hpp"
+#include "laboratory/calibration_model.hpp"
 
 namespace talus::support {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/json.hpp"
-#include "run/named_results.hpp"
+#include "run/head.hpp"
 #include "run/run_case.hpp"
 
 namespace talus::support {

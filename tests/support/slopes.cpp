@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "input/language/apply_overrides.hpp"
+#include "input/language/parse.hpp"
 
 namespace talus::support {
 

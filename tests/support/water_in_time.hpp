@@ -8,7 +8,6 @@
 
 #include "fem/seepage/seepage.hpp"
 #include "ground/initial_water.hpp"
-#include "ground/plane_water.hpp"
 #include "ground/season.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"

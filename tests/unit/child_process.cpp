@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Work in a child process: how it ends, well or badly.
-#include "base/child_process.hpp"
+#include "base/foreign_code.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 
 namespace talus {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "base/extrapolate.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
-#include "run/mpm/reduction/side_by_side.hpp"
+#include "run/mpm/reduction/leg.hpp"
 
 namespace talus::run {
 namespace {

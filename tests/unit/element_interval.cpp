@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/generate.hpp"
-#include "run/fem/tell_elements.hpp"
-#include "run/fem/thin_layers.hpp"
+#include "run/fem/element_run.hpp"
+#include "run/fem/solid_of_case.hpp"
 
 namespace talus::run {
 namespace {

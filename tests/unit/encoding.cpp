@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What of a text may reach a terminal, a picture or a table.
-#include "base/encoding.hpp"
+#include "base/text.hpp"
 
 #include <gtest/gtest.h>
 

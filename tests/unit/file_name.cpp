@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // No name of a case, of a list of jobs or of a result leads out of its folder, onto another file, or past what a file
 // system allows.
-#include "base/file_name.hpp"
+#include "base/user_file.hpp"
 
 #include <gtest/gtest.h>
 

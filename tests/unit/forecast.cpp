@@ -6,11 +6,9 @@
 
 #include "base/memory.hpp"
 #include "mesh/generate.hpp"
-#include "run/forecast/counts.hpp"
-#include "run/forecast/probe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "study/whole_study.hpp"
+#include "study/study.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::run {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Calls of code that is not ours: a crash, no end, and an end of the program.
-#include "base/foreign_call.hpp"
+#include "base/foreign_code.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

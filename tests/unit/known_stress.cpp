@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stress that finite elements leave for material points: a linear field stays what it is on any mesh.
 
-#include "ground/known_stress.hpp"
+#include "ground/known_state.hpp"
 
 #include <gtest/gtest.h>
 

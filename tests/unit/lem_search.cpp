@@ -8,9 +8,8 @@
 
 #include "base/error.hpp"
 #include "lem/search/candidates.hpp"
-#include "lem/search/local_minima.hpp"
-#include "lem/search/minimise.hpp"
-#include "lem/search/optimise_surface.hpp"
+#include "lem/search/optimise.hpp"
+#include "lem/search/search_findings.hpp"
 #include "lem/surface/arcs.hpp"
 #include "support/lem_sections.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/corners.hpp"
+#include "mesh/planar.hpp"
 
 #include <gtest/gtest.h>
 

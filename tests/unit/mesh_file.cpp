@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
-#include "mesh/gmsh_session.hpp"
+#include "mesh/gmsh_mesh.hpp"
 #include "mesh/quality.hpp"
 
 namespace talus::mesh {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/column.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/points.hpp"

@@ -10,8 +10,8 @@
 
 #include "input/case/result_names.hpp"
 #include "results/run.hpp"
+#include "run/head.hpp"
 #include "run/mpm/record/motion.hpp"
-#include "run/named_results.hpp"
 
 namespace talus::run {
 namespace {

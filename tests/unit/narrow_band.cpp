@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "run/mpm/narrow_band.hpp"
+#include "run/mpm/stage_warnings.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ground/nearest_side.hpp"
+#include "ground/mesh_sides.hpp"
 #include "support/draw.hpp"
 
 namespace talus::ground {

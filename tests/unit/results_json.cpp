@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "results/documents.hpp"
 #include "results/named.hpp"
 #include "results/run.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/root_content.hpp"
+#include "ground/roots.hpp"
 
 namespace talus {
 namespace {

@@ -7,9 +7,6 @@
 
 #include <cmath>
 
-#include "study/normal_law.hpp"
-#include "study/random_stream.hpp"
-
 namespace talus::study {
 namespace {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Latin hypercubes: classes, correlations, and their gain over random samples.
 
-#include "study/latin_hypercube.hpp"
+#include "study/distributions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "study/normal_law.hpp"
-#include "study/sample_statistics.hpp"
+#include "study/sampling_table.hpp"
 
 namespace talus::study {
 namespace {

@@ -8,9 +8,8 @@
 
 #include <cmath>
 
-#include "study/latin_hypercube.hpp"
-#include "study/normal_law.hpp"
-#include "study/sample_statistics.hpp"
+#include "study/distributions.hpp"
+#include "study/sampling_table.hpp"
 
 namespace talus::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/mpm/record/state_fields.hpp"
+#include "run/mpm/record/frame.hpp"
 
 namespace talus::run {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Faces that are unstable by inspection.
 
-#include "ground/steep_faces.hpp"
+#include "ground/ground_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/divide.hpp"
-#include "run/mpm/record/moved_limit.hpp"
+#include "mesh/planar.hpp"
 #include "run/mpm/record/runout.hpp"
+#include "run/mpm/record/sections.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus::run {

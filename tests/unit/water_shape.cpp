@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Water tables that are drawn as no water can stand, and those that are right.
 
-#include "ground/water_shape.hpp"
+#include "ground/ground_line.hpp"
 
 #include <gtest/gtest.h>
 

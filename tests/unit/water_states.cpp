@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "ground/tell_seepage.hpp"
+#include "ground/seepage_results.hpp"
 #include "input/read.hpp"
 
 namespace talus::ground {
@@ -28,7 +28,8 @@ analysis.methods = ["lem"]
 }
 
 TEST(WaterStates, ATableOverTheGroundIsAPond) {
-  const WaterResult result = make_slope_result("initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]] }\n");
+  const WaterResult result =
+      make_slope_result("initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]] }\n");
   ASSERT_TRUE(result.states && result.states->size() == 1);
   const results::WaterState& state = result.states->front();
   EXPECT_EQ(state.flow, results::WaterFlow::hydrostatic);

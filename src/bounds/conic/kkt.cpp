@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Elimination of the cones, factors of the quasi-definite rest, and refinement.
-
 #include "bounds/conic/kkt.hpp"
 
 #include <Eigen/Dense>

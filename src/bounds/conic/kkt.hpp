@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bounds/conic/cones.hpp"
-#include "bounds/conic/program.hpp"
 
 namespace talus::bounds {
 

@@ -1,15 +1,86 @@
 // SPDX-License-Identifier: MIT
 // Pressures, velocities, discharges and wet faces of a solution.
-
 #include "fem/seepage/results.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/error.hpp"
-#include "fem/solid/water_table.hpp"
 
 namespace talus::fem {
+
+// Marching through the triangles that the water table crosses.
+
+namespace {
+
+using Edge = std::pair<int, int>;
+using Point = std::array<double, 2>;
+
+struct Crossings {
+  const mesh::Mesh<2>& mesh;
+  const std::vector<double>& pressure;
+
+  bool is_wet(int node) const { return pressure[static_cast<std::size_t>(node)] <= 0; }
+  Point find_point(const Edge& edge) const {
+    const auto a = static_cast<std::size_t>(edge.first), b = static_cast<std::size_t>(edge.second);
+    const double t = pressure[a] / (pressure[a] - pressure[b]);
+    return {mesh.nodes[a][0] + t * (mesh.nodes[b][0] - mesh.nodes[a][0]),
+            mesh.nodes[a][1] + t * (mesh.nodes[b][1] - mesh.nodes[a][1])};
+  }
+};
+
+void append(std::vector<Point>& line, const Point& p) {
+  if (line.empty() || std::hypot(p[0] - line.back()[0], p[1] - line.back()[1]) > 1e-12) line.push_back(p);
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> find_water_table(const mesh::Mesh<2>& mesh, const std::vector<double>& pressure) {
+  const Crossings crossings{mesh, pressure};
+  std::map<Edge, std::vector<Edge>> next;  // an edge and the one or two that the line goes on to
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.element_region[e] == mesh::empty_region) continue;
+    std::vector<Edge> crossed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.elements[e][k], b = mesh.elements[e][(k + 1) % 3];
+      if (crossings.is_wet(a) != crossings.is_wet(b)) crossed.emplace_back(std::min(a, b), std::max(a, b));
+    }
+    if (crossed.size() != 2) continue;
+    next[crossed[0]].push_back(crossed[1]);
+    next[crossed[1]].push_back(crossed[0]);
+  }
+  std::vector<std::vector<Point>> lines;
+  std::map<Edge, bool> used;
+  const auto follow = [&](Edge edge) {
+    std::vector<Point> line;
+    const Edge first = edge;
+    for (bool more = true; more;) {
+      used[edge] = true;
+      append(line, crossings.find_point(edge));
+      more = false;
+      for (const Edge& other : next[edge]) {
+        if (used[other]) continue;
+        edge = other;
+        more = true;
+        break;
+      }
+    }
+    const auto& ends = next[edge];
+    if (edge != first && ends.size() == 2 && next[first].size() == 2 &&
+        std::find(ends.begin(), ends.end(), first) != ends.end())
+      line.push_back(line.front());
+    if (line.size() > 1 && line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
+    if (line.size() > 1) lines.push_back(line);
+  };
+  for (const auto& [edge, others] : next) {
+    if (others.size() == 1 && !used[edge]) follow(edge);
+  }
+  for (const auto& [edge, others] : next) {
+    if (!used[edge]) follow(edge);
+  }
+  return lines;
+}
 
 namespace {
 
@@ -95,7 +166,7 @@ void add_exits(const SeepageSystem<D>& system, const std::vector<FaceState>& fac
 
 template <int D>
 SeepageResult<D> make_flow_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
-                            const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
+                                  const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
   SeepageResult<D> r;
   r.time = time;
   add_discharges(system, sums, conditions, time, r, state.face);
@@ -164,8 +235,8 @@ std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<d
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                      \
-  template SeepageResult<D> make_flow_result<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&,         \
-                                          const std::vector<NodeCondition>&, double, const StepInput&);           \
+  template SeepageResult<D> make_flow_result<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&,   \
+                                                const std::vector<NodeCondition>&, double, const StepInput&);     \
   template void add_fields<D>(const SeepageSystem<D>&, const SeepageState&, const StepInput&, SeepageResult<D>&); \
   template std::vector<double> to_unknowns<D>(const SeepageSystem<D>&, const std::vector<double>&);               \
   template std::vector<double> to_nodes<D>(const SeepageSystem<D>&, const std::vector<double>&);

@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "fem/seepage/check.hpp"
 #include "fem/seepage/results.hpp"
 #include "fem/seepage/runoff.hpp"
+#include "fem/seepage/seepage.hpp"
 
 namespace talus::fem {
 

@@ -3,13 +3,12 @@
 // is no longer positive, and a return over one long increment has no history. So the step is a creep: K_el q̇ = residual
 // is what an elastic viscosity would do, and its implicit Euler steps are positive definite when short and Newton's own
 // when long.
-
 #include "fem/solid/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 
 namespace talus::fem {
 namespace {

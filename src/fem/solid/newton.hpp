@@ -3,7 +3,7 @@
 // One step of the equations of equilibrium: implicit creep towards rest, each of its steps by Newton's method (T19.6).
 // Internal to fem/.
 
-#include "fem/solid/assembly.hpp"
+#include "fem/solid/system.hpp"
 #include "fem/sparse_solver.hpp"
 
 namespace talus::fem {

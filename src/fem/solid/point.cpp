@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Tangents of the laws by dual numbers.
-
 #include "fem/solid/point.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include <queue>
 
 #include "fem/solid/system.hpp"
-#include "mesh/divide.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::fem {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Equilibrium in load steps.
+#include "fem/solid/solid.hpp"
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "fem/solid/newton.hpp"
-#include "fem/solid/trial.hpp"
+#include "fem/solid/strength_reduction.hpp"
 
 namespace talus::fem {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its answer does
 // not depend on which others were tried before it.
+#include "fem/solid/strength_reduction.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +10,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
-#include "fem/solid/trial.hpp"
+#include "base/progress.hpp"
 
 namespace talus::fem {
 namespace {

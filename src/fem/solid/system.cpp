@@ -1,14 +1,244 @@
 // SPDX-License-Identifier: MIT
 // Unknowns and pattern of the equations of equilibrium.
-
 #include "fem/solid/system.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "fem/solid/point.hpp"
 
 namespace talus::fem {
+
+// Elements are computed in parallel, a batch at a time, and added in their order: the same bits for any number of
+// threads.
+
+namespace {
+
+constexpr std::size_t elements_per_piece = 32;
+
+/// Shear components: which axes they are of, in the order of the stress.
+constexpr std::array<std::array<std::size_t, 2>, 3> shears{{{0, 1}, {1, 2}, {2, 0}}};
+
+/// Calls f(a, axis, strain, gradient component): B of node a, one entry at a time.
+template <int D, class F>
+void for_strain(const Vec<D>& g, F&& f) {
+  for (std::size_t d = 0; d < D; ++d) f(d, d, g[d]);
+  for (std::size_t s = 0; s < (D == 2 ? 1 : 3); ++s) {
+    const auto [a, b] = shears[s];
+    f(a, s + 3, g[b]);
+    f(b, s + 3, g[a]);
+  }
+}
+
+}  // namespace
+
+template <int D>
+struct SolidAssembly<D>::Element {
+  static constexpr std::size_t n = SolidSystem<D>::locals;
+  std::array<double, n> force;
+  std::array<double, n * n> matrix;
+  bool symmetric;
+  int yielding;
+};
+
+template <int D>
+SolidAssembly<D>::SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads)
+    : system_(system), laws_(std::move(laws)), threads_(threads > 0 ? threads : default_threads()) {
+  for (const auto& law : laws_) state_size_ = std::max(state_size_, material::state_size(law));
+}
+
+template <int D>
+SolidState<D> SolidAssembly<D>::make_start() const {
+  SolidState<D> s;
+  const auto& mesh = system_.mesh;
+  const std::size_t points = mesh.points.size(), size = static_cast<std::size_t>(state_size_);
+  s.displacement.assign(mesh.nodes.size(), Vec<D>{});
+  s.stress.assign(points, {});
+  s.strain.assign(points, {});
+  s.yields.assign(points, 0);
+  s.state.assign(points * size, 0);
+  for (std::size_t p = 0; p < points; ++p) {
+    const std::size_t k = p / Quadratic<D>::points;
+    if (!system_.model.initial_stress.empty())
+      s.stress[p] = system_.model.initial_stress[static_cast<std::size_t>(mesh.linear_element[k])];
+    if (system_.model.set_state) system_.model.set_state(system_.region(k), mesh.points[p], &s.state[p * size]);
+  }
+  return s;
+}
+
+template <int D>
+void SolidAssembly<D>::evaluate_element(std::size_t k, const SolidState<D>& start, const std::vector<Vec<D>>& u,
+                                        bool with_matrix, SolidState<D>& end, Element& sum) const {
+  using Q = Quadratic<D>;
+  constexpr std::size_t n = Element::n, ns = Q::strains;
+  sum.force.fill(0);
+  if (with_matrix) sum.matrix.fill(0);
+  sum.symmetric = true;
+  sum.yielding = 0;
+  const auto& model = system_.model;
+  const auto& nodes = system_.mesh.elements[k];
+  const auto& law = laws_[static_cast<std::size_t>(system_.region(k))];
+  const double saturation =
+      model.saturation.empty() ? 1 : model.saturation[static_cast<std::size_t>(system_.mesh.linear_element[k])];
+  const std::size_t size = static_cast<std::size_t>(state_size_);
+  for (std::size_t q = 0; q < Q::points; ++q) {
+    const std::size_t p = k * Q::points + q;
+    const auto g = find_gradients<D>(find_barycentric<D>(q), system_.gradients[k]);
+    std::array<double, ns> d{};
+    for (std::size_t a = 0; a < Q::nodes; ++a) {
+      const auto& ua = u[static_cast<std::size_t>(nodes[a])];
+      for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) { d[s] += v * ua[axis]; });
+    }
+    std::array<double, ns * ns> c;
+    end.stress[p] = start.stress[p];
+    std::copy_n(&start.state[p * size], size, &end.state[p * size]);
+    const PointAnswer answer = update_point<static_cast<int>(ns)>(
+        law, saturation, d.data(), end.stress[p].data(), &end.state[p * size], with_matrix ? c.data() : nullptr);
+    end.yields[p] = start.yields[p] || answer.yields;
+    sum.yielding += answer.yields;
+    sum.symmetric = sum.symmetric && answer.symmetric;
+    end.strain[p] = start.strain[p];
+    for (std::size_t s = 0; s < ns; ++s) end.strain[p][s] += d[s];
+    const double w = system_.mesh.weights[p];
+    std::array<double, ns> total;
+    for (std::size_t s = 0; s < ns; ++s) total[s] = w * (end.stress[p][s] + (s < 3 ? system_.pore[k][q] : 0));
+    for (std::size_t a = 0; a < Q::nodes; ++a)
+      for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) { sum.force[a * D + axis] += v * total[s]; });
+    if (!with_matrix) continue;
+    for (std::size_t b = 0; b < Q::nodes; ++b) {
+      std::array<std::array<double, D>, ns> cb{};  // C B of node b
+      for_strain<D>(g[b], [&](std::size_t axis, std::size_t s, double v) {
+        for (std::size_t t = 0; t < ns; ++t) cb[t][axis] += w * v * c[t * ns + s];
+      });
+      for (std::size_t a = 0; a < Q::nodes; ++a)
+        for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) {
+          for (std::size_t e = 0; e < D; ++e) sum.matrix[(a * D + axis) * n + b * D + e] += v * cb[s][e];
+        });
+    }
+  }
+  if (system_.turned[k]) turn(k, with_matrix, sum);
+}
+
+/// From coordinate axes to those of the nodes.
+template <int D>
+void SolidAssembly<D>::turn(std::size_t k, bool with_matrix, Element& sum) const {
+  constexpr std::size_t n = Element::n;
+  for (std::size_t a = 0; a < Quadratic<D>::nodes; ++a) {
+    const auto& node = system_.nodes[static_cast<std::size_t>(system_.mesh.elements[k][a])];
+    if (!node.turned) continue;
+    const auto turn_triple = [&](auto&& at) {
+      Vec<D> old, now{};
+      for (std::size_t d = 0; d < D; ++d) old[d] = at(d);
+      for (std::size_t i = 0; i < D; ++i) now[i] = dot(node.axes[i], old);
+      for (std::size_t d = 0; d < D; ++d) at(d) = now[d];
+    };
+    turn_triple([&](std::size_t d) -> double& { return sum.force[a * D + d]; });
+    if (!with_matrix) continue;
+    for (std::size_t j = 0; j < n; ++j)
+      turn_triple([&](std::size_t d) -> double& { return sum.matrix[(a * D + d) * n + j]; });
+    for (std::size_t i = 0; i < n; ++i)
+      turn_triple([&](std::size_t d) -> double& { return sum.matrix[i * n + a * D + d]; });
+  }
+}
+
+template <int D>
+void SolidAssembly<D>::add(std::size_t k, const Element& sum, bool with_matrix, SolidSums& sums) const {
+  for (std::size_t a = 0; a < Quadratic<D>::nodes; ++a) {
+    const auto& node = system_.nodes[static_cast<std::size_t>(system_.mesh.elements[k][a])];
+    for (std::size_t d = 0; d < D; ++d)
+      if (node.unknown[d] >= 0) sums.force[static_cast<std::size_t>(node.unknown[d])] += sum.force[a * D + d];
+  }
+  sums.symmetric = sums.symmetric && sum.symmetric;
+  sums.yielding += sum.yielding;
+  if (!with_matrix) return;
+  const auto& slots = system_.slots[k];
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    if (slots[i] >= 0) sums.matrix[static_cast<std::size_t>(slots[i])] += sum.matrix[i];
+}
+
+template <int D>
+template <class Work>
+void SolidAssembly<D>::for_batches(bool with_matrix, Work&& work, SolidSums& sums) const {
+  sums.force.assign(static_cast<std::size_t>(system_.unknowns), 0);
+  if (with_matrix) sums.matrix.assign(system_.row.size(), 0);
+  sums.symmetric = true;
+  sums.yielding = 0;
+  const std::size_t count = system_.mesh.elements.size();
+  const std::size_t batch = elements_per_piece * static_cast<std::size_t>(std::max(threads_, 1));
+  std::vector<Element> buffer(std::min(batch, count));
+  for (std::size_t from = 0; from < count; from += batch) {
+    const std::size_t to = std::min(count, from + batch);
+    const auto pieces = static_cast<int>((to - from + elements_per_piece - 1) / elements_per_piece);
+    parallel_for(pieces, threads_, [&](int piece) {
+      const std::size_t first = from + static_cast<std::size_t>(piece) * elements_per_piece;
+      for (std::size_t k = first; k < std::min(to, first + elements_per_piece); ++k) work(k, buffer[k - from]);
+    });
+    for (std::size_t k = from; k < to; ++k) add(k, buffer[k - from], with_matrix, sums);
+  }
+}
+
+template <int D>
+void SolidAssembly<D>::evaluate(const SolidState<D>& start, const std::vector<Vec<D>>& u, bool with_matrix,
+                                SolidState<D>& end, SolidSums& sums) const {
+  end.stress.resize(start.stress.size());
+  end.strain.resize(start.strain.size());
+  end.state.resize(start.state.size());
+  end.yields.resize(start.yields.size());
+  end.displacement.resize(start.displacement.size());
+  for (std::size_t n = 0; n < u.size(); ++n)
+    for (std::size_t d = 0; d < D; ++d) end.displacement[n][d] = start.displacement[n][d] + u[n][d];
+  for_batches(
+      with_matrix, [&](std::size_t k, Element& sum) { evaluate_element(k, start, u, with_matrix, end, sum); }, sums);
+  throw_failure();
+}
+
+template <int D>
+void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<double>& matrix) const {
+  using Q = Quadratic<D>;
+  constexpr std::size_t ns = Q::strains, n = Element::n;
+  SolidSums sums;
+  const std::size_t size = static_cast<std::size_t>(state_size_);
+  for_batches(
+      true,
+      [&](std::size_t k, Element& sum) {
+        sum.force.fill(0);
+        sum.matrix.fill(0);
+        sum.symmetric = true;
+        sum.yielding = 0;
+        for (std::size_t q = 0; q < Q::points; ++q) {
+          const std::size_t p = k * Q::points + q;
+          const auto g = find_gradients<D>(find_barycentric<D>(q), system_.gradients[k]);
+          std::array<double, ns * ns> c;
+          find_elastic_stiffness<static_cast<int>(ns)>(laws_[static_cast<std::size_t>(system_.region(k))],
+                                                       at.stress[p].data(), &at.state[p * size], c.data());
+          for (std::size_t b = 0; b < Q::nodes; ++b) {
+            std::array<std::array<double, D>, ns> cb{};
+            for_strain<D>(g[b], [&](std::size_t axis, std::size_t s, double v) {
+              for (std::size_t t = 0; t < ns; ++t) cb[t][axis] += system_.mesh.weights[p] * v * c[t * ns + s];
+            });
+            for (std::size_t a = 0; a < Q::nodes; ++a)
+              for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) {
+                for (std::size_t e = 0; e < D; ++e) sum.matrix[(a * D + axis) * n + b * D + e] += v * cb[s][e];
+              });
+          }
+        }
+        if (system_.turned[k]) turn(k, true, sum);
+      },
+      sums);
+  matrix = std::move(sums.matrix);
+}
+
+template <int D>
+void SolidAssembly<D>::throw_failure() const {
+  for (const auto& law : laws_)
+    if (const auto failure = material::take_failure(law)) throw Error(ExitCode::unstable, failure->describe(""));
+}
+
+template class SolidAssembly<2>;
+template class SolidAssembly<3>;
+
 namespace {
 
 /// Fills the axes behind the held ones so that all are orthonormal.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/analysis.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

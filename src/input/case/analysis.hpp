@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/methods.hpp"
-#include "input/case/mesh.hpp"
+#include "input/case/geometry.hpp"
 #include "input/case/stage.hpp"
 #include "input/language/spec.hpp"
 

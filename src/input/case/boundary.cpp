@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/boundary.hpp"
+
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/compare.hpp"
+
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/result_names.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "input/language/amount.hpp"
+#include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {

@@ -6,11 +6,20 @@
 #include <limits>
 #include <string>
 
-#include "input/case/series_shape.hpp"
 #include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
+
+// How rows of time are joined.
+
+enum class SeriesShape { linear, steps };
+
+template <>
+inline constexpr auto choices<SeriesShape> = std::array{
+    Choice{SeriesShape::linear, "linear", "straight lines between the rows; two rows at one time are a jump"},
+    Choice{SeriesShape::steps, "steps", "each value holds until the time of the next row, as in a hyetograph"},
+};
 
 enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow };
 enum class RainDirection { vertical, normal };

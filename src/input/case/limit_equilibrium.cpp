@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [lem], [[lem.surface]], [[surcharge]] and [partial_factors]: surfaces and ranges that lie on the soil.
+#include "input/case/limit_equilibrium.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +9,10 @@
 
 #include "base/numbers.hpp"
 #include "input/case/checks.hpp"
-#include "input/case/soil_outline.hpp"
+#include "input/case/geometry.hpp"
 
 namespace talus::input {
+
 namespace {
 
 void check_stretch(const std::vector<double>& range, const std::string& path, const SoilOutline& soil,
@@ -119,6 +121,202 @@ void check_slices(const Case& data, Findings& findings) {
       check_slip_surface(data.lem.surfaces[i], path, soil, findings);
   for (std::size_t i = 0; i < data.surcharges.size(); ++i)
     check_surcharge(data.surcharges[i], fmt::format("surcharge.{}", i), soil, findings);
+}
+
+// What must hold between the keys of [lem.drawdown] and the rest of a case.
+
+namespace {
+
+using Line = std::vector<std::array<double, 2>>;
+
+/// Level of a water table at x, level beyond its ends [m].
+double find_level(const Line& line, double x) {
+  if (x <= line.front()[0]) return line.front()[1];
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (x <= line[i][0]) {
+      const auto &a = line[i - 1], &b = line[i];
+      return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+    }
+  return line.back()[1];
+}
+
+/// Water falls, or stays.
+void check_fall(const Line& before, const Line& after, Findings& findings) {
+  constexpr double rounding = 1e-9;  // of the levels
+  for (const Line* line : {&before, &after})
+    for (const auto& [x, y] : *line) {
+      const double from = find_level(before, x), to = find_level(after, x);
+      if (to <= from + rounding * std::max(1.0, std::abs(from))) continue;
+      return findings.add("lem.drawdown.water_table",
+                          fmt::format("At x = {} m the water table after drawdown ({} m) is above the one before "
+                                      "({} m); drawdown lowers the water",
+                                      format_coordinate(x), format_coordinate(to), format_coordinate(from)));
+    }
+}
+
+void check_soils(const Case& data, Findings& findings) {
+  const bool by_b_bar = data.lem.drawdown->method == DrawdownMethod::b_bar;
+  bool holds_water = false;
+  for (const auto& [name, m] : data.materials) {
+    const bool is_used = std::any_of(data.regions.begin(), data.regions.end(),
+                                     [&, &name = name](const auto& region) { return region.second == name; });
+    holds_water =
+        holds_water || (is_used && (by_b_bar ? m.slices.b_bar.has_value() : m.slices.undrained_envelope.has_value()));
+  }
+  if (holds_water || !findings.is_sound("regions")) return;
+  findings.add("lem.drawdown.method",
+               by_b_bar ? "method = \"b_bar\" of [lem.drawdown] needs a soil with a `b_bar`; all soils drain"
+                        : fmt::format("method = \"{}\" of [lem.drawdown] needs a soil with an `undrained_envelope`; "
+                                      "all soils drain",
+                                      get_word(data.lem.drawdown->method)));
+}
+
+/// What would answer for the slope before drawdown, or would need strengths that no test gives.
+void check_others(const Case& data, Findings& findings) {
+  const std::string path = "lem.drawdown";
+  if (data.methods.size() != 1)
+    findings.add(path,
+                 "rapid drawdown is calculated by slices alone, and other methods would answer for the slope before "
+                 "it: write methods = [\"lem\"] in [analysis]");
+  if (data.timeline)
+    findings.add(path,
+                 "not with [timeline], which follows the water through a drawdown by seepage; take one of the two out");
+  if (data.earthquake.horizontal != 0 || data.earthquake.vertical != 0)
+    findings.add(path, "not with [earthquake]: an earthquake during a rapid drawdown has no strengths here");
+  if (data.lem.yield_acceleration && findings.places.is_given("lem.yield_acceleration"))
+    findings.add("lem.yield_acceleration",
+                 "not with [lem.drawdown]: an earthquake during a rapid drawdown has no strengths here");
+  if (data.partial_factors.set != DesignApproach::none)
+    findings.add(path, "not with [partial_factors]: which of them divides an undrained envelope is not agreed on");
+  if (data.study.mode == StudyMode::sample && findings.is_sound("study.mode"))
+    findings.add(path, "not with mode = \"sample\" in [study]: samples know one state of the water");
+}
+
+}  // namespace
+
+void check_drawdown(const Case& data, Findings& findings) {
+  for (const auto& [name, m] : data.materials) {
+    const std::string path = "materials." + name + ".undrained_envelope";
+    if (!m.slices.undrained_envelope || !findings.is_sound("materials." + name)) continue;
+    if (!material::find_slice_strength(m.model, m) || m.friction_angle == 0)
+      findings.add(path, fmt::format("material '{}' has an undrained envelope but no friction angle in effective "
+                                     "stresses, which a drawdown starts from",
+                                     name));
+  }
+  if (!data.lem.drawdown || !findings.is_sound("analysis.methods") || !uses(data, Method::lem)) return;
+  check_others(data, findings);
+  const InitialWater& before = data.initial.water;
+  if (before.pressure == InitialPressure::zero) {
+    if (findings.is_sound("initial.pore_pressure"))
+      findings.add("lem.drawdown",
+                   "there is no water to draw down: give the water table before drawdown as [initial] pore_pressure = "
+                   "\"water_table\", or as \"seepage\" with a pool");
+    return;
+  }
+  if (findings.is_sound("lem.drawdown.method")) check_soils(data, findings);
+  if (!check_water_table(data.lem.drawdown->water_table, "lem.drawdown.water_table", findings)) return;
+  // Pools of [[hydraulic]] stand above this line: run::make_section() compares those.
+  if (before.pressure == InitialPressure::water_table && data.hydraulics.empty() &&
+      findings.is_sound("initial.water_table") && !before.water_table.empty())
+    check_fall(before.water_table, data.lem.drawdown->water_table, findings);
+}
+
+// [[lem.surface]]: circles that cut the ground, and polylines that run from ground to ground through the soil.
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+/// How far an end of a polyline may be off the ground, as a share of its width.
+constexpr double end_slack = 1e-2;
+/// Places between the ends of a circle where it is looked at.
+constexpr int places = 400;
+
+void check_circle(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
+  const auto [xc, yc] = *s.centre;
+  const double r = *s.radius, slack = soil.slack();
+  if (check_range(s.ends, path + ".ends", "places x", findings)) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!soil.spans(s.ends[i]))
+        return findings.add(path + ".ends", fmt::format("an end of surface '{}', x = {} m, is not on the ground, {}",
+                                                        s.name, format_coordinate(s.ends[i]), soil.write_span()));
+      if (std::abs(s.ends[i] - xc) > r + slack)
+        return findings.add(path + ".ends", fmt::format("the end x = {} m of surface '{}' is farther from the centre "
+                                                        "than its radius, {:.6g} m",
+                                                        format_coordinate(s.ends[i]), s.name, r));
+    }
+    return;
+  }
+  if (!findings.is_sound(path)) return;
+  const double from = std::max(xc - r, soil.left()), to = std::min(xc + r, soil.right());
+  for (int i = 1; i < places; ++i) {
+    const double x = from + (to - from) * i / places;
+    const double low = yc - std::sqrt(std::max(0.0, r * r - (x - xc) * (x - xc)));
+    if (from < to && low < soil.find_ground(x)) return;
+  }
+  findings.add(path,
+               fmt::format("the circle of surface '{}' lies outside the ground: nothing of its lower arc is in the "
+                           "soil",
+                           s.name));
+}
+
+void check_end(const SlipSurface& s, const Point& end, const std::string& path, const SoilOutline& soil,
+               Findings& findings) {
+  if (!soil.spans(end[0]))
+    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {} m, outside the ground, {}", s.name,
+                                          format_coordinate(end[0]), soil.write_span()));
+  const double above = end[1] - soil.find_ground(end[0]);
+  if (std::abs(above) > end_slack * (s.points.back()[0] - s.points.front()[0]))
+    findings.add(path, fmt::format("the end {} of surface '{}' is {:.3g} m {} the ground; a surface "
+                                   "goes from ground to ground",
+                                   format_point(end), s.name, std::abs(above), above > 0 ? "above" : "below"));
+}
+
+void check_polyline(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
+  const std::string points = path + ".points";
+  if (s.points.size() < 2)
+    return findings.add(points,
+                        fmt::format("surface '{}' has {} points; it needs at least 2", s.name, s.points.size()));
+  for (std::size_t i = 1; i < s.points.size(); ++i)
+    if (s.points[i][0] <= s.points[i - 1][0])
+      return findings.add(
+          fmt::format("{}.{}", points, i),
+          fmt::format("surface '{}' goes from x = {} m to x = {} m; its points run from left to "
+                      "right, x increasing",
+                      s.name, format_coordinate(s.points[i - 1][0]), format_coordinate(s.points[i][0])));
+  check_end(s, s.points.front(), points + ".0", soil, findings);
+  check_end(s, s.points.back(), fmt::format("{}.{}", points, s.points.size() - 1), soil, findings);
+  for (std::size_t i = 0; i < s.points.size(); ++i) {
+    const Point& p = s.points[i];
+    const std::string at = fmt::format("{}.{}", points, i);
+    if (!findings.is_sound(at)) continue;
+    if (p[1] < soil.bottom() - soil.slack())
+      findings.add(at, fmt::format("the point {} of surface '{}' is below the soil, whose lowest level is "
+                                   "{} m",
+                                   format_point(p), s.name, format_coordinate(soil.bottom())));
+    else if (i > 0 && i + 1 < s.points.size() && p[1] > soil.find_ground(p[0]) + soil.slack())
+      findings.add(at, fmt::format("the point {} of surface '{}' is above the ground", format_point(p), s.name));
+  }
+}
+
+}  // namespace
+
+void check_slip_surface(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
+  const bool has_circle = s.centre || s.radius, has_line = findings.places.is_given(path + ".points");
+  if (has_circle == has_line)
+    return findings.add(path,
+                        fmt::format("surface '{}' {}; give 'centre' and 'radius' of a circle, or the 'points' of a "
+                                    "polyline",
+                                    s.name, has_line ? "is a circle and a polyline" : "has no shape"));
+  if (has_line) {
+    if (findings.places.is_given(path + ".ends"))
+      findings.add(path + ".ends", "'ends' belongs to a circle; a polyline ends at its first and last point");
+    return check_polyline(s, path, soil, findings);
+  }
+  if (!s.centre || !s.radius)
+    return findings.add(path,
+                        fmt::format("the circle of surface '{}' has no '{}'", s.name, s.centre ? "radius" : "centre"));
+  check_circle(s, path, soil, findings);
 }
 
 }  // namespace talus::input

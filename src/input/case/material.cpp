@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/material.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

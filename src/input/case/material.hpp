@@ -4,13 +4,91 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
-#include "input/case/slice_soil.hpp"
 #include "input/case/water.hpp"
 #include "input/language/spec.hpp"
 #include "material/law.hpp"
 
 namespace talus::input {
+
+// [materials.NAME]: what slices and finite elements need of a soil beside its strength.
+
+/// What suction adds to the strength on a slip surface.
+enum class SuctionStrength { from_water, none, saturation, phi_b };
+
+/// The R envelope of isotropically consolidated undrained tests, in total stresses.
+struct UndrainedEnvelope {
+  double cohesion = 0;        ///< c_R [Pa]
+  double friction_angle = 0;  ///< φ_R [rad]
+};
+
+/// What slices (and finite elements, where they can) need of a material beside its strength.
+struct SliceSoil {
+  std::optional<double> unit_weight;            ///< γ above the water table, instead of grains and pores [N/m³]
+  std::optional<double> saturated_unit_weight;  ///< γ below it [N/m³]
+  double pore_pressure_ratio = 0;               ///< r_u [-]
+  SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
+                                                                   ///< retention curve, else none
+  double phi_b = 0;                                                ///< [rad]
+  std::optional<double> b_bar;                                     ///< B̄ of a drawdown [-]; not given: it drains
+  std::optional<UndrainedEnvelope> undrained_envelope;             ///< likewise
+};
+
+template <>
+inline constexpr auto choices<SuctionStrength> = std::array{
+    Choice{SuctionStrength::from_water, "from_water",
+           "as \"saturation\" where [materials.NAME.water] has a retention curve, else \"none\""},
+    Choice{SuctionStrength::none, "none", "nothing: no pore pressure above the water table"},
+    Choice{SuctionStrength::saturation, "saturation", "χ s tan φ with χ = S, Bishop's effective stress"},
+    Choice{SuctionStrength::phi_b, "phi_b", "s tan φᵇ, after Fredlund"},
+};
+
+/// Units in which weights of soils are often given, in kN/m³.
+inline std::vector<Slip> weight_slips() {
+  return {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"N/m3", 1e-3}, {"pcf", 0.1570875}};
+}
+
+template <class Visitor>
+void describe(Visitor& v, UndrainedEnvelope& e) {
+  v.key("cohesion", e.cohesion, quantity("kPa").at_least(0).required().example("57"), "c_R.");
+  v.key("friction_angle", e.friction_angle, quantity("deg").at_least(0).below(90).required().example("16"), "φ_R.");
+}
+
+/// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
+template <class Visitor>
+void describe_slice_soil(Visitor& v, SliceSoil& s) {
+  v.key(
+      "saturated_unit_weight", s.saturated_unit_weight,
+      quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
+      "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
+      "grains and water where `grain_density` is given, else `unit_weight`.");
+  v.key("pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
+        "r_u, pore pressure over the weight of the soil above, in the place of a water table. Material points hold it, "
+        "at "
+        "frozen geometry.");
+  v.key("suction_strength", s.suction_strength, plain(),
+        "What suction s adds to the strength above the water table; slices and finite elements only. Material points "
+        "follow [materials.NAME.water].");
+  v.key("phi_b", s.phi_b,
+        quantity("deg")
+            .at_least(0)
+            .below(90)
+            .needed_with("suction_strength", s.suction_strength, SuctionStrength::phi_b)
+            .example("15"),
+        "φᵇ of that.");
+  v.key("b_bar", s.b_bar, plain().at_least(0).at_most(1).example("1"),
+        "B̄, the change of the pore pressure over that of the vertical stress, where [lem.drawdown] has method = "
+        "\"b_bar\". Soil without it drains.");
+}
+
+/// Blocks of the same, which stand behind all keys.
+template <class Visitor>
+void describe_slice_blocks(Visitor& v, SliceSoil& s) {
+  v.optional_table("undrained_envelope", s.undrained_envelope,
+                   "The R envelope c_R + σ' tan φ_R of isotropically consolidated undrained tests, in total stresses, "
+                   "for [lem.drawdown]. Soil without it drains.");
+}
 
 using MaterialModel = material::Model;
 

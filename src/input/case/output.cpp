@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // [output]: the stage that the clock starts from, and sections.
+#include "input/case/output.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/encoding.hpp"
-#include "base/file_name.hpp"
+#include "base/text.hpp"
+#include "base/user_file.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/point_test.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

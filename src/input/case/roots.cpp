@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [[roots]]: what is given of each block, whether there are soils for it, and what rooted soils require.
+#include "input/case/roots.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "input/case/series_shape.hpp"
+#include "input/case/hydraulic.hpp"
 #include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 

@@ -4,15 +4,225 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
-#include "base/dates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
-#include "input/case/missing_values.hpp"
+#include "base/user_file.hpp"
 
 namespace talus::input {
+
+namespace {
+
+std::string_view trim(std::string_view text) {
+  const char* blank = " \t\r\"";
+  const auto first = text.find_first_not_of(blank);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+/// Takes the part of `text` before the next separator, and the separator, from its begin.
+std::string_view take_part(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
+}
+
+[[noreturn]] void report_fault(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+TextTable::Heading read_heading(std::string_view cell) {
+  const auto bracket = cell.find('[');
+  if (bracket == std::string_view::npos || cell.back() != ']') return {std::string(cell), ""};
+  return {std::string(trim(cell.substr(0, bracket))),
+          std::string(trim(cell.substr(bracket + 1, cell.size() - bracket - 2)))};
+}
+
+/// More columns than any table of measurements has.
+constexpr std::size_t most_columns = 10000;
+
+}  // namespace
+
+TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
+  if (const auto fault = try_user_file(path, largest_file::table, text_))
+    report_fault(fault->is_missing ? fmt::format("there is no table '{}'; its path is relative to the case file", file_)
+                                   : fmt::format("the table '{}' cannot be read: {}", file_, fault->why));
+  if (is_utf16(std::string_view(text_).substr(0, text_.find('\n'))))
+    report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
+  std::string_view rest = text_;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as spreadsheets begin their texts
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::string_view line = take_part(rest, '\n');
+    if (trim(line).empty() || trim(line)[0] == '#') continue;
+    if (separator_ == 0) {
+      read_header(line);
+      continue;
+    }
+    rows_.push_back({static_cast<std::size_t>(line.data() - text_.data()), line.size(), number});
+  }
+}
+
+void TextTable::read_header(std::string_view line) {
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  separator_ = has(';') ? ';' : has('\t') ? '\t' : ',';
+  const auto columns = static_cast<std::size_t>(std::ranges::count(line, separator_)) + 1;
+  if (columns > most_columns)
+    report_fault(fmt::format("'{}' has {} columns; a table has at most {}", file_, columns, most_columns));
+  for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
+}
+
+bool TextTable::has_column(const std::string& name) const {
+  return std::any_of(header_.begin(), header_.end(), [&](const Heading& h) { return h.name == name; });
+}
+
+std::size_t TextTable::find_column(const std::string& name) const {
+  std::vector<std::string> names;
+  std::string list;
+  for (const Heading& h : header_) {
+    names.push_back(h.name);
+    list += (list.empty() ? "'" : ", '") + h.name + "'";
+  }
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    // p is near to q in letters alone.
+    const std::string near = name.size() < 3 ? "" : find_nearest(name, names);
+    report_fault(fmt::format("'{}' has no column '{}'; {}", file_, name,
+                             near.empty() ? "it has " + list : fmt::format("is it '{}'?", near)));
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+std::string TextTable::cell(std::size_t row, std::size_t column) const {
+  std::string_view rest = std::string_view(text_).substr(rows_[row].begin, rows_[row].size);
+  for (; column > 0; --column) take_part(rest, separator_);
+  return std::string(trim(take_part(rest, separator_)));
+}
+
+double TextTable::number(std::size_t row, std::size_t column) const {
+  std::string text = cell(row, column);
+  if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
+  double value = 0;
+  const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
+  const auto [end, failure] = std::from_chars(begin, text.data() + text.size(), value);
+  if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    report_fault(fmt::format("{}: '{}' is no number", place(row), text));
+  return value;
+}
+
+std::string TextTable::place(std::size_t row) const {
+  return fmt::format("{}:{}", file_, rows_[row].line);
+}
+
+namespace {
+
+/// A longer interval is a gap where this fraction of the intervals between rows is equal; and how much longer it is.
+constexpr double regular = 0.8, longer = 1.5;
+constexpr std::size_t least_intervals = 4;
+
+[[noreturn]] void reject(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+/// The interval of a series that has a row in each; nothing where rows are as they come.
+std::optional<double> find_interval(const std::vector<double>& times) {
+  if (times.size() <= least_intervals) return std::nullopt;
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) intervals.push_back(times[i] - times[i - 1]);
+  std::vector<double> sorted = intervals;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = *middle;
+  const auto equal =
+      std::count_if(intervals.begin(), intervals.end(), [&](double d) { return std::abs(d - usual) <= 0.01 * usual; });
+  return static_cast<double>(equal) >= regular * static_cast<double>(intervals.size()) ? std::optional(usual)
+                                                                                       : std::nullopt;
+}
+
+/// The value that fills row i; nothing where there is none to fill from.
+std::optional<double> find_filling(const MeasuredColumn& column, std::size_t i, const std::string& fill) {
+  if (fill == "zero") return 0.0;
+  std::size_t before = i, after = i;
+  while (before > 0 && !column.values[before]) --before;
+  while (after + 1 < column.values.size() && !column.values[after]) ++after;
+  if (!column.values[before]) return std::nullopt;
+  if (fill == "previous") return column.values[before];
+  if (!column.values[after]) return std::nullopt;
+  const double share = (column.times[i] - column.times[before]) / (column.times[after] - column.times[before]);
+  return *column.values[before] + share * (*column.values[after] - *column.values[before]);
+}
+
+}  // namespace
+
+bool is_missing(const std::string& cell, double code) {
+  std::string text = to_lower(cell);
+  for (const char* word : {"", "nan", "na", "n/a", "null", "none", "-", "--", "---"})
+    if (text == word) return true;
+  if (text[0] != '-') return false;
+  std::replace(text.begin(), text.end(), ',', '.');
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  const bool are_nines =
+      text.size() > 1 && std::all_of(text.begin() + 1, text.end(), [](char c) { return c == '9' || c == '.'; });
+  return are_nines && read_number(text) <= code;
+}
+
+void add_missing_rows(MeasuredColumn& column) {
+  const std::optional<double> interval = find_interval(column.times);
+  if (!interval) return;
+  MeasuredColumn whole;
+  for (std::size_t i = 0; i < column.times.size(); ++i) {
+    whole.times.push_back(column.times[i]);
+    whole.values.push_back(column.values[i]);
+    whole.rows.push_back(column.rows[i]);
+    if (i + 1 == column.times.size()) break;
+    const double gap = column.times[i + 1] - column.times[i];
+    const int missing = gap > longer * *interval ? std::max(1, static_cast<int>(std::lround(gap / *interval)) - 1) : 0;
+    for (int k = 1; k <= missing; ++k) {
+      whole.times.push_back(column.times[i] + gap * k / (missing + 1));
+      whole.values.emplace_back();
+      whole.rows.push_back(column.rows[i]);
+    }
+  }
+  column = std::move(whole);
+}
+
+std::vector<double> fill_missing(const TextTable& table, const std::string& name, const std::string& fill,
+                                 const MeasuredColumn& column, std::string& note) {
+  std::vector<double> values;
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = 0; i < column.values.size(); ++i)
+    if (!column.values[i] && count++ == 0) first = i;
+  const auto format_first = [&] {
+    const bool is_row = first > 0 && column.rows[first] == column.rows[first - 1];
+    return fmt::format("{}: {}", table.place(column.rows[first]),
+                       is_row ? "the rows after it are missing" : fmt::format("no value of '{}'", name));
+  };
+  if (count > 0 && fill.empty())
+    reject(
+        fmt::format("{}; {} of {} values are missing. Correct the table, or write fill = \"zero\", \"previous\" or "
+                    "\"linear\" beside 'column'",
+                    format_first(), count, column.values.size()));
+  for (std::size_t i = 0; i < column.values.size(); ++i) {
+    const auto value = column.values[i] ? column.values[i] : find_filling(column, i, fill);
+    if (!value)
+      reject(fmt::format("{}: fill = \"{}\" has no value {} it", table.place(column.rows[i]), fill,
+                         fill == "previous" ? "before" : "on both sides of"));
+    values.push_back(*value);
+  }
+  if (count > 0)
+    note = fmt::format("{} of {} values of '{}' in '{}' are missing and were filled with fill = \"{}\"; the first: {}",
+                       count, column.values.size(), name, table.file(), fill, format_first());
+  return values;
+}
+
 namespace {
 
 /// A series of the case, and what its values are.

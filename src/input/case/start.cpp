@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [initial] result: whether there is a result to start from, what has no meaning with one, and whether it fits the
 // case.
+#include "input/case/start.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What must hold between the keys of [timeline] and the rest of a case.
+#include "input/case/timeline.hpp"
 
 #include <fmt/format.h>
 

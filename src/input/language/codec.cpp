@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "base/nearest.hpp"
 #include "base/numbers.hpp"
+#include "base/text.hpp"
 #include "base/units.hpp"
 
 namespace talus::input {

@@ -7,10 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "input/language/amount.hpp"
 #include "input/language/time_table.hpp"
 
 namespace talus::input {
+
+// A number with the unit that the user gave it.
+
+/// A number as the user writes it, with its unit: 1.58, "212 mm", "5 %".
+struct Amount {
+  double number = 0;
+  std::string unit;  ///< empty for a plain number
+  std::string text;  ///< as in the file, for people
+};
 
 /// Two opposite corners of a box: [[x_min, y_min], [x_max, y_max]].
 struct Corners {

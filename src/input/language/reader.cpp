@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/nearest.hpp"
+#include "base/text.hpp"
 
 namespace talus::input {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Candidate surfaces for many samples of soils. Weights are linear in the unit weights, so each slice keeps the areas
 // of the soils above it; strengths are read from the sample.
-
 #include "lem/search/candidates.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "lem/search/local_minima.hpp"
+#include "lem/search/search_findings.hpp"
 
 namespace talus::lem {
 

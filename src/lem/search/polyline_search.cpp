@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
-#include "lem/search/evaluator.hpp"
-#include "lem/search/local_minima.hpp"
-#include "lem/search/optimise_surface.hpp"
-#include "lem/search/random_parts.hpp"
-#include "lem/surface/polyline_shape.hpp"
+#include "lem/search/optimise.hpp"
+#include "lem/search/search.hpp"
+#include "lem/search/search_findings.hpp"
+#include "lem/surface/surface.hpp"
 
 namespace talus::lem {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lem/search/optimise_circle.hpp"
+#include "lem/search/optimise.hpp"
 #include "lem/search/search.hpp"
 #include "lem/search/trial_circles.hpp"
 

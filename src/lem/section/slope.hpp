@@ -4,6 +4,8 @@
 // Immutable after construction; shared by threads.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "lem/section/section.hpp"
 
@@ -40,5 +42,17 @@ class Slope {
  private:
   std::unique_ptr<Strips> strips_;
 };
+
+// Faults of the regions of a section whose ground is sound.
+
+/// Adds a sentence per polygon that crosses itself or lies outside, and per place under the ground without soil.
+void find_region_faults(const Section& section, std::vector<std::string>& faults);
+
+// How deep a tension crack can be.
+
+/// x and depth of the crack of a section along the ground [m], no deeper than given and than where Rankine's active
+/// stress of the soil beside it equals the pressure of the water in it,
+/// σ_h = K_a (σ_v - u) - 2c √K_a + u = γ_w min(water, z), with K_a = tan²(45° - φ/2) (Terzaghi 1943).
+std::vector<Point> compute_crack_depths(const Slope& slope);
 
 }  // namespace talus::lem

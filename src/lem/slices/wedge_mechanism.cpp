@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compatible velocities of wedges, and the power of what drives them and of what they dissipate.
-
 #include "lem/slices/wedge_mechanism.hpp"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lem/slices/slice_strength.hpp"
+#include "lem/slices/slices.hpp"
 
 namespace talus::lem {
 

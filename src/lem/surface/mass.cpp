@@ -1,13 +1,148 @@
 // SPDX-License-Identifier: MIT
 // The sliding mass as the methods see it.
-
 #include "lem/surface/mass.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "lem/slices/drawdown.hpp"
+#include "lem/slices/slices.hpp"
+
 namespace talus::lem {
+
+// The base of a sliding mass as arcs and straight pieces, and where it meets the lines of the section.
+
+namespace {
+
+/// x between a and b where the piece meets a straight line of the strip. The arc is convex: it meets a line at most
+/// twice.
+void add_meets(const BaseLine& base, const BasePiece& piece, const Strip& strip, const StripLine& line, double a,
+               double b, std::vector<double>& meets) {
+  const double above_a = base.at(piece, a) - line.at(a - strip.left),
+               above_b = base.at(piece, b) - line.at(b - strip.left);
+  if (!piece.arc) {
+    if (above_a * above_b < 0) meets.push_back(a + (b - a) * above_a / (above_a - above_b));
+    return;
+  }
+  if (above_a <= 0 && above_b <= 0) return;
+  const auto& [xc, yc] = base.circle.centre;
+  const double s = line.slope, h = yc - line.at(xc - strip.left), q = 1 + s * s;
+  const double root = base.circle.radius * base.circle.radius * q - h * h;
+  if (root <= 0) return;
+  for (const double sign : {-1.0, 1.0}) {
+    const double x = xc + (s * h + sign * std::sqrt(root)) / q;
+    if (x > a && x < b) meets.push_back(x);
+  }
+}
+
+}  // namespace
+
+double BaseLine::at(const BasePiece& piece, double x) const {
+  if (!piece.arc) return piece.line.at(x - piece.from);
+  const double d = x - circle.centre[0];
+  return circle.centre[1] - std::sqrt(std::max(0.0, (circle.radius + d) * (circle.radius - d)));
+}
+
+double BaseLine::at(double x) const {
+  for (const BasePiece& piece : pieces)
+    if (x <= piece.to) return at(piece, x);
+  return at(pieces.back(), x);
+}
+
+bool BaseLine::passes(const BasePiece& piece, const Point& p, double tolerance) const {
+  if (std::abs(at(piece, p[0]) - p[1]) <= tolerance) return true;
+  const double dx = p[0] - circle.centre[0], dy = p[1] - circle.centre[1];
+  return piece.arc && dy <= tolerance && std::abs(std::sqrt(dx * dx + dy * dy) - circle.radius) <= tolerance;
+}
+
+bool BaseLine::ends_on_ground(const Slope::Strips& strips, const BasePiece& piece, double x, double tolerance) const {
+  const int i = strips.find(x);
+  const Strip& strip = strips.strip(i);
+  double low = strip.ground.at(x - strip.left), high = low;
+  const auto widen = [&](const Strip& other) {
+    const double ground = other.ground.at(x - other.left);
+    low = std::min(low, ground);
+    high = std::max(high, ground);
+  };
+  if (i > 0 && x - strip.left <= tolerance) widen(strips.strip(i - 1));
+  if (i + 1 < static_cast<int>(strips.strips.size()) && strip.right - x <= tolerance) widen(strips.strip(i + 1));
+  const double y = at(piece, x);
+  return (y >= low && y <= high) || passes(piece, {x, low}, tolerance) || passes(piece, {x, high}, tolerance);
+}
+
+Refusal BaseLine::lay(const Slope& slope, const Surface& surface, const Checks& checks) {
+  pieces.clear();
+  composite = false;
+  const double bottom = slope.section().base;
+  if (!surface.circle) {
+    if (surface.line.size() < 2) return Refusal::outside;
+    const double nearest = 1e-6 * (surface.line.back()[0] - surface.line.front()[0]);
+    for (std::size_t i = 1; i < surface.line.size(); ++i) {
+      const Point &a = surface.line[i - 1], &b = surface.line[i];
+      if (!(b[0] > a[0])) return Refusal::outside;
+      if (std::min(a[1], b[1]) < bottom - nearest) return Refusal::below_base;
+      pieces.push_back({a[0], b[0], false, {a[1], (b[1] - a[1]) / (b[0] - a[0])}});
+    }
+    return Refusal::none;
+  }
+  circle = *surface.circle;
+  const double from = surface.from, to = surface.to, span = to - from, hair = 1e-6 * span;
+  const auto& [xc, yc] = circle.centre;
+  if (!(span > 0) || from < xc - circle.radius - hair || to > xc + circle.radius + hair) return Refusal::outside;
+  const double over = yc - bottom;  // of the centre over the base
+  const double half = std::sqrt(std::max(0.0, (circle.radius - over) * (circle.radius + over)));
+  const double a = std::max(from, xc - half), b = std::min(to, xc + half);
+  if (over < 0 || (circle.radius > over && a < b && circle.radius - over > hair)) {
+    if (!checks.composite || over < 0) return Refusal::below_base;
+    composite = true;
+    if (a > from) pieces.push_back({from, a, true, {}});
+    pieces.push_back({a, b, false, {bottom, 0}});
+    if (b < to) pieces.push_back({b, to, true, {}});
+  } else {
+    pieces.push_back({from, to, true, {}});
+  }
+  return Refusal::none;
+}
+
+Refusal BaseLine::divide(const Slope& slope, double from, double to) {
+  stretches.clear();
+  const auto& strips = slope.strips();
+  const double hair = 1e-10 * (to - from), rise = ground_tolerance * (to - from), near = 1e-6 * (to - from);
+  int s = strips.find(from);
+  for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
+    const BasePiece& piece = pieces[static_cast<std::size_t>(p)];
+    const double end = std::min(piece.to, to);
+    double a = std::max(piece.from, from);
+    while (end - a > hair) {
+      while (s + 1 < static_cast<int>(strips.strips.size()) && strips.strip(s).right - a <= hair) ++s;
+      const Strip& strip = strips.strip(s);
+      double b = std::min(end, strip.right);
+      if (end - b <= hair || s + 1 == static_cast<int>(strips.strips.size())) b = end;
+      // The ends are known to lie on the ground; between them the arc is convex and highest at the sides of a strip.
+      if ((a > from && at(piece, a) > strip.ground.at(a - strip.left) + rise) ||
+          (b < to && at(piece, b) > strip.ground.at(b - strip.left) + rise))
+        return Refusal::outside;
+      meets.clear();
+      for (int i = strip.first; i + 1 < strip.last; ++i)
+        add_meets(*this, piece, strip, strips.layer(i).bottom, a, b, meets);
+      meets.push_back(b);
+      if (meets.size() > 2) std::sort(meets.begin(), meets.end());
+      for (const double x : meets) {
+        if (x - a <= hair) continue;
+        const double middle = 0.5 * (a + x);
+        // Along a boundary of layers the upper one counts, not what rounding says.
+        const int layer = strips.find_layer(strip, middle - strip.left, at(piece, middle) + near);
+        if (layer < 0 || strips.layer(layer).soil < 0) return Refusal::below_base;
+        stretches.push_back({a, x, p, s, layer});
+        a = x;
+      }
+      a = b;
+    }
+  }
+  return stretches.empty() ? Refusal::outside : Refusal::none;
+}
 
 void Mass::set(const Slope& slope, const CutSurface& cut, double horizontal) {
   const double vertical = 1 + slope.section().vertical_acceleration;
@@ -96,6 +231,206 @@ void Mass::set_inclinations(SliceMethod method, const CutSurface& cut) {
     const double base = 0.5 * (here.alpha() + below.alpha());
     wedges[i].ratio = std::tan(method == SliceMethod::corps_2 ? ground : 0.5 * (ground + base));
   }
+}
+
+// Cuts the sliding mass over a surface: base, slices, direction of sliding, tension crack.
+
+namespace {
+
+/// Centre and radius for moments: of the circle, or of one through the ends of the polyline and near to its vertices.
+void set_moment_centre(const Surface& surface, CutSurface& cut) {
+  if (surface.circle) {
+    cut.moment_centre = surface.circle->centre;
+    cut.radius = surface.circle->radius;
+    return;
+  }
+  // Through both ends; the height h of the centre over the chord's middle fits the middles of the bases by least
+  // squares: t² + n² - 2 n h = (L/2)² along and normal to the chord.
+  const Point &a = surface.line.front(), &b = surface.line.back();
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]), half = 0.5 * length;
+  const Point along{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+  double top = 0, bottom = 0;
+  for (const Slice& slice : cut.slices) {
+    const double dx = 0.5 * (slice.left + slice.right) - middle[0];
+    const double dy = 0.5 * (slice.base_left[1] + slice.base_right[1]) - middle[1];
+    const double t = dx * along[0] + dy * along[1], n = -dx * along[1] + dy * along[0];
+    top += n * (t * t + n * n - half * half) * slice.length;
+    bottom += 2 * n * n * slice.length;
+  }
+  // A nearly straight surface has its centre far above it.
+  const double h = bottom > 0 ? std::clamp(top / bottom, 0.0, 1000 * length) : 1000 * length;
+  cut.moment_centre = {middle[0] - h * along[1], middle[1] + h * along[0]};
+  cut.radius = std::hypot(half, h);
+}
+
+/// Horizontal push of weights and loads down the base, to the left positive: the direction of sliding.
+double sum_push(const CutSurface& cut) {
+  double push = 0;
+  for (const Slice& slice : cut.slices)
+    push +=
+        (slice.weight + slice.surface_load) * (slice.base_right[1] - slice.base_left[1]) / (slice.right - slice.left) -
+        slice.surface_thrust;
+  return push;
+}
+
+void turn_slices(std::vector<Slice>& slices) {
+  for (Slice& slice : slices) {
+    slice.slope = -slice.slope;
+    slice.surface_thrust = -slice.surface_thrust;
+  }
+}
+
+/// x where the base is as deep as the crack, whose depth is `depth_at` of x, searched from the upper end; none when it
+/// is nowhere.
+template <class DepthAt>
+std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at, double& bottom) {
+  const auto size = cut.slices.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
+    const double near = cut.slides_left ? slice.top_right - slice.base_right[1] : slice.top_left - slice.base_left[1];
+    const double far = cut.slides_left ? slice.top_left - slice.base_left[1] : slice.top_right - slice.base_right[1];
+    double a = cut.slides_left ? slice.right : slice.left, b = cut.slides_left ? slice.left : slice.right;
+    if (far < depth_at(b)) continue;
+    if (near >= depth_at(a)) b = a;
+    for (int k = 0; k < 60 && a != b; ++k) {
+      const double x = 0.5 * (a + b), t = (x - slice.left) / (slice.right - slice.left);
+      const double ground = slice.top_left + t * (slice.top_right - slice.top_left);
+      (ground - base.at(x) < depth_at(x) ? a : b) = x;
+    }
+    bottom = base.at(b);
+    return b;
+  }
+  return std::nullopt;
+}
+
+void warn(const Slope& slope, CutSurface& cut) {
+  bool lifted = true;
+  for (const Slice& slice : cut.slices)
+    lifted = lifted && slice.pore_pressure * (slice.right - slice.left) > slice.weight + slice.surface_load;
+  if (lifted) cut.warnings.push_back("the pore pressure exceeds the weight of the soil everywhere on the base");
+  if (!cut.surface.circle) return;
+  // Beyond its lower end the circle stays below the ground when it falls outwards more steeply.
+  const auto& [xc, yc] = cut.surface.circle->centre;
+  const Point toe = cut.slides_left ? cut.slices.front().base_left : cut.slices.back().base_right;
+  const double outwards = cut.slides_left ? -1 : 1, step = 1e-3 * cut.radius;
+  const double x = toe[0] + outwards * step;
+  if (x < slope.left() || x > slope.right() || std::abs(x - xc) >= cut.radius) return;
+  const double arc = yc - std::sqrt(cut.radius * cut.radius - (x - xc) * (x - xc));
+  cut.cut_at_toe = arc < slope.ground(x) - 1e-3 * step;
+  if (cut.cut_at_toe)
+    cut.warnings.push_back("the arc is cut at its lower end: the circle would go on below the ground");
+}
+
+/// The slices over the base, with the water on the ground's vertical steps.
+void slice_mass(const Slope& slope, const BaseLine& base, int count, CrackEnd crack, CutSurface& cut) {
+  fill_slices(slope.strips(), base, count, cut);
+  press_on_faces(slope.strips(), cut.slices, crack);
+  if (slope.before() != nullptr) press_on_faces(slope.before()->strips(), cut.before, crack);
+}
+
+/// A vertical crack at the upper end of a mass.
+struct CrackPlace {
+  double x = 0, bottom = 0, water = 0;  ///< [m]; height of the water in it
+};
+
+/// Nothing where the crack leaves no mass.
+template <class DepthAt>
+std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at,
+                                      double water) {
+  const double from = cut.slices.front().left, to = cut.slices.back().right;
+  CrackPlace crack;
+  const auto x = find_crack(base, cut, depth_at, crack.bottom);
+  const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
+  if (kept < 1e-3 * (to - from)) return std::nullopt;
+  crack.x = *x;
+  crack.water = std::min(water, depth_at(*x));
+  return crack;
+}
+
+/// Slices of the mass that ends at `crack`; without one as they are.
+void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optional<CrackPlace>& crack,
+                 const std::array<double, 2>& ends, CutSurface& cut) {
+  if (crack) {
+    base.divide(slope, cut.slides_left ? ends[0] : crack->x, cut.slides_left ? crack->x : ends[1]);
+    slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
+    cut.crack_thrust = 0.5 * slope.section().water_unit_weight * crack->water * crack->water;
+    cut.crack_thrust_level = crack->bottom + crack->water / 3;
+  }
+  set_moment_centre(cut.surface, cut);
+  for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
+  if (cut.slides_left) return;
+  turn_slices(cut.slices);
+  turn_slices(cut.before);
+}
+
+/// Janbu's simplified factor, which compares cracks at the end of one surface; infinite where there is none.
+double find_janbu(const Slope& slope, const CutSurface& cut) {
+  static thread_local Mass mass;
+  const Section& section = slope.section();
+  mass.set(slope, cut, section.turn_to_sliding(section.horizontal_acceleration, cut.slides_left));
+  int iterations = 0;
+  const double factor = solve_simplified(mass, false, 1, iterations);
+  return factor > 0 ? factor : std::numeric_limits<double>::infinity();
+}
+
+Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
+  static thread_local BaseLine base;
+  const auto& strips = slope.strips();
+  const double from = surface.circle ? surface.from : surface.line.empty() ? 0 : surface.line.front()[0];
+  const double to = surface.circle ? surface.to : surface.line.empty() ? 0 : surface.line.back()[0];
+  const double hair = 1e-6 * (to - from);
+  if (!(to > from) || from < slope.left() - hair || to > slope.right() + hair) return Refusal::outside;
+  if (const Refusal refusal = base.lay(slope, surface, checks); refusal != Refusal::none) return refusal;
+  const double near = ground_tolerance * (to - from);
+  if (!base.ends_on_ground(strips, base.pieces.front(), from, near) ||
+      !base.ends_on_ground(strips, base.pieces.back(), to, near))
+    return Refusal::outside;
+  if (const Refusal refusal = base.divide(slope, from, to); refusal != Refusal::none) return refusal;
+  cut.composite = base.composite;
+  slice_mass(slope, base, count, CrackEnd::none, cut);
+  if (cut.depth < checks.smallest_depth || !(cut.area > 0)) return Refusal::too_shallow;
+  cut.slides_left = sum_push(cut) >= 0;
+  const TensionCrack crack =
+      surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
+  std::optional<CrackPlace> end, given;
+  if (crack.depth > 0) {
+    const auto depth_at = [&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); };
+    end = place_crack(base, cut, depth_at, crack.water);
+    if (!end) return Refusal::too_shallow;
+    // A limit takes length from the crack and from the water in it, whose thrust may matter more.
+    if (crack.limited && crack.water > 0)
+      given = place_crack(
+          base, cut, [&](double) { return crack.depth; }, crack.water);
+  }
+  finish_mass(slope, base, count, end, {from, to}, cut);
+  if (given && given->bottom < end->bottom) {
+    const double limited = find_janbu(slope, cut);
+    finish_mass(slope, base, count, given, {from, to}, cut);
+    if (limited < find_janbu(slope, cut)) finish_mass(slope, base, count, end, {from, to}, cut);
+  }
+  keep_drained_strengths(cut);
+  warn(slope, cut);
+  return Refusal::none;
+}
+
+}  // namespace
+
+void cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
+  cut.surface = surface;
+  cut.warnings.clear();
+  cut.composite = cut.cut_at_toe = false;
+  cut.crack_thrust = cut.crack_thrust_level = 0;
+  cut.refusal = cut_mass(slope, surface, count, checks, cut);
+  if (cut.refusal != Refusal::none) {
+    cut.slices.clear();
+    cut.before.clear();
+  }
+}
+
+CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks) {
+  CutSurface cut;
+  cut_surface(slope, surface, count, checks, cut);
+  return cut;
 }
 
 }  // namespace talus::lem

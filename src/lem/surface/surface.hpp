@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lem/section/section.hpp"
+#include "lem/section/slope.hpp"
 
 namespace talus::lem {
 
@@ -54,5 +55,15 @@ std::vector<std::string> find_faults(const Slope& slope, const Surface& surface)
 /// The stretches of a circle's lower arc that lie below the ground, each from ground to ground: x of the two ends, from
 /// left to right.
 std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& circle);
+
+// Shapes of admissible polyline surfaces.
+
+/// The surface from `left` to `right` on the ground that hangs below all points and all corners of the ground between
+/// them, like a string pulled tight from below: the lower convex hull. A block that slides on it never has to bend
+/// upwards, so every such surface is kinematically admissible, and it changes continuously with the points.
+Surface hang_polyline(const Slope& slope, double left, double right, const std::vector<Point>& points);
+
+/// `count` of the points of a hull, ends kept, that follow it best: the vertices whose loss changes it least go first.
+std::vector<Point> thin_points(std::vector<Point> line, int count);
 
 }  // namespace talus::lem

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Checks the points of a table and computes its pieces.
-
 #include "material/water/monotone_table.hpp"
 
 #include <fmt/format.h>

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/lane_math.hpp"
-#include "base/visit.hpp"
+#include "base/lane.hpp"
+#include "base/portable.hpp"
 #include "material/water/monotone_table.hpp"
 
 namespace talus::material {

@@ -19,7 +19,7 @@
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/body/conditions.hpp"
-#include "mpm/coupled/water.hpp"
+#include "mpm/two_velocity/water.hpp"
 
 namespace talus::mpm {
 

@@ -2,6 +2,8 @@
 #pragma once
 // From a mesh and a list of points to a body that can step.
 
+#include "base/message.hpp"
+#include "mpm/body/body.hpp"
 #include "mpm/step/step.hpp"
 
 namespace talus::mpm {
@@ -42,5 +44,23 @@ template <int D>
 Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
                   std::vector<std::string> names, const std::vector<InitialPoint<D>>& points,
                   const std::vector<WaterLaw>& water = {});
+
+// A body without its soil, which several ranks have before each takes its part: conditions and totals, and room for all
+// fields. What is zero takes no memory (base/aligned.hpp).
+
+/// A body like `body` with all fields zero and no point on its grid.
+template <int D>
+Body<D> copy_description(const Body<D>& body);
+
+/// Into a message, but for layout, laws and the reach of softening.
+template <int D>
+void put_description(const Body<D>& body, Message& message);
+/// Out of it; the body has no laws yet.
+template <int D>
+Body<D> get_description(Message& message, std::shared_ptr<const Layout<D>> layout);
+
+/// The layout that rank 0 has, on all ranks.
+template <int D>
+std::shared_ptr<const Layout<D>> broadcast_layout(std::shared_ptr<const Layout<D>> layout);
 
 }  // namespace talus::mpm

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/rows.hpp"
-#include "mpm/body/share.hpp"
+#include "mpm/body/partition.hpp"
 
 namespace talus::mpm {
 

@@ -8,7 +8,6 @@
 
 #include "mpm/device/device_loads.hpp"
 #include "mpm/device/device_water.hpp"
-#include "mpm/device/fade_kernels.hpp"
 #include "mpm/device/relocation_kernels.hpp"
 
 namespace talus::mpm::device {

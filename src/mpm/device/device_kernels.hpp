@@ -3,14 +3,13 @@
 // The lines of a step, thread by thread: what a GPU runs, and the CPU in its place. A kernel is a plain struct whose
 // operator() is the work of one thread; which threads run together, and in which order, must not matter to it.
 
-#include "mpm/body/observe_lines.hpp"
+#include "mpm/body/observe_kernels.hpp"
+#include "mpm/darcy/darcy_block.hpp"
 #include "mpm/device/device.hpp"
 #include "mpm/device/thread_body.hpp"
-#include "mpm/mixture/mixture_block.hpp"
-#include "mpm/step/average_lines.hpp"
-#include "mpm/step/dry_block.hpp"
-#include "mpm/step/element_lines.hpp"
-#include "mpm/step/node_lines.hpp"
+#include "mpm/step/block_pass.hpp"
+#include "mpm/step/element_kernels.hpp"
+#include "mpm/step/node_kernels.hpp"
 #include "mpm/step/softening.hpp"
 
 namespace talus::mpm::device {

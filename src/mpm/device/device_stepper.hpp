@@ -6,9 +6,26 @@
 #include <string>
 
 #include "mpm/device/device.hpp"
+#include "mpm/device/emulated.hpp"
 #include "mpm/step/critical_step.hpp"
 
 namespace talus::mpm {
+
+// Which device takes the bodies of this process through their steps.
+
+/// From now on a GPU does. Throws Error (wrong_input) where there is none.
+void use_gpu();
+/// The kernels of a GPU run on this processor.
+void use_emulated_device(const Emulation& how = {});
+/// This processor does again.
+void use_no_device();
+
+/// "NVIDIA H100", "emulated"; empty where no device is used.
+const std::string& get_device_name();
+
+/// A new device of the chosen kind, nullptr where none is.
+template <int D>
+std::unique_ptr<Device<D>> make_device();
 
 template <int D>
 class DeviceStepper {

@@ -4,7 +4,7 @@
 
 #include "mpm/device/device.hpp"
 #include "mpm/device/device_array.hpp"
-#include "mpm/device/pressure_kernels.hpp"
+#include "mpm/device/water_kernels.hpp"
 
 namespace talus::mpm::device {
 

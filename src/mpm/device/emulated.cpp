@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The device that is none: the kernels of a GPU on this processor, for tests.
-
 #include "mpm/device/emulated.hpp"
 
 #include "mpm/device/device_body.hpp"
-#include "mpm/device/host_grid.hpp"
 #include "mpm/device/timed_grid.hpp"
 
 namespace talus::mpm {

@@ -2,13 +2,31 @@
 #pragma once
 // The pass over the points on the CPU: the blocks of a chunk one after another, the chunks on threads.
 
+#include <chrono>
 #include <optional>
 
-#include "mpm/body/share.hpp"
+#include "mpm/body/partition.hpp"
 #include "mpm/step/block_pass.hpp"
 #include "mpm/step/softening.hpp"
 
 namespace talus::mpm {
+
+// The time of the lines of a step.
+
+/// Runs lines one after the other, and adds the time since the last one, or since its making, to a part of the step.
+class Stopwatch {
+ public:
+  template <class Line>
+  void operator()(double& part, Line&& line) {
+    line();
+    const auto now = std::chrono::steady_clock::now();
+    part += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 /// What a chunk sums up beside the sums of its nodes.
 struct ChunkSums {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/body/point_state.hpp"
-#include "mpm/body/share.hpp"
-#include "mpm/coupled/kernels.hpp"
-#include "mpm/coupled/pore_state.hpp"
-#include "mpm/step/element_lines.hpp"
+#include "mpm/body/observe.hpp"
+#include "mpm/body/partition.hpp"
+#include "mpm/step/element_kernels.hpp"
+#include "mpm/two_velocity/kernels.hpp"
+#include "mpm/two_velocity/pore_state.hpp"
 
 namespace talus::mpm {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Points that left their element: found again by walking through the sides, in an order that threads cannot change.
+#include "mpm/step/relocate.hpp"
 
 #include <algorithm>
 
-#include "mpm/body/share.hpp"
+#include "mpm/body/partition.hpp"
 #include "mpm/body/slots.hpp"
-#include "mpm/coupled/coupled_step.hpp"
-#include "mpm/coupled/kernels.hpp"
-#include "mpm/step/element_force.hpp"
+#include "mpm/step/element_kernels.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/step.hpp"
-#include "mpm/step/walk.hpp"
+#include "mpm/two_velocity/kernels.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "mpm/body/share.hpp"
+#include "mpm/body/partition.hpp"
 
 namespace talus::mpm {
 namespace {

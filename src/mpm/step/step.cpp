@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "mpm/step/step.hpp"
 
-#include "mpm/coupled/coupled_step.hpp"
-#include "mpm/mixture/mixture_step.hpp"
-#include "mpm/step/stopwatch.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "base/rows.hpp"
+#include "mpm/body/averages.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/body/partition.hpp"
+#include "mpm/darcy/darcy_step.hpp"
+#include "mpm/step/block_pass.hpp"
+#include "mpm/step/chunk_pass.hpp"
+#include "mpm/step/element_kernels.hpp"
+#include "mpm/step/node_kernels.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {
+
 namespace {
 
 /// The lines of the step, each timed as a part of it.
@@ -44,5 +55,155 @@ void step(Body<D>& body, const StepOptions<D>& options) {
 
 template void step<2>(Body<2>&, const StepOptions<2>&);
 template void step<3>(Body<3>&, const StepOptions<3>&);
+
+// The one pass over the points of soil of one phase.
+
+namespace {
+
+template <int D>
+struct DryPass : OneVelocityPass<D> {
+  template <class Law>
+  using Block = DryBlock<DryPass, Law>;
+  using OneVelocityPass<D>::OneVelocityPass;
+
+  TALUS_KERNEL void note_full(const BlockPlace<Body<D>>&, Mask) {}
+};
+
+}  // namespace
+
+template <int D>
+MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options) {
+  return advance_blocks<DryPass<D>>(body, options);
+}
+
+template MoverLists advance_points<2>(Dry, Body<2>&, const StepOptions<2>&);
+template MoverLists advance_points<3>(Dry, Body<3>&, const StepOptions<3>&);
+
+// Nodal forces of the tractions on sides and on points, at the time of the body.
+
+namespace {
+
+/// A point that carries a force: where it stands.
+template <int D>
+struct Carrier {
+  std::size_t entry = 0;  ///< of the load
+  int element = 0;
+  double shape[D + 1];
+};
+
+/// The carriers of a load on points that are in the body, in the order of its entries, whatever rank has them.
+template <int D>
+std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) {
+  const Points<D>& points = body.points;
+  std::vector<Carrier<D>> carriers;
+  for (std::size_t i = 0; i < load.entries.size(); ++i) {
+    const int point = load.entries[i].index;
+    Carrier<D> c{i, points.element[point], {}};
+    if (c.element < 0) continue;
+    const std::int64_t place = points.place[point];
+    const double* p = points.slot(place / lane_width) + place % lane_width;
+    c.shape[0] = 1;
+    for (int k = 0; k < D; ++k) {
+      c.shape[k + 1] = p[(Points<D>::xi + k) * lane_width];
+      c.shape[0] -= c.shape[k + 1];
+    }
+    carriers.push_back(c);
+  }
+  if (!body.share) return carriers;
+  carriers = join_lists(body, std::move(carriers));
+  std::sort(carriers.begin(), carriers.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
+  return carriers;
+}
+
+}  // namespace
+
+template <int D>
+void gather_loads(Body<D>& body) {
+  // Those of the step of the mixture hold the water outside too: another step's would count it twice.
+  body.nodes.load.clear();
+  if (body.conditions.loads.empty()) return;
+  body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
+  for (const Load<D>& load : body.conditions.loads) {
+    const double factor = load.factor.at(body.time);
+    if (!load.on_points) {
+      for (const auto& entry : load.entries)
+        for (int d = 0; d < D; ++d) body.nodes.load[entry.index][d] += factor * entry.force[d];
+      continue;
+    }
+    for (const Carrier<D>& c : find_carriers(body, load))
+      for (int k = 0; k <= D; ++k) {
+        Vec<D>& f = body.nodes.load[body.mesh().elements[c.element][k]];
+        for (int d = 0; d < D; ++d) f[d] += factor * c.shape[k] * load.entries[c.entry].force[d];
+      }
+  }
+}
+
+template void gather_loads<2>(Body<2>&);
+template void gather_loads<3>(Body<3>&);
+
+// The two node loops of the step: accelerations, and MUSL's nodal velocities.
+
+template <int D>
+void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  solve_pieces(body, o.threads, body.nodes.sums, sums_stride, o.monitor,
+               [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
+}
+
+template <int D>
+void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const bool far = body.points.size() > 50000;  // beyond the second-level cache
+  for_chunks_and_update(body, o.threads, body.nodes.sums, sums_stride, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+      const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * lane_width];
+      if (far && b + 2 < layout.blocks) {
+        const int* ahead = rows + 2 * (D + 1) * lane_width;
+        for (int i = 0; i < (D + 1) * lane_width; ++i) {
+          __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(ahead[i]) * motion_stride<D>], 0, 3);
+          __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(ahead[i]) * sums_stride], 1, 3);
+        }
+        for (int i = 0; i < moment_size<D>; ++i)
+          __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
+      }
+      remap_block(body, b, o.dt);
+    }
+  });
+  std::vector<std::array<double, 2>> works(static_cast<std::size_t>(layout.chunks));  // external, lost in the mapping
+  for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
+    std::array<double, 2> lost{};
+    remap_nodes(body, o, begin, end, lost);
+    if (c < 0) return;
+    works[static_cast<std::size_t>(c)] = lost;
+  });
+  complete_chunks(body, works);
+  for (const auto& work : works) {
+    body.work.external += work[0];
+    body.work.mapping += work[1];
+  }
+  body.nodes.motion_step = o.dt;
+}
+
+template void solve_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
+
+// Nodal averages of the volumetric strain increment of the elements, weighted by their volume (2.94).
+
+// nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the elements at each node that take part.
+template <int D>
+void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& o) {
+  for_blocks_and_update(body, o.threads, body.nodes.average, 2, [&](int b, const int* rows) {
+    Pack values[2];
+    find_average_parts(body, b, o, values);
+    add_average<D>(body.nodes.average, rows, values);
+  });
+  divide_averages<2, 1>(body, o.threads, body.nodes.average, body.nodes.smoothed.data());
+}
+
+template void smooth_increments<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void smooth_increments<3>(Dry, Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

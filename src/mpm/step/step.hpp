@@ -24,7 +24,7 @@ struct StepOptions {
   bool monitor = false;   ///< fill Body::monitor in this step
   int threads = 1;
   // Soil with pore water.
-  bool darcy = false;              ///< one velocity, and pressures at the nodes (darcy_step.hpp)
+  bool darcy = false;                ///< one velocity, and pressures at the nodes (darcy_step.hpp)
   double pressure_tolerance = 1e-5;  ///< of their residual, over what drives them [-]
   bool implicit_drag = true;
   double water_damping = 0;        ///< α of the water

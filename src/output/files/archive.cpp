@@ -10,7 +10,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "output/files/examine.hpp"
+#include "output/files/frames_reader.hpp"
 #include "output/files/hdf5.hpp"
 
 namespace talus::output {

@@ -12,6 +12,16 @@
 
 namespace talus::output {
 
+// Files that may be damaged, looked at before the HDF5 library of this process reads them.
+
+/// What is looked at: the structure of a file, which says where its values stand, or all its values too.
+enum class Depth { structure, values };
+
+/// Goes through HDF5 files in a child process, because the library crashes on some damaged ones. Every data set has a
+/// checksum, which is verified wherever its values are read. Throws Error (wrong_input) with the name of the first file
+/// that is damaged; files that are not there are left out.
+void examine(const std::vector<std::filesystem::path>& files, Depth depth = Depth::structure);
+
 /// Keeps the frames of a run. Every frame is on the disk, whole, when write() returns, and stays there until the
 /// assembled file that holds it is: a killed run loses nothing that was written.
 class ResultsWriter {

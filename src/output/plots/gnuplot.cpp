@@ -15,9 +15,9 @@
 #include <memory>
 
 #include "base/atomic_file.hpp"
-#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/text.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::output {

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "output/plots/field_plot.hpp"
 #include "output/plots/gnuplot.hpp"
-#include "output/plots/true_scale.hpp"
 
 namespace talus::output {
 namespace {

@@ -44,4 +44,10 @@ struct ColourScale {
 /// signs matter (the smaller side is above a tenth of the larger). A constant field gets a scale of length `step` (SI).
 ColourScale find_colour_scale(std::span<const double> values, bool is_signed, double step = 1);
 
+// Pore water of a frame as an engineer asks for it, from what the results hold.
+
+/// Replaces the water's own velocity w by Darcy's, nS(w - v): volume per time and area of soil [m/s]. Points of dry
+/// soil, whose saturation is zero, get no pressure, saturation or flow. A dry frame stays as it is.
+void show_water(output::Frame& frame);
+
 }  // namespace talus::report

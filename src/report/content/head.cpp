@@ -2,9 +2,14 @@
 #include "report/content/head.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "report/content/sequence.hpp"
+#include "report/words/numbers.hpp"
 #include "results/json.hpp"
+#include "results/named.hpp"
 
 namespace talus::report {
 
@@ -37,6 +42,84 @@ json make_timing(const results::RunResult& run) {
       parts.push_back({{"name", name}, {"title", title}, {"seconds", seconds}});
     }
   return {{"wall", timing.wall}, {"cpu", timing.cpu.value_or(0)}, {"parts", parts}};
+}
+
+namespace {
+
+/// Curves and pictures of more times than this are hard to tell apart.
+constexpr std::size_t most_times = 5;
+
+std::size_t find_nearest(const std::vector<double>& times, double time) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (std::abs(times[i] - time) <= std::abs(times[nearest] - time)) nearest = i;
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<std::size_t> choose_shown(const std::vector<double>& times, const results::Clock& clock) {
+  std::vector<std::size_t> shown;
+  if (times.empty()) return shown;
+  if (clock.shown_times.empty()) {
+    const std::size_t first = find_nearest(times, clock.start);
+    for (const std::size_t i : choose_frames(times.size() - first, most_times)) shown.push_back(first + i);
+  }
+  for (const double time : clock.shown_times) shown.push_back(find_nearest(times, clock.start + time));
+  std::sort(shown.begin(), shown.end());
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+  return shown;
+}
+
+using nlohmann::json;
+
+namespace {
+
+/// Whether all points left the grid.
+bool has_lost_all(const results::RunResult& run) {
+  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
+}
+
+/// Long times of a timeline are told in hours or days; volumes, flows and speeds in feet where lengths are.
+ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& units, std::size_t dimension) {
+  const std::string& name = result.unit.name;
+  if (name == "s") return choose_time_unit(std::abs(result.value));
+  if (name == "m") return units.length;
+  if (name == "m/s") return units.speed();
+  if (name.starts_with("m3/s")) return units.flow(dimension);
+  if (name.starts_with("m3")) return units.volume(dimension);
+  return {name, result.unit.si};
+}
+
+}  // namespace
+
+json list_named_results(const ResultFolder& folder) {
+  std::map<std::string, results::NamedValue> known;
+  for (const results::NamedValue& value : results::list_values(folder.run, folder.data.mesh.dimension))
+    known.emplace(value.name, value);
+  const ShownUnits units = read_units(folder.run);
+  const std::size_t dimension = get_dimension(folder.run);
+  json list = json::array();
+  for (const results::NamedResult& result : folder.run.results) {
+    const results::NamedValue about = known[result.name];  // nothing: another version knew other results
+    // Of a strength reduction the runout is that of a trial.
+    const bool of_run = folder.data.analysis == input::AnalysisKind::run;
+    if (has_lost_all(folder.run) && about.kind == results::ResultKind::runout && of_run) continue;
+    // Its title says so.
+    const bool flows_in = about.quantity == "discharge" && result.value < 0;
+    const ShownUnit unit = choose_unit(result, units, dimension);
+    json& out = list.emplace_back();
+    out = {{"name", result.name},
+           {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
+           {"value", flows_in ? -result.value : result.value},
+           {"unit", to_json(unit)},
+           {"kind", results::to_word(about.kind)},
+           {"quantity", about.quantity},
+           {"by", about.by ? to_word(*about.by) : ""}};
+    if (about.uncertainty)
+      out["text"] = show_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
+  }
+  return list;
 }
 
 }  // namespace talus::report

@@ -3,13 +3,130 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "report/content/properties.hpp"
-#include "report/content/soil_water.hpp"
+#include "base/numbers.hpp"
+#include "ground/roots.hpp"
+#include "report/content/water.hpp"
 #include "report/words/numbers.hpp"
 
 namespace talus::report {
+
+using nlohmann::json;
+
+namespace {
+
+double drop_last_digits(double value) {
+  return round_to_digits(value, 12);
+}
+
+}  // namespace
+
+std::optional<double> find_porosity(const input::Material& soil) {
+  return soil.slices.unit_weight && soil.porosity == 0 ? std::nullopt : std::optional(soil.porosity);
+}
+
+void Properties::add(const std::string& key, const std::string& title, const std::string& symbol, const ShownUnit& unit,
+                     std::optional<double> value, std::optional<double> design, std::optional<double> at_failure) {
+  if (!value) return;
+  const auto show = [&](std::optional<double> si) {
+    return si ? std::optional(drop_last_digits(*si / unit.si)) : std::nullopt;
+  };
+  rows_.push_back({key, title, symbol, unit.name, show(value), show(design), show(at_failure)});
+}
+
+json Properties::list() const {
+  const auto write = [](std::optional<double> value) { return value ? json(*value) : json(); };
+  json list = json::array();
+  for (const Row& row : rows_)
+    list.push_back({{"key", row.key},
+                    {"title", row.title},
+                    {"symbol", row.symbol},
+                    {"unit", row.unit},
+                    {"characteristic", write(row.characteristic)},
+                    {"design", write(row.design)},
+                    {"at_failure", write(row.at_failure)}});
+  return list;
+}
+
+void Properties::add(const material::Properties& list) {
+  for (const material::Property& p : list) {
+    const auto reduce = [&](std::optional<double> factor) {
+      return factor && p.reduce && p.value ? std::optional(p.reduce(*factor)) : std::nullopt;
+    };
+    add(p.key, p.title, p.symbol, find_unit(p.shown_as), p.value, reduce(design_), reduce(failure_));
+  }
+}
+
+ShownUnit Properties::find_unit(material::ShownAs shown_as) const {
+  using material::ShownAs;
+  switch (shown_as) {
+    case ShownAs::angle:
+      return {"°", degree};
+    case ShownAs::stress:
+      return units_.stress;
+    case ShownAs::stiffness:
+      return units_.stiffness;
+    case ShownAs::per_cent:
+      return {"%", 1};
+    case ShownAs::per_per_cent:
+      return {"1/%", 1};
+    case ShownAs::stress_per_length:
+      return {units_.stress.name + "/" + units_.length.name, units_.stress.si / units_.length.si};
+    case ShownAs::si:
+      return {"SI", 1};
+    case ShownAs::number:
+      break;
+  }
+  return {"-", 1};
+}
+
+void Properties::add_roots(const std::vector<input::Roots>& blocks, const input::Material& soil) {
+  const material::RootEffect effect = soil.traits().roots;
+  const bool takes_content = effect == material::RootEffect::content;
+  if (effect == material::RootEffect::none) return;
+  const std::string what = takes_content ? "root content" : "cohesion of roots";
+  struct Worth {
+    std::string ground;
+    double value;  ///< at the ground [%] or [Pa]
+  };
+  std::vector<Worth> worths;
+  for (const input::Roots& block : blocks)
+    if (const auto grown = takes_content ? block.content : ground::find_ground_cohesion(block))
+      worths.push_back({block.ground, *grown * ground::find_age_share(block)});
+  const auto add_one = [&](const std::string& key, const std::string& title, double value) {
+    if (takes_content)
+      add(key, title, "mr", {"%", 1}, value);
+    else
+      add({material::make_divided(key.c_str(), title, "cr", material::ShownAs::stress, value)});
+  };
+  double most = takes_content ? soil.root_content : soil.root_cohesion;
+  if (worths.empty() || most > 0)
+    add_one(takes_content ? "root_content" : "root_cohesion",
+            worths.empty() ? what : what + " where no [[roots]] reaches", most);
+  for (std::size_t i = 0; i < worths.size(); ++i) {
+    add_one(fmt::format("roots_{}", i), fmt::format("{} under '{}', at the ground", what, worths[i].ground),
+            worths[i].value);
+    most = std::max(most, worths[i].value);
+  }
+  if (takes_content) add(material::list_root_properties(soil.model, soil, most));
+}
+
+void Properties::add_wet_weights(const ResultFolder& folder, const input::Material& soil) {
+  const ShownUnit& weight = units_.unit_weight;
+  const auto weigh = [&](double suction) {
+    const double water = soil.porosity * find_saturation(soil.water, suction) * folder.data.water.density;
+    return (soil.density() + water) * folder.data.gravity.acceleration;
+  };
+  add("unit_weight_saturated", "unit weight (below the water table)", "γ_sat", weight, weigh(0));
+  const auto largest = find_largest_suction(folder.run);
+  if (!largest || weigh(*largest) == weigh(0)) return;
+  add("unit_weight_moist",
+      fmt::format("unit weight (at the largest suction, S = {:.2f})", find_saturation(soil.water, *largest)), "γ_moist",
+      weight, weigh(*largest));
+}
 
 using nlohmann::json;
 
@@ -87,6 +204,81 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+namespace {
+
+/// How a bundle was added up.
+std::string describe_bundle(const input::RootBundle& bundle) {
+  const std::size_t classes = bundle.area_ratios.size();
+  return fmt::format(
+      "{} {} class{} of roots",
+      bundle.model == input::RootBundleModel::fibre_bundle ? "a fibre bundle of" : "Wu and Waldron's sum over", classes,
+      classes == 1 ? "" : "es");
+}
+
+/// "falling with exp(−z/0.2 m) down to 0.5 m".
+std::string describe_profile(const input::Roots& roots, const ShownUnit& length) {
+  const std::string depth = show(roots.depth, length);
+  const std::string along = roots.along.empty() ? "" : ", not the same along the ground";
+  switch (roots.profile) {
+    case input::RootProfile::exponential:
+      return fmt::format("falling with exp(−z/{}) down to {}{}", show(roots.decay_depth, length), depth, along);
+    case input::RootProfile::table:
+      return fmt::format("by a table of depth down to {}{}", depth, along);
+    default:
+      return fmt::format("the same down to {}{}", depth, along);
+  }
+}
+
+/// At the ground, of roots of full age; empty where plants only transpire.
+std::string describe_worth(const input::Roots& roots, const ShownUnits& units) {
+  if (roots.content) return fmt::format("{} % of the dry mass at the ground", show_number(*roots.content));
+  const auto cohesion = ground::find_ground_cohesion(roots);
+  if (!cohesion) return "";
+  return fmt::format("a cohesion of {} at the ground{}", show(*cohesion, units.stress),
+                     roots.cohesion ? "" : " (" + describe_bundle(*roots.bundle) + ")");
+}
+
+}  // namespace
+
+std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
+  std::vector<std::string> sentences;
+  const ShownUnits units = read_units(folder.run);
+  for (const input::Roots& roots : folder.data.roots) {
+    const double age_share = ground::find_age_share(roots);
+    if (const std::string worth = describe_worth(roots, units); !worth.empty())
+      sentences.push_back(fmt::format(
+          "Roots under '{}': {}, {}.{}", roots.ground, worth, describe_profile(roots, units.length),
+          age_share == 1 ? "" : fmt::format(" {} % of that holds at their age.", show_number(100 * age_share))));
+    if (roots.transpiration)
+      sentences.push_back(
+          fmt::format("Plants on '{}' transpire at the given rate, reduced after Feddes; interception and the effect "
+                      "of roots on the conductivity are not modelled.",
+                      roots.ground));
+  }
+  std::vector<std::string> clay, cohesive, breaking;
+  for (const auto& [name, soil] : folder.data.materials) {
+    if (soil.traits().roots == material::RootEffect::content)
+      (std::isfinite(soil.breaking_strain) ? breaking : clay).push_back(name);
+    if (soil.traits().roots == material::RootEffect::cohesion) cohesive.push_back(name);
+  }
+  if (!clay.empty())
+    sentences.push_back(
+        fmt::format("Soil and roots are one material in {}, and the roots never break: after large "
+                    "movements their part of the strength is too high.",
+                    join_words(clay)));
+  if (!breaking.empty())
+    sentences.push_back(
+        fmt::format("Soil and roots are one material in {}; roots break as the activation strain grows, "
+                    "in every direction alike.",
+                    join_words(breaking)));
+  if (!cohesive.empty())
+    sentences.push_back(
+        fmt::format("The roots of {} are modelled as a constant cohesion: it raises the strength at failure, and "
+                    "describes neither the mobilisation of the roots nor their breakage.",
+                    join_words(cohesive)));
+  return sentences;
 }
 
 }  // namespace talus::report

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
-#include "report/content/asked_methods.hpp"
+#include "report/content/choices.hpp"
 #include "report/words/numbers.hpp"
 #include "results/governing.hpp"
 
@@ -234,8 +234,8 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
   Factor least;
   least.method = Method::lem;
   least.name = "timeline.least";
-  least.title = fmt::format("least in time, at {}: {}, {}", results::format_moment(timeline, at->time), at->surface.title,
-                            at->source);
+  least.title = fmt::format("least in time, at {}: {}, {}", results::format_moment(timeline, at->time),
+                            at->surface.title, at->source);
   least.value = timeline.least;
   least.note = results::format_failure(timeline);
   least.is_main = true;

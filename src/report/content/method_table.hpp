@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "report/folder.hpp"
+#include "report/report.hpp"
 
 namespace talus::report {
 

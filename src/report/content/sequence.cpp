@@ -1,15 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "report/content/sequence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
+#include "base/user_file.hpp"
 #include "report/content/fields.hpp"
-#include "report/content/shown_water.hpp"
+#include "report/words/numbers.hpp"
+#include "results/bounds.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
+
+std::vector<std::size_t> choose_frames(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  if (count <= most) {
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
+    return chosen;
+  }
+  // Rounded to the nearest frame; with fewer places than frames no two fall on the same one.
+  const std::size_t gaps = most - 1;
+  for (std::size_t k = 0; k < most; ++k) chosen.push_back((k * (count - 1) + gaps / 2) / gaps);
+  return chosen;
+}
+
+std::vector<std::size_t> share_out(const std::vector<std::size_t>& needs, std::size_t total) {
+  std::vector<std::size_t> order(needs.size()), shares(needs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return needs[a] < needs[b]; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    shares[order[k]] = std::min(needs[order[k]], total / (order.size() - k));
+    total -= shares[order[k]];
+  }
+  return shares;
+}
+
+std::size_t choose_stride(std::size_t points, std::size_t frames, const Budget& budget) {
+  const std::size_t most =
+      std::max<std::size_t>(1, std::min(budget.points, budget.point_frames / std::max<std::size_t>(1, frames)));
+  return std::max<std::size_t>(1, (points + most - 1) / most);
+}
+
+std::string describe_thinning(std::size_t frames, std::size_t shown_frames, std::size_t points,
+                              std::size_t shown_points, std::size_t stride) {
+  const auto count = [](std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+  std::string text = frames == shown_frames
+                         ? (frames == 1 ? "The one frame" : fmt::format("All {}", count(frames, "frame")))
+                         : fmt::format("{} of {} (evenly spread, the first and the last among them)", shown_frames,
+                                       count(frames, "frame"));
+  text += stride == 1 ? fmt::format(" with all {}", count(points, "point"))
+                      : fmt::format(" with {} of {} (those whose number is a multiple of {})", shown_points,
+                                    count(points, "point"), stride);
+  return text + (frames == shown_frames && stride == 1 ? "." : "; the results file holds the rest.");
+}
 
 using nlohmann::json;
 
@@ -184,6 +232,138 @@ class SequencePacker {
 json pack_sequence(const SequencePlan& plan, std::size_t dimension, const ShownUnits& units, const Budget& budget,
                    Packer& packer) {
   return SequencePacker(plan, dimension, units, budget).pack(packer);
+}
+
+using nlohmann::json;
+
+namespace {
+
+json make_point(const results::Trial& trial) {
+  return {{"srf", trial.factor},
+          {"displacement", keep_finite(trial.displacement)},
+          {"end", results::to_word(trial.end)},
+          {"force_ratio", keep_finite(trial.force_ratio)},
+          {"nodal_speed", keep_finite(trial.speed)}};
+}
+
+json make_branch(const results::Branch& branch) {
+  return {{"slope", branch.slope}, {"intercept", branch.intercept}, {"factors", branch.factors}};
+}
+
+/// As they are shown: the ends of an interval outward, as in the answer and in its table.
+std::vector<results::Criterion> list_criteria(std::vector<results::Criterion> criteria) {
+  for (results::Criterion& c : criteria) {
+    if (c.kind != results::CriterionKind::frozen) continue;
+    if (c.lower) c.lower = results::show_lower(*c.lower);
+    if (c.upper) c.upper = results::show_upper(*c.upper);
+  }
+  return criteria;
+}
+
+}  // namespace
+
+json make_curve(const ResultFolder& folder) {
+  const auto& curve = folder.run.curve;
+  json points = json::array();
+  if (curve)
+    for (const results::Trial& trial : curve->points) points.push_back(make_point(trial));
+  else
+    for (const TrialFolder& trial : folder.trials)
+      if (trial.result) points.push_back(make_point(*trial.result));
+  if (!curve && points.empty()) return {};
+  json result{
+      {"points", points},
+      {"criteria", results::to_json(list_criteria(curve ? curve->criteria : std::vector<results::Criterion>{}))}};
+  if (curve && curve->bilinear)
+    result["bilinear"] = {{"first", make_branch(curve->bilinear->first)},
+                          {"last", make_branch(curve->bilinear->second)},
+                          {"factor", curve->bilinear->factor}};
+  return result;
+}
+
+namespace {
+
+SequencePlan plan_stages(const std::shared_ptr<const output::ResultsReader>& frames, std::string id,
+                         std::string title) {
+  SequencePlan plan{SequenceKind::stages, std::move(id), std::move(title), {}};
+  if (!frames) return plan;
+  for (int i = 0; i < frames->size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    plan.frames.push_back(
+        {frames, i, std::nullopt, fmt::format("{}, t = {:.3g} s", frames->stages()[k], frames->times()[k])});
+  }
+  return plan;
+}
+
+/// The stages of the run, and those of the material points that a timeline released earlier and later.
+std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
+  std::vector<SequencePlan> plans;
+  if (!folder.run.timeline || folder.run.timeline->releases.empty())
+    plans.push_back(plan_stages(folder.frames, "stages", "Stages"));
+  else
+    for (const results::Release& r : folder.run.timeline->releases)
+      plans.push_back(plan_stages(r.folder.empty() ? folder.frames : open_frames(join_name(folder.path, r.folder)),
+                                  r.folder.empty() ? "stages" : r.folder,
+                                  "Released at " + results::format_moment(*folder.run.timeline, r.time)));
+  std::erase_if(plans, [](const SequencePlan& plan) { return plan.frames.empty(); });
+  return plans;
+}
+
+/// The last frame of the trial itself, before it runs out.
+int find_end_of_trial(const output::ResultsReader& frames) {
+  int last = 0;
+  for (int i = 0; i < frames.size(); ++i)
+    if (!frames.stages()[static_cast<std::size_t>(i)].starts_with("runout")) last = i;
+  return last;
+}
+
+std::vector<SequencePlan> plan_trials(const ResultFolder& folder) {
+  SequencePlan curve{SequenceKind::curve, "curve", "Trials of the displacement curve", {}};
+  std::vector<SequencePlan> plans;
+  for (const TrialFolder& trial : folder.trials) {
+    const auto frames = open_frames(trial.path);
+    if (!frames || frames->size() == 0) continue;
+    if (!trial.runs_out || frames->size() > 1)
+      curve.frames.push_back({frames, find_end_of_trial(*frames), trial.factor, fmt::format("SRF {:g}", trial.factor)});
+    if (!trial.runs_out) continue;
+    SequencePlan runout{SequenceKind::runout,
+                        fmt::format("runout_{:g}", trial.factor),
+                        fmt::format("Runout at SRF {:g}", trial.factor),
+                        {}};
+    for (int i = 0; i < frames->size(); ++i)
+      runout.frames.push_back(
+          {frames, i, trial.factor, fmt::format("t = {:.3g} s", frames->times()[static_cast<std::size_t>(i)])});
+    plans.push_back(std::move(runout));
+  }
+  if (!curve.frames.empty()) plans.insert(plans.begin(), std::move(curve));
+  return plans;
+}
+
+}  // namespace
+
+nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
+  std::vector<SequencePlan> plans = plan_all_stages(folder);
+  for (SequencePlan& plan : plan_trials(folder)) plans.push_back(std::move(plan));
+  nlohmann::json sequences = nlohmann::json::array();
+  // Where all soil has left the grid there is nothing to look at.
+  std::erase_if(plans, [](const SequencePlan& plan) {
+    const SequenceFrame& start = plan.frames.front();
+    return start.reader->read(start.index).point_count() == 0;
+  });
+  if (plans.empty()) return sequences;
+  // All sequences begin with the points of the same body.
+  const SequenceFrame& first = plans[0].frames[0];
+  const std::size_t points = static_cast<std::size_t>(first.reader->read(first.index).point_count());
+  Budget budget;
+  std::vector<std::size_t> needs;
+  for (const SequencePlan& plan : plans) needs.push_back(points * std::min(plan.frames.size(), budget.frames));
+  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(get_dimension(folder.run)));
+  const ShownUnits units = read_units(folder.run);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    budget.point_frames = shares[k];
+    sequences.push_back(pack_sequence(plans[k], get_dimension(folder.run), units, budget, packer));
+  }
+  return sequences;
 }
 
 }  // namespace talus::report

@@ -11,16 +11,141 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "base/file_name.hpp"
+#include "base/user_file.hpp"
 #include "input/echo.hpp"
-#include "report/content/curve.hpp"
-#include "report/content/sampling.hpp"
-#include "report/content/sections.hpp"
-#include "report/content/study_pictures.hpp"
+#include "report/content/head.hpp"
+#include "report/content/sequence.hpp"
+#include "report/content/tables.hpp"
 #include "report/words/numbers.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
+
+using nlohmann::json;
+
+namespace {
+
+/// "2.4 %", "0.031 %", "0".
+std::string show_share(double share) {
+  return share == 0 ? "0" : show_number(100 * share, 2) + " %";
+}
+
+}  // namespace
+
+json make_sampling(const results::Sampling& sampling) {
+  return results::to_json(sampling);
+}
+
+void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences) {
+  if (const auto& failure = sampling.failure)
+    sentences.push_back(
+        fmt::format("The probability of failure is {}, between {} and {} with {:g} % confidence{}.",
+                    show_share(failure->share.probability), show_share(failure->share.lower),
+                    show_share(failure->share.upper), 100 * failure->confidence,
+                    failure->index ? fmt::format("; the reliability index is {:.2f}", *failure->index) : ""));
+  if (const auto& factor = sampling.factor)
+    sentences.push_back(fmt::format(
+        "The factor of safety of {} samples has the mean {:.3f} and the standard deviation {:.3f}; {:.3f} is the "
+        "smallest, {:.3f} the largest.",
+        factor->count, keep_finite(factor->mean), keep_finite(factor->deviation), keep_finite(factor->smallest),
+        keep_finite(factor->largest)));
+  if (sampling.runout)
+    for (const results::Exceedance& e : sampling.runout->exceedance)
+      sentences.push_back(fmt::format("The soil comes farther than {} m with a probability of {} ({} to {}).",
+                                      show_number(e.distance), show_share(e.share.probability),
+                                      show_share(e.share.lower), show_share(e.share.upper)));
+  if (const auto& t = sampling.failure_time; t && t->count > 0)
+    sentences.push_back(fmt::format("The {} samples that fail do so after {} to {} days, {} in the mean.", t->count,
+                                    show_number(t->smallest), show_number(t->largest), show_number(t->mean)));
+  if (sampling.tornado && !sampling.tornado->empty()) {
+    std::string name = sampling.tornado->front().name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    sentences.push_back(fmt::format("The factor depends most on the {}.", name));
+  }
+  sentences.push_back(fmt::format("{} samples by {}{}{}, seed {}; {} s.", sampling.samples,
+                                  sampling.plan == results::SampleDraw::random ? "random drawing" : "Latin hypercube",
+                                  sampling.method_title.empty() ? "" : ", ", sampling.method_title, sampling.seed,
+                                  show_number(sampling.seconds)));
+}
+
+using nlohmann::json;
+
+namespace {
+
+/// Variants beyond these would take the space of the others for pictures too small to see.
+constexpr std::size_t most_sources = 12;
+/// Frames of a variant besides those that stand side by side.
+constexpr std::size_t most_frames = 13;
+
+struct Choice {
+  SequencePlan plan;
+  std::vector<double> clock;
+  std::vector<std::size_t> pictures;
+  std::size_t points = 0;
+};
+
+/// Frames from the start of the clock on, without the earlier of two at one time.
+std::optional<Choice> choose(const PictureSource& source, std::size_t number) {
+  const std::optional<results::Clock>& clock = source.folder.run.clock;
+  if (!clock || !source.folder.frames) return std::nullopt;
+  const output::ResultsReader& reader = *source.folder.frames;
+  std::vector<int> indices;
+  std::vector<double> times;
+  for (int i = 0; i < reader.size(); ++i) {
+    const double time = reader.times()[static_cast<std::size_t>(i)];
+    if (!times.empty() && times.back() == time) {
+      indices.back() = i;
+      continue;
+    }
+    indices.push_back(i);
+    times.push_back(time);
+  }
+  const std::vector<std::size_t> shown = choose_shown(times, *clock);
+  if (shown.empty()) return std::nullopt;
+  std::vector<std::size_t> chosen = shown;
+  const std::size_t first = shown.front();
+  for (const std::size_t i : choose_frames(times.size() - first, most_frames)) chosen.push_back(first + i);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  Choice choice;
+  choice.plan = {SequenceKind::variant, fmt::format("variant_{}", number), source.title, {}, {}};
+  choice.plan.fields = {"displacement",  "deviatoric_strain", "plastic_strain",           "volume",
+                        "pore_pressure", "saturation",        "preconsolidation_pressure"};
+  for (const std::size_t i : chosen) {
+    const double time = times[i] - clock->start;
+    if (std::find(shown.begin(), shown.end(), i) != shown.end()) choice.pictures.push_back(choice.clock.size());
+    choice.clock.push_back(time);
+    choice.plan.frames.push_back({source.folder.frames, indices[i], std::nullopt, fmt::format("t = {:.4g} s", time),
+                                  clock->resets && time == 0});
+  }
+  choice.points = static_cast<std::size_t>(reader.read(indices[first]).point_count());
+  return choice.points > 0 ? std::optional(choice) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, Packer& packer) {
+  std::vector<Pictures> pictures(sources.size());
+  std::vector<std::optional<Choice>> choices;
+  std::vector<std::size_t> needs;
+  for (std::size_t k = 0; k < std::min(sources.size(), most_sources); ++k) {
+    choices.push_back(choose(sources[k], k));
+    needs.push_back(choices[k] ? choices[k]->points * choices[k]->plan.frames.size() : 0);
+  }
+  if (choices.empty()) return pictures;
+  const std::size_t dimension = get_dimension(sources[0].folder.run);
+  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(dimension));
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (!choices[k]) continue;
+    Budget budget;
+    budget.point_frames = shares[k];
+    const ShownUnits units = read_units(sources[k].folder.run);
+    pictures[k].sequence = JsonTree(pack_sequence(choices[k]->plan, dimension, units, budget, packer));
+    pictures[k].frames =
+        JsonTree({{"sequence", choices[k]->plan.id}, {"clock", choices[k]->clock}, {"pictures", choices[k]->pictures}});
+  }
+  return pictures;
+}
 
 namespace fs = std::filesystem;
 using nlohmann::json;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/folder.hpp"
 #include "report/pack/pack.hpp"
+#include "report/report.hpp"
 
 namespace talus::report {
 

@@ -8,10 +8,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "report/content/asked_methods.hpp"
+#include "report/content/choices.hpp"
 #include "report/content/method_table.hpp"
-#include "report/content/soil_water.hpp"
-#include "report/content/step_choices.hpp"
+#include "report/content/water.hpp"
 #include "report/words/numbers.hpp"
 #include "report/words/water_words.hpp"
 #include "results/bounds.hpp"
@@ -99,7 +98,8 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 
 /// What the other methods found, and how they differ.
 void format_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
-  const std::string found = format_main_factors(run, factors), proven = format_proven(run), referee = format_referee(run);
+  const std::string found = format_main_factors(run, factors), proven = format_proven(run),
+                    referee = format_referee(run);
   // Where no factor by limit equilibrium is possible the interval stands first, else behind the answer.
   const bool is_answer = !run.timeline && !referee.empty() && !results::find_governing_surface(run);
   if (is_answer) sentences.push_back(referee);
@@ -206,7 +206,7 @@ class RunoutWords {
   std::string length(double metres) const { return show(metres, length_); }
 
   void format_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
-                 const std::string& largest, const std::string& end) {
+                    const std::string& largest, const std::string& end) {
     const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
     sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
                                      show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));

@@ -4,9 +4,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "report/folder.hpp"
+#include "report/report.hpp"
 
 namespace talus::report {
+
+// Which paragraphs of the methods section apply to a run (`Method` in web/src/contract/).
+
+/// In the order in which they are read.
+nlohmann::json list_methods(const ResultFolder& folder);
 
 /// The sentences that apply, the ones that concern every reader first.
 nlohmann::json list_assumptions(const ResultFolder& folder);

@@ -7,11 +7,162 @@
 #include <cmath>
 #include <limits>
 
+#include "bounds/problem.hpp"
+#include "fem/solid/solid.hpp"
 #include "results/json.hpp"
-#include "run/attempt.hpp"
-#include "run/bounds/tell_bounds.hpp"
+#include "run/head.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
+
+namespace {
+
+/// Places are kept to so many parts of a metre, stresses to so many of a pascal, and shares to so many of one.
+constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6;
+
+results::Point round_place(const Vec<2>& x) {
+  return {round_to(x[0], place_digits), round_to(x[1], place_digits)};
+}
+
+results::HoldingField make_stress_result(const bounds::Problem& problem, const bounds::StressField& field,
+                                         double factor) {
+  results::HoldingField result;
+  for (const Vec<2>& x : problem.nodes) result.nodes.push_back(round_place(x));
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    result.triangles.emplace_back(problem.triangles[e].begin(), problem.triangles[e].end());
+    std::vector<double>& stress = result.stress.emplace_back();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const double s : field.stress[e][i]) stress.push_back(round_to(s, stress_digits));
+      least = std::min(least, bounds::find_factor(problem.strength[e][i], field.stress[e][i]));
+    }
+    result.utilisation.push_back(least > 0 ? round_to(std::min(1.0, factor / least), share_digits) : 1);
+  }
+  return result;
+}
+
+/// The shear strain rate of a triangle is the mean of √((ε_x − ε_y)² + γ²) at its corners.
+results::MovingField make_velocity_result(const bounds::Problem& problem, const bounds::VelocityField& field) {
+  results::MovingField result;
+  double fastest = 0, most = 0;
+  for (const Vec<2>& v : field.velocity) fastest = std::max(fastest, norm(v));
+  for (std::size_t n = 0; n < field.mesh.nodes.size(); ++n) {
+    result.nodes.push_back(round_place(field.mesh.nodes[n]));
+    result.velocity.push_back({round_to(field.velocity[n][0] / fastest, share_digits),
+                               round_to(field.velocity[n][1] / fastest, share_digits)});
+  }
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const auto& t = field.mesh.triangles[e];
+    result.triangles.emplace_back(t.begin(), t.end());
+    const bounds::Shape shape = bounds::find_shape(problem, e);
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto gradients = bounds::find_quadratic_gradients(shape, c);
+      double x = 0, y = 0, xy = 0;
+      for (std::size_t k = 0; k < 6; ++k) {
+        const Vec<2>& v = field.velocity[static_cast<std::size_t>(t[k])];
+        x += gradients[k][0] * v[0], y += gradients[k][1] * v[1];
+        xy += gradients[k][1] * v[0] + gradients[k][0] * v[1];
+      }
+      sum += std::hypot(x - y, xy) / 3;
+    }
+    result.shear_rate.push_back(sum);
+    most = std::max(most, sum);
+  }
+  for (double& d : result.shear_rate) d = most > 0 ? round_to(d / most, share_digits) : 0;
+  return result;
+}
+
+/// The lines along which the mechanism slides, found as those of finite elements are.
+std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const bounds::VelocityField& field) {
+  fem::QuadraticMesh<2> mesh;
+  mesh.nodes = field.mesh.nodes;
+  fem::SolidState<2> state;
+  state.displacement = field.velocity;
+  fem::SolidModel<2> model;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const auto& t = field.mesh.triangles[e];
+    mesh.elements.push_back(t);
+    mesh.linear_element.push_back(static_cast<int>(e));
+    const bounds::Shape shape = bounds::find_shape(problem, e);
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Linear in the triangle: at the point nearest corner c two thirds of it and a sixth of each other corner.
+      std::array<double, 6> strain{};
+      Vec<2> place{0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = k == c ? 2.0 / 3 : 1.0 / 6;
+        for (std::size_t d = 0; d < 2; ++d) place[d] += share * mesh.nodes[static_cast<std::size_t>(t[k])][d];
+        const auto gradients = bounds::find_quadratic_gradients(shape, k);
+        for (std::size_t n = 0; n < 6; ++n) {
+          const Vec<2>& v = field.velocity[static_cast<std::size_t>(t[n])];
+          strain[0] += share * gradients[n][0] * v[0], strain[1] += share * gradients[n][1] * v[1];
+          strain[3] += share * (gradients[n][1] * v[0] + gradients[n][0] * v[1]);
+        }
+      }
+      mesh.points.push_back(place);
+      mesh.weights.push_back(shape.area / 3);
+      state.strain.push_back(strain);
+    }
+  }
+  for (const bounds::Side& s : problem.sides) {
+    if (!s.holds_normal && !s.holds_along) continue;
+    fem::Support<2> support;
+    support.sides = {{s.from, s.to}};
+    support.fixed = {true, s.holds_along};
+    model.supports.push_back(support);
+  }
+  std::vector<results::SideLine> lines;
+  for (fem::SlipLine& line : fem::find_slip_lines(model, mesh, state))
+    lines.push_back({line.direction, std::move(line.points)});
+  if (lines.size() > 1 && lines[0].direction > lines[1].direction) std::swap(lines[0], lines[1]);
+  return lines;
+}
+
+std::vector<std::string> list_warnings(const results::BoundsResult& result, const bounds::BoundsResult& found) {
+  std::vector<std::string> warnings;
+  if (!result.lower) warnings.push_back("there is no lower bound: " + result.no_lower);
+  if (!result.upper) warnings.push_back("there is no upper bound: " + result.no_upper);
+  if (!result.is_interval()) return warnings;
+  const double gap = 2 * (*result.upper - *result.lower) / (*result.upper + *result.lower);
+  if (gap > result.asked_gap)
+    warnings.push_back(fmt::format(
+        "the interval is {:.2g} % wide, wider than the {:.2g} % of [bounds] gap: {}", 100 * gap, 100 * result.asked_gap,
+        found.stopped.empty()
+            ? fmt::format("the last mesh has {} triangles, give more 'triangles' in [bounds]", found.problem.size())
+            : found.stopped));
+  return warnings;
+}
+
+}  // namespace
+
+results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap) {
+  results::BoundsFile file;
+  results::BoundsResult& result = file.summary;
+  result.no_lower = found.no_lower, result.no_upper = found.no_upper;
+  if (found.lower > 0) result.lower = found.lower;
+  if (std::isfinite(found.upper)) result.upper = found.upper;
+  if (!result.lower && result.no_lower.empty()) result.no_lower = "no stress field passed its check";
+  if (!result.upper && result.no_upper.empty()) result.no_upper = "no mechanism passed its check";
+  result.asked_gap = asked_gap;
+  result.warnings = list_warnings(result, found);
+  for (const bounds::BoundsLevel& level : found.levels) {
+    results::BoundsMesh mesh{level.triangles, {}, {}, level.programs, level.iterations, level.seconds};
+    if (level.lower > 0) mesh.lower = level.lower;
+    if (std::isfinite(level.upper)) mesh.upper = level.upper;
+    result.meshes.push_back(mesh);
+  }
+  if (result.lower) {
+    result.imbalance = found.static_check.imbalance / bounds::find_units(found.stress_problem).stress;
+    file.holds = make_stress_result(found.stress_problem, found.stress, found.lower);
+  }
+  if (result.upper) {
+    file.moves = make_velocity_result(found.velocity_problem, found.velocity);
+    if (auto lines = find_lines(found.velocity_problem, found.velocity); !lines.empty())
+      result.sides = std::move(lines);
+  }
+  return file;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -64,11 +215,11 @@ void BoundsRun::prepare() {
 results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const {
   show(fmt::format("{} triangles", problem.size()));
   return make_bounds_result(bounds::find_bounds(problem, options,
-                                         [&](const bounds::BoundsLevel& level) {
-                                           show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles,
-                                                            level.lower, level.upper));
-                                         }),
-                     data_.bounds.gap);
+                                                [&](const bounds::BoundsLevel& level) {
+                                                  show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles,
+                                                                   level.lower, level.upper));
+                                                }),
+                            data_.bounds.gap);
 }
 
 /// The result is of the direction with the smaller upper bound; its lower bound holds in both.

@@ -7,11 +7,18 @@
 #include <string>
 
 #include "bounds/find_bounds.hpp"
+#include "results/bounds.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
-#include "run/options.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
+
+// The results of proven bounds.
+
+/// Bounds, meshes, fields and the lines of the mechanism; warnings where a bound is missing, or the interval is wider
+/// than the gap that was asked for.
+results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap);
 
 class BoundsRun {
  public:

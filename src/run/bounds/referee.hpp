@@ -3,8 +3,8 @@
 // Limit analysis as the referee of limit equilibrium.
 
 #include "input/case/case.hpp"
-#include "results/referee.hpp"
-#include "run/options.hpp"
+#include "results/bounds.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
 

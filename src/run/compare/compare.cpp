@@ -14,7 +14,7 @@
 #include "run/compare/slip_line.hpp"
 #include "run/head.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/lem/tell_slices.hpp"
+#include "run/lem/slice_run.hpp"
 
 namespace talus::run {
 namespace {

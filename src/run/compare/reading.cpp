@@ -9,7 +9,7 @@
 
 #include "results/governing.hpp"
 #include "run/compare/compare.hpp"
-#include "run/compare/read_referee.hpp"
+#include "run/compare/disagreement.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/head.hpp"
 
@@ -285,9 +285,9 @@ class Reading {
       if (run->interval && run->meshes)
         say("Finite elements ({}): {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the "
             "interval of mesh and search is {:.3f} to {:.3f}.",
-            flow, run->meshes->front().factor, format_length(run_, run->meshes->front().size), run->meshes->back().factor,
-            format_length(run_, run->meshes->back().size), run->factor, results::show_lower(run->interval->lower),
-            results::show_upper(run->interval->upper));
+            flow, run->meshes->front().factor, format_length(run_, run->meshes->front().size),
+            run->meshes->back().factor, format_length(run_, run->meshes->back().size), run->factor,
+            results::show_lower(run->interval->lower), results::show_upper(run->interval->upper));
       else
         say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
       if (run->earthquake)

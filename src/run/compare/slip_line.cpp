@@ -12,7 +12,7 @@
 #include "output/files/frames_reader.hpp"
 #include "results/json.hpp"
 #include "run/mpm/record/motion.hpp"
-#include "run/mpm/record/moved_limit.hpp"
+#include "run/mpm/record/sections.hpp"
 #include "run/mpm/reduction/frozen_run.hpp"
 
 namespace talus::run {

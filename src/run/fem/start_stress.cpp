@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "mesh/generate.hpp"
 #include "run/fem/solid_of_case.hpp"
 

@@ -4,18 +4,152 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/gmsh_mesh.hpp"
+#include "mesh/planar.hpp"
 #include "run/fem/solid_of_case.hpp"
-#include "run/forecast/counts.hpp"
-#include "run/forecast/probe.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
-#include "run/mpm/reduction/side_by_side.hpp"
+#include "run/mpm/reduction/leg.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
+
+namespace {
+
+constexpr int places = 200;
+/// Area of an equilateral triangle over the square of its side.
+constexpr double triangle = std::numbers::sqrt3 / 4;
+/// The same of Gmsh's tetrahedra: 0.176 to 0.201 on slopes of 5,000 to 65,000 elements. Regular ones have 0.118.
+constexpr double tetrahedron = 0.19;
+
+}  // namespace
+
+ElementCount count_elements(const mesh::Plan& plan) {
+  ElementCount count;
+  if (!plan.file.empty() || !(plan.size > 0)) return count;
+  const double width = (plan.box_max[0] - plan.box_min[0]) / places,
+               height = (plan.box_max[1] - plan.box_min[1]) / places;
+  for (int i = 0; i < places; ++i)
+    for (int j = 0; j < places; ++j) {
+      const mesh::Point2 x{plan.box_min[0] + (i + 0.5) * width, plan.box_min[1] + (j + 0.5) * height};
+      const double size = plan.refinements.empty() ? plan.size : mesh::compute_size(plan, x);
+      const double here = plan.dimension == 2 ? width * height / (triangle * size * size)
+                                              : width * height * plan.thickness / (tetrahedron * size * size * size);
+      count.all += here;
+      if (std::any_of(plan.polygons.begin(), plan.polygons.end(),
+                      [&](const mesh::Polygon& polygon) { return mesh::is_inside(x, polygon.points); }))
+        count.soil += here;
+    }
+  return count;
+}
+
+double find_smallest_size(const mesh::Plan& plan) {
+  double size = plan.size;
+  for (const mesh::Refinement& r : plan.refinements) size = std::min(size, r.size);
+  return size;
+}
+
+bool is_meshed_in_a_moment(const mesh::Plan& plan) {
+  constexpr std::size_t most_corners = 500, most_parts = 50;
+  std::size_t corners = 0;
+  for (const mesh::Polygon& polygon : plan.polygons) corners += polygon.points.size();
+  for (const mesh::Line& line : plan.lines) corners += line.points.size();
+  return corners <= most_corners && plan.polygons.size() + plan.lines.size() <= most_parts;
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
+constexpr double coarse_elements = 800;
+constexpr double probe_seconds = 0.1, most_seconds = 1;  ///< of a stage, and of all together
+
+/// Ends the stage that is stepped for a moment.
+struct Enough {};
+
+bool can_be_probed(const input::Case& data) {
+  const bool has_library = std::any_of(data.materials.begin(), data.materials.end(), [](const auto& named) {
+    return named.second.model == material::model_of<material::External>;
+  });
+  return input::uses(data, input::Method::mpm) && data.mesh.file.empty() && is_meshed_in_a_moment(data.mesh) &&
+         data.initial.result.empty() && data.initial.water.season == 0 && !data.stages.empty() && !has_library;
+}
+
+/// Steps of one point in a second of a stage, which is stepped for some `seconds`.
+template <int D>
+double measure(mpm::Body<D>& body, StagePlan<D> plan, double seconds) {
+  plan.duration = 1e9;
+  plan.until_rest = false;
+  StageState state;
+  StageHooks<D> hooks;
+  const auto start = Clock::now();
+  std::int64_t steps = 0;
+  double taken = 0;
+  hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
+    steps = now.steps;
+    taken = std::chrono::duration<double>(Clock::now() - start).count();
+    if (taken > seconds) throw Enough{};
+  };
+  try {
+    run_stage(body, plan, state, hooks);
+  } catch (const Enough&) {
+  }
+  return static_cast<double>(steps) * body.points.size() / taken;
+}
+
+template <int D>
+Pace probe_in(const input::Case& data) {
+  input::Case coarse = data;
+  const double elements = count_elements(data.mesh).soil;
+  const double ratio = std::max(1.0, std::pow(elements / coarse_elements, 1.0 / D));
+  const double smallest = find_smallest_size(data.mesh);
+  coarse.mesh.refinements.clear();
+  coarse.mesh.size = ratio * data.mesh.size;
+  mpm::Body<D> body = prepare<D>(coarse, mesh::generate<D>(coarse.mesh));
+  const double height = find_soil_height(body, data.gravity);
+  const auto find_step = [&](const StagePlan<D>& plan) {
+    const double size = plan.equalises_mass ? data.mesh.size : smallest;
+    return find_critical_step(body, plan).dt * plan.step.courant * size / coarse.mesh.size;
+  };
+  Pace pace;
+  const input::Stage& first = data.stages.front();
+  set_strength(body, coarse, first.cohesion, first.strength_factor.value_or(1));
+  const double each = std::min(probe_seconds, most_seconds / static_cast<double>(data.stages.size()));
+  for (const input::Stage& stage : data.stages) {
+    const StagePlan<D> plan = make_plan<D>(coarse, stage, height, 1);
+    StagePace& here = pace.stages.emplace_back(StagePace{find_step(plan), 0});
+    // A later stage is stepped from where the ones before it were left after a moment, not from where they end.
+    here.point_steps = measure(body, plan, each);
+  }
+  StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
+  plan.step = data.strength_reduction.curve.step_settings;
+  pace.curve = {find_step(plan), pace.stages.back().point_steps};
+  pace.frozen = {find_step(make_frozen_plan<D>(coarse, data.strength_reduction.frozen, height, 1)),
+                 pace.stages.front().point_steps};  // its water is held
+  return pace;
+}
+
+}  // namespace
+
+std::optional<Pace> probe(const input::Case& data) {
+  if (!can_be_probed(data)) return std::nullopt;
+  try {
+    return data.mesh.dimension == 2 ? probe_in<2>(data) : probe_in<3>(data);
+  } catch (const Error& error) {
+    if (error.code() == ExitCode::interrupted) throw;
+    return std::nullopt;
+  }
+}
+
 namespace {
 
 // Peaks of the dry slope, 2,000 to 690,000 elements (docs/performance.md); a mesh is largest while Gmsh makes it.

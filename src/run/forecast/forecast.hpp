@@ -6,9 +6,45 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "input/read.hpp"
+#include "mesh/plan.hpp"
 
 namespace talus::run {
+
+// How many elements a mesh will have, before it is made.
+
+struct ElementCount {
+  double all = 0, soil = 0;
+};
+
+/// Elements of a plan in its box and in its polygons, as the mesher makes them: as many as regular ones of the asked
+/// size. Refinements are integrated over a grid of 200 by 200 places. Zero for a ready mesh.
+ElementCount count_elements(const mesh::Plan& plan);
+
+/// Smallest element size that the plan asks for [m].
+double find_smallest_size(const mesh::Plan& plan);
+
+/// Returns true where a coarse mesh of the section takes about a second. Gmsh takes minutes for thousands of corners
+/// that lie nearer together than the elements are large.
+bool is_meshed_in_a_moment(const mesh::Plan& plan);
+
+// How fast this machine steps the soil of a case, found by stepping it for a moment on a coarse mesh.
+
+struct StagePace {
+  double step = 0;         ///< time step on the case's own mesh [s]
+  double point_steps = 0;  ///< steps of one point in a second on one thread
+};
+
+struct Pace {
+  std::vector<StagePace> stages;
+  StagePace curve;   ///< of the trials of the displacement curve
+  StagePace frozen;  ///< of those at frozen geometry on the case's mesh
+};
+
+/// Takes some tenths of a second. Nothing for a case whose start is not made in a moment (a result, a season), that
+/// runs a user's library or that has a ready mesh, and for one that cannot be prepared: the run itself says why.
+std::optional<Pace> probe(const input::Case& data);
 
 /// What one method needs, at most. Zero where it is not known.
 struct MethodForecast {

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "run/lem/section_of_case.hpp"
-#include "run/lem/tell_slices.hpp"
+#include "run/lem/slice_run.hpp"
 
 namespace talus::run {
 namespace {

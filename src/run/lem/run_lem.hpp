@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ground/tell_seepage.hpp"
+#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "lem/search/search.hpp"
 #include "results/slices.hpp"
@@ -18,7 +18,7 @@ namespace talus::run {
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
   std::vector<std::string> notes;  ///< of make_section()
-  ground::WaterResult water;         ///< likewise
+  ground::WaterResult water;       ///< likewise
 };
 /// Throws what make_section() and lem::Slope do.
 PreparedSlope prepare_slope(const input::Case& data);

@@ -12,10 +12,9 @@
 #include "base/numbers.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
-#include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
-#include "ground/root_content.hpp"
-#include "ground/soil_weight.hpp"
+#include "ground/roots.hpp"
+#include "ground/weights.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
 

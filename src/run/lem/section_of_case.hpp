@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ground/tell_seepage.hpp"
+#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
@@ -15,7 +15,7 @@ namespace talus::run {
 struct SectionOfCase {
   lem::Section section;
   std::vector<std::string> notes;  ///< what slices cannot take from the case, in sentences
-  ground::WaterResult water;         ///< that pore pressures are from
+  ground::WaterResult water;       ///< that pore pressures are from
 };
 
 /// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.

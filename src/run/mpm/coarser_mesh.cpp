@@ -10,7 +10,6 @@
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
 #include "results/json.hpp"
-#include "run/attempt.hpp"
 #include "run/head.hpp"
 #include "run/mpm/point_run.hpp"
 #include "run/run_folder.hpp"

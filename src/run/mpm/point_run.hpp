@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "base/ranks.hpp"
-#include "ground/tell_seepage.hpp"
+#include "ground/seepage_results.hpp"
 #include "input/read.hpp"
 #include "mpm/step/step.hpp"
 #include "results/run.hpp"
 #include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/start/end_state.hpp"
-#include "run/options.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
 

@@ -3,17 +3,52 @@
 // One period of time: the loop over steps, with the time step, the end at rest, and the check of stability.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
+#include "mpm/body/observe.hpp"
 #include "mpm/step/critical_step.hpp"
 #include "mpm/step/step.hpp"
 #include "results/trial.hpp"
-#include "run/mpm/pause.hpp"
 
 namespace talus::run {
+
+// A body between two steps, for those who record it.
+
+template <int D>
+struct StagePlan;  // stage.hpp
+
+template <int D>
+class Pause {
+ public:
+  virtual ~Pause() = default;
+  /// The body, of which time, step count, work, losses, the water's budgets and the last monitored step are up to date.
+  virtual const mpm::Body<D>& known() = 0;
+  /// All of it is.
+  virtual const mpm::Body<D>& whole() = 0;
+  /// What a row of a history tells. A device finds it without bringing the body back.
+  virtual mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) = 0;
+  virtual mpm::CriticalStep find_critical_step(const StagePlan<D>& plan) = 0;
+};
+
+/// Of a body that is here.
+template <int D>
+class PauseHere : public Pause<D> {
+ public:
+  explicit PauseHere(const mpm::Body<D>& body) : body_(body) {}
+  const mpm::Body<D>& known() override { return body_; }
+  const mpm::Body<D>& whole() override { return body_; }
+  mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
+    return mpm::observe(body_, gravity, points);
+  }
+  mpm::CriticalStep find_critical_step(const StagePlan<D>& plan) override;
+
+ private:
+  const mpm::Body<D>& body_;
+};
 
 template <int D>
 class Helpers;  // ranks_stage.hpp
@@ -116,5 +151,42 @@ Vec<D> find_stage_gravity(const StagePlan<D>& plan, const StageState& state, dou
 /// Rest as the last monitored step shows it, without the holding time.
 template <int D>
 bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+// How a stage that became unstable goes back to its last good state, and on with a smaller step.
+
+/// An unstable stage is calculated again at most this often.
+inline constexpr std::size_t most_setbacks = 3;
+
+/// The plan after so many setbacks: half the time step for each, and without smoothing that may be the cause. With
+/// flowing pore water that is any smoothing; without it plain strain smoothing, and from the second setback on any.
+template <int D>
+StagePlan<D> calm_down(StagePlan<D> plan, std::size_t setbacks, bool wet);
+
+/// The states of a stage to which it may go back: its start, and two more that are kept while it runs.
+template <int D>
+class GoodStates {
+ public:
+  GoodStates(const StagePlan<D>& plan, const StageHooks<D>& hooks) : plan_(plan), hooks_(hooks) {}
+
+  /// Keeps a copy of the body as it is now.
+  void keep(const mpm::Body<D>& body, const StageState& state);
+  /// The newest one that is old enough to be called good.
+  const mpm::Body<D>& good_body() const { return older_->body; }
+  const StageState& good_state() const { return older_->state; }
+
+  /// Puts body, state and what was recorded back to the last good state, and tells of it in state.setbacks: `reason`.
+  /// False where the stage was put back often enough, or would be without end.
+  bool go_back(mpm::Body<D>& body, StageState& state, const std::string& reason);
+
+ private:
+  struct Kept {
+    mpm::Body<D> body;
+    StageState state;
+    GoBack<D> go_back;
+  };
+  const StagePlan<D>& plan_;
+  const StageHooks<D>& hooks_;
+  std::shared_ptr<const Kept> start_, older_, newer_;  ///< may be one and the same
+};
 
 }  // namespace talus::run

@@ -3,12 +3,15 @@
 // What takes the body of a stage through its steps: this processor, or the device of the run.
 
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "input/case/case.hpp"
 #include "mpm/body/observe.hpp"
-#include "mpm/device/device_choice.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "run/mpm/stage.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
 
@@ -58,5 +61,26 @@ class Stepper : public Pause<D> {
   mpm::Body<D>& body_;
   std::optional<mpm::DeviceStepper<D>> device_;
 };
+
+// The device of a run.
+
+/// Of the word of --device. Throws Error (wrong_input) where it is another one.
+DeviceKind find_device_kind(const std::string& word);
+
+/// While it lives, bodies of points are taken through their steps by the device that the options name. Throws Error
+/// (wrong_input) where there is no such device, or it cannot calculate the case.
+class ChosenDevice {
+ public:
+  ChosenDevice(const input::Case& data, const RunOptions& options);
+  ~ChosenDevice();
+  ChosenDevice(const ChosenDevice&) = delete;
+  ChosenDevice& operator=(const ChosenDevice&) = delete;
+};
+
+/// The name of the device in use, empty where none is.
+std::string describe_device();
+
+/// The stages that a device which is used does not calculate, because water has a velocity of its own there.
+std::vector<std::string> list_left_to_processor(const input::Case& data);
 
 }  // namespace talus::run

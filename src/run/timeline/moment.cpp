@@ -5,12 +5,37 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "lem/surface/polyline_shape.hpp"
+#include "ground/initial_water.hpp"
+#include "lem/surface/surface.hpp"
 #include "results/governing.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/lem/tell_slices.hpp"
+#include "run/lem/slice_run.hpp"
 
 namespace talus::run {
+
+namespace {
+
+void shift(input::TimeTable& table, double time) {
+  for (double& t : table.time) t -= time;
+}
+
+}  // namespace
+
+input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water) {
+  // The water is that before a jump of a series, and so are the pools and the weather that go with it.
+  const double before = time + ground::find_first_time(data);
+  for (input::Hydraulic& h : data.hydraulics)
+    for (input::TimeTable* table : {&h.head, &h.pressure, &h.rate}) shift(*table, before);
+  for (input::Roots& roots : data.roots)
+    if (roots.transpiration) shift(roots.transpiration->rate, before);
+  data.timeline.reset();
+  if (!water) return data;
+  data.initial.water.pressure = input::InitialPressure::zero;
+  data.initial.water.season = 0;
+  data.initial.water.known = std::move(water);
+  return data;
+}
+
 namespace {
 
 /// A surface of one time is better than that of another only if its factor is lower by more than this share.

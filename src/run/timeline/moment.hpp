@@ -14,6 +14,13 @@
 
 namespace talus::run {
 
+// A case that begins at a later time.
+
+/// The case without its timeline, whose time 0 is just before `time` [s]: it begins with `water` (none: as [initial]
+/// says), and its series of [[hydraulic]] and of transpiration go on from there. A series that jumps at `time` jumps
+/// after the beginning.
+input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water);
+
 struct Moment {
   double time = 0;  ///< [s]
   std::unique_ptr<lem::Slope> slope;

@@ -11,14 +11,12 @@
 #include <mutex>
 
 #include "base/atomic_file.hpp"
-#include "base/dates.hpp"
-#include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "base/units.hpp"
-#include "fem/seepage/check.hpp"
+#include "fem/seepage/seepage.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
-#include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/season.hpp"
 #include "mesh/generate.hpp"
@@ -27,7 +25,6 @@
 #include "run/fem/start_stress.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
-#include "run/timeline/begin_later.hpp"
 #include "run/timeline/moment.hpp"
 #include "run/timeline/times.hpp"
 
@@ -160,7 +157,8 @@ struct TimelineRun::Parts {
     constexpr int most_times = 12;
     for (int judged = 0; judged < most_times; ++judged) {
       const auto is_governing = [&](double time) {
-        return summary.least_time == time || (summary.failure && (summary.failure->from == time || summary.failure->to == time));
+        return summary.least_time == time ||
+               (summary.failure && (summary.failure->from == time || summary.failure->to == time));
       };
       const auto next = std::find_if(moments.begin(), moments.end(),
                                      [&](const Moment& m) { return !m.referee && is_governing(m.time); });
@@ -204,7 +202,8 @@ struct TimelineRun::Parts {
     summary.failure.reset();
     summary.least.reset();
     for (const Moment& moment : moments) summary.factors.push_back(make_moment_result(search, moment));
-    std::sort(summary.factors.begin(), summary.factors.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    std::sort(summary.factors.begin(), summary.factors.end(),
+              [](const auto& a, const auto& b) { return a.time < b.time; });
     results::find_failure(summary);
   }
 
@@ -419,7 +418,8 @@ struct TimelineRun::Parts {
       const auto& state = flow.history.states[static_cast<std::size_t>(at - times.begin()) - 1];
       summary.states.push_back(ground::make_state_result<2>(data, state, results::WaterFlow::transient, moment.time));
       if (fields)
-        fields->states.push_back(ground::make_field_result<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
+        fields->states.push_back(
+            ground::make_field_result<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
     }
   }
 };
@@ -442,11 +442,11 @@ const results::WaterFields* TimelineRun::water_fields() const {
 std::vector<ReleaseCase> TimelineRun::list_releases() {
   const auto at = parts_->find_release();
   if (!at) {
-    parts_->summary.notes.push_back(
-        fmt::format("material points do not take over: {}; [timeline.release] time lets them go all the same",
-                    parts_->summary.equilibrium
-                        ? "finite elements find equilibrium at every time that was tried"
-                        : fmt::format("the factor is not below {:g} at any time that was tried", parts_->summary.target)));
+    parts_->summary.notes.push_back(fmt::format(
+        "material points do not take over: {}; [timeline.release] time lets them go all the same",
+        parts_->summary.equilibrium
+            ? "finite elements find equilibrium at every time that was tried"
+            : fmt::format("the factor is not below {:g} at any time that was tried", parts_->summary.target)));
     return {};
   }
   std::vector<ReleaseCase> releases{parts_->make_release(*at)};

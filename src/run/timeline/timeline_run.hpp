@@ -10,7 +10,7 @@
 
 #include "results/run.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/options.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::run {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "mpm/coupled/coupled_step.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::run {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "input/case/case.hpp"
 #include "output/files/history.hpp"
-#include "results/motion.hpp"
+#include "results/runout.hpp"
 #include "results/trial.hpp"
 
 namespace talus::run {
@@ -52,5 +52,12 @@ results::MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors);
 /// sentence that says it with its criterion. Nothing when there is no monitor or no clock.
 std::optional<results::Motion> find_motion(const input::Case& data, const std::vector<results::Stage>& stages,
                                            double slope_height, const std::filesystem::path& folder);
+
+// When a slope failed: read off the history of its largest displacement.
+
+/// The time [s] at which the largest displacement in `history` (a history.csv) reached `displacement` [m] for the last
+/// time, by linear interpolation between rows: displacements may be set to zero between stages, and what happened
+/// before does not count. Nothing when it ended below, was never below, or there is no such file.
+std::optional<double> find_failure_time(const std::filesystem::path& history, double displacement);
 
 }  // namespace talus::run

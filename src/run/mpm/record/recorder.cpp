@@ -9,12 +9,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include "base/progress.hpp"
 #include "base/units.hpp"
 #include "mpm/body/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
-#include "run/mpm/setback.hpp"
+#include "run/mpm/stage.hpp"
 
 namespace talus::run {
 namespace {

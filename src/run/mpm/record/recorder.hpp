@@ -11,8 +11,8 @@
 #include "output/files/archive.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
+#include "run/mpm/record/frame.hpp"
 #include "run/mpm/record/runout.hpp"
-#include "run/mpm/record/state_fields.hpp"
 #include "run/mpm/record/water_record.hpp"
 #include "run/mpm/stage.hpp"
 

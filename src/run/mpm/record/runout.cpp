@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "base/atomic_file.hpp"
-#include "mesh/divide.hpp"
-#include "mesh/shape_gradient.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/planar.hpp"
 #include "mpm/body/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/start/prepare.hpp"

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "base/extrapolate.hpp"
-#include "mesh/corners.hpp"
-#include "run/mpm/reduction/side_by_side.hpp"
+#include "mesh/planar.hpp"
+#include "run/mpm/reduction/leg.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {

@@ -8,19 +8,18 @@
 #include <mutex>
 
 #include "base/atomic_file.hpp"
-#include "base/file_name.hpp"
+#include "base/user_file.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "results/json.hpp"
-#include "run/mpm/moving_soil.hpp"
 #include "run/mpm/record/checkpoint.hpp"
-#include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/record/runout.hpp"
-#include "run/mpm/reduction/side_by_side.hpp"
-#include "run/mpm/start/initial_state.hpp"
+#include "run/mpm/record/sections.hpp"
+#include "run/mpm/reduction/leg.hpp"
+#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "run/mpm/start/water_conditions.hpp"
 
 namespace talus::run {
 namespace {

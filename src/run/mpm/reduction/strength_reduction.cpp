@@ -5,16 +5,161 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <tuple>
 
 #include "base/atomic_file.hpp"
+#include "mesh/quality.hpp"
+#include "mpm/body/observe.hpp"
 #include "output/files/history.hpp"
+#include "results/json.hpp"
+#include "run/mpm/record/motion.hpp"
 #include "run/mpm/reduction/criteria.hpp"
-#include "run/mpm/reduction/displacement_curve.hpp"
 #include "run/mpm/reduction/frozen_run.hpp"
+#include "run/mpm/reduction/leg.hpp"
+#include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
+
+namespace {
+
+/// Rounds of halving at most; each adds factors on both sides of every bend.
+constexpr int most_refinements = 4;
+/// Points that moved less than this share of the slope's height did not take part in the slide.
+constexpr double moved_fraction = 0.01;
+/// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
+constexpr int frames_per_window = 25;
+
+std::vector<double> list_factors(const input::DisplacementCurve& curve) {
+  std::vector<double> factors;
+  const int count = static_cast<int>(std::floor((curve.to - curve.from) / curve.step + 1e-9));
+  // Rounded to a millionth: 1.15, not 1.1500000000000001, so that folders and tables read well.
+  for (int i = 0; i <= count; ++i) factors.push_back(std::round((curve.from + i * curve.step) * 1e6) / 1e6);
+  for (const double f : curve.runout) factors.push_back(f);
+  std::sort(factors.begin(), factors.end());
+  factors.erase(std::unique(factors.begin(), factors.end(), [](double a, double b) { return std::abs(a - b) < 1e-9; }),
+                factors.end());
+  return factors;
+}
+
+template <int D>
+StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int threads) {
+  const input::DisplacementCurve& curve = data.strength_reduction.curve;
+  StagePlan<D> plan;
+  plan.name = "trial";
+  plan.duration = curve.window;
+  plan.step = curve.step_settings;
+  plan.rest = data.rest;
+  plan.gravity = find_acceleration<D>(data);
+  plan.soil_height = slope_height;
+  plan.threads = threads;
+  return plan;
+}
+
+/// One result for the legs of a trial: how it ended, its whole time and steps, its largest speed.
+results::Trial add_up(const std::vector<results::Trial>& legs) {
+  results::Trial sum = legs.back();
+  for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+    sum.time += legs[i].time;
+    sum.steps += legs[i].steps;
+    sum.largest_speed = std::max(sum.largest_speed, legs[i].largest_speed);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<CurvePoint> CurveResult::points() const {
+  std::vector<CurvePoint> points;
+  for (const results::Trial& t : trials) points.push_back({t.factor, t.displacement});
+  return points;
+}
+
+template <int D>
+CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads) {
+  const input::DisplacementCurve& curve = context.data->strength_reduction.curve;
+  const int side_by_side = count_parallel_trials(state.points.size(), threads);
+  const int inner = side_by_side > 1 ? 1 : threads;
+  const double bin = mesh::measure_quality(state.mesh()).mean_size;
+  CurveResult result;
+
+  const auto wants_runout = [&](double f) {
+    return std::any_of(curve.runout.begin(), curve.runout.end(), [&](double r) { return std::abs(r - f) < 1e-9; });
+  };
+  const auto name_folder = [&](double factor) { return context.folder / "trials" / fmt::format("srf_{:.4f}", factor); };
+  const auto run_one = [&](double factor, const std::string& label) -> results::TrialOutcome {
+    TrialFiles files;
+    files.folder = name_folder(factor);
+    files.keeps_frames = true;
+    files.label = label;
+    const bool runs_out = wants_runout(factor);
+    const auto outcome_file = files.folder / "outcome.json";  // with the runout, which trial.json has not
+    if (context.resume && runs_out) {
+      if (auto known = results::read_file<results::TrialOutcome>(outcome_file)) return std::move(*known);
+    } else if (context.resume) {
+      if (const auto known = load_trial(files.folder)) return {*known, {}, {}};
+    }
+    std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
+    legs[0].name = fmt::format("trial SRF {:g}", factor);
+    RunoutStart runout_start;
+    if (runs_out) {
+      mpm::Body<D> start = state;
+      mpm::reset_displacements(start);
+      runout_start = {find_profile(start, bin), moved_fraction * slope_height};
+      files.runout_start = &runout_start;
+      legs.push_back(legs[0]);
+      legs[1].name = fmt::format("runout SRF {:g}", factor);
+      legs[1].duration = curve.runout_time;
+      legs[1].until_rest = true;
+      files.keeps_history = true;
+      const double interval = context.data->output.frame_interval;
+      files.frame_interval = interval > 0 ? interval : curve.window / frames_per_window;
+    }
+    mpm::Body<D> body;
+    const auto legs_done = run_trial_legs(state, factor, legs, context, files, body);
+    results::TrialOutcome outcome{legs_done.front(), {}, {}};
+    save_trial(files.folder, outcome.trial);
+    if (runs_out) {
+      auto& runout = outcome.runout.emplace(results::RunoutTrial{
+          add_up(legs_done), find_runout(body, runout_start), find_profile(body, bin),
+          find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)});
+      if (runout.failure_time) *runout.failure_time -= state.time;
+      write_profiles(files.folder / "profile.csv", runout_start.initial, runout.profile);
+      results::write_file(outcome_file, outcome);
+    }
+    return outcome;
+  };
+  const auto sort_results = [&] {
+    std::sort(result.trials.begin(), result.trials.end(),
+              [](const auto& a, const auto& b) { return a.factor < b.factor; });
+    std::sort(result.runouts.begin(), result.runouts.end(),
+              [](const auto& a, const auto& b) { return a.trial.factor < b.trial.factor; });
+  };
+
+  std::vector<double> factors = list_factors(curve);
+  for (int round = 0; round <= most_refinements && !factors.empty(); ++round) {
+    const int count = static_cast<int>(factors.size());
+    // The weakest, which is the last, takes longest with runouts: start it first, so that the others run beside it.
+    std::reverse(factors.begin(), factors.end());
+    for (results::TrialOutcome& o : run_side_by_side(
+             count, side_by_side, [&](int i) { return run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); },
+             [&](int i) { return name_folder(factors[i]); })) {
+      result.trials.push_back(std::move(o.trial));
+      if (o.runout) result.runouts.push_back(std::move(*o.runout));
+    }
+    sort_results();
+    factors.clear();
+    if (!curve.refine) break;
+    for (const double f : choose_refinement(result.points(), curve.refine_step))
+      factors.push_back(std::round(f * 1e6) / 1e6);
+  }
+  return result;
+}
+
+template CurveResult compute_curve<2>(const mpm::Body<2>&, const TrialContext&, double, int);
+template CurveResult compute_curve<3>(const mpm::Body<3>&, const TrialContext&, double, int);
+
 namespace {
 
 /// Below this share of the slope's height a displacement is elastic and no jump.

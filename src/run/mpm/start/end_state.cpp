@@ -10,11 +10,11 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "ground/root_content.hpp"
+#include "ground/roots.hpp"
 #include "input/echo.hpp"
 #include "mpm/body/observe.hpp"
-#include "mpm/coupled/kernels.hpp"
-#include "mpm/coupled/pore_state.hpp"
+#include "mpm/two_velocity/kernels.hpp"
+#include "mpm/two_velocity/pore_state.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/recorder.hpp"
 

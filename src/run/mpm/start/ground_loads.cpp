@@ -6,10 +6,10 @@
 #include "base/error.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
-#include "ground/plane_water.hpp"
+#include "ground/initial_water.hpp"
+#include "ground/mesh_sides.hpp"
 #include "ground/pore_water.hpp"
-#include "ground/side_normals.hpp"
-#include "mesh/shape_gradient.hpp"
+#include "mesh/mesh.hpp"
 #include "mpm/body/observe.hpp"
 #include "run/mpm/start/conditions.hpp"
 

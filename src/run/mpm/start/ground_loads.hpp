@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ground/held_water.hpp"
+#include "ground/pore_water.hpp"
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
 

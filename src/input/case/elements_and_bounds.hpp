@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// [fem]: the factor of safety by quadratic finite elements.
+
+#include <array>
+#include <optional>
+
+#include "input/case/geometry.hpp"
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+/// Plastic flow of the trials.
+enum class FlowRule { as_given, associated, both };
+
+struct FiniteElements {
+  std::optional<double> size;  ///< element size [m]; not given: that of the mesh
+  mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
+  int meshes = 2;                        ///< 2: also one of twice the size, extrapolated linearly
+  FlowRule flow = FlowRule::as_given;    ///< both: with ψ as given and with ψ = φ
+  double from = 1.0, to = 2.0;           ///< first bracket [-]
+  double resolution = 0.005;             ///< of the last [-]
+  double force_tolerance = 1e-4;         ///< [-]
+  double displacement_tolerance = 1e-4;  ///< [-]
+  int iterations = 400;                  ///< linear systems in a load step or trial
+  int load_steps = 4;
+};
+
+template <>
+inline constexpr auto choices<FlowRule> = std::array{
+    Choice{FlowRule::as_given, "as_given", "the dilatancy of the materials"},
+    Choice{FlowRule::associated, "associated", "ψ = φ, as limit analysis and slices assume"},
+    Choice{FlowRule::both, "both", "one after the other"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, FiniteElements& f) {
+  v.key("size", f.size, quantity("m").above(0).example("1.0"),
+        "Size of the quadratic elements; if not given, that of [mesh]. With two meshes it is that of the finer one.");
+  v.key("algorithm", f.algorithm, plain(), "Gmsh's algorithm for their mesh.");
+  v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
+        "2: the search is repeated on elements of twice the size, the factor is extrapolated to size zero, and its "
+        "interval holds the error of the mesh. 1: one mesh, whose error is not known. If not given, it is 1 in 3D and "
+        "for a ready mesh file.");
+  v.key("flow", f.flow, plain(), "Plastic flow of the trials.");
+  v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
+  v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
+  v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
+  v.key("force_tolerance", f.force_tolerance, plain().above(0).below(1),
+        "Largest out-of-balance force over the external force in an equilibrium.");
+  v.key("displacement_tolerance", f.displacement_tolerance, plain().above(0).below(1),
+        "And largest motion still to come over all displacement of the load step; both must hold.");
+  v.key("iterations", f.iterations, plain().at_least(1).at_most(10000),
+        "Linear systems that are solved in a load step or trial, at most. A trial that runs out of them is undecided: "
+        "the search continues below it, a warning says so, and the interval reaches up to the next trial that failed.");
+  v.key("load_steps", f.load_steps, plain().at_least(1).at_most(10000),
+        "Steps in which weight and loads come on; halved where one does not converge.");
+}
+
+// [bounds]: the interval that holds the factor of safety, by limit analysis.
+
+/// Effective tension that the soil bears.
+enum class BoundsTension { as_given, apex };
+
+/// Plastic flow of the soil. The theorems hold for the first alone.
+enum class BoundsFlow { associated, davis };
+
+struct ProvenBounds {
+  std::optional<double> size;  ///< of the first mesh's triangles [m]; not given: see find_bounds_size()
+  double gap = 0.01;           ///< of the interval over its middle, at which the meshes end [-]
+  int triangles = 6000;        ///< a mesh with as many is the last
+  BoundsTension tension = BoundsTension::as_given;
+  BoundsFlow flow = BoundsFlow::associated;
+};
+
+template <>
+inline constexpr auto choices<BoundsTension> = std::array{
+    Choice{BoundsTension::as_given, "as_given", "the tensile strength of the materials"},
+    Choice{BoundsTension::apex, "apex", "up to the apex, c/tan φ, as methods of slices assume"},
+};
+
+template <>
+inline constexpr auto choices<BoundsFlow> = std::array{
+    Choice{BoundsFlow::associated, "associated", "ψ = φ: the interval is proven"},
+    Choice{BoundsFlow::davis, "davis",
+           "the strength times cos ψ cos φ/(1 − sin ψ sin φ), which Davis (1968) proposes for ψ < φ: an interval for "
+           "that weaker soil, and no bound for the given one"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, ProvenBounds& b) {
+  v.key("size", b.size, quantity("m").above(0).example("2.0"),
+        "Size of the triangles of the first mesh, on which pore pressures and strengths are linear. If not given, a "
+        "sixth of the section's height, and a twelfth with pore water.");
+  v.key("gap", b.gap, plain().above(0).below(1),
+        "The meshes become finer where the bounds lie apart, until the interval is no wider than this share of its "
+        "middle.");
+  v.key("triangles", b.triangles, plain().at_least(1).at_most(200000),
+        "A mesh with as many triangles is the last one, whatever the interval.");
+  v.key("tension", b.tension, plain(), "Largest effective tension of the soils.");
+  v.key("flow", b.flow, plain(), "Plastic flow of the soils.");
+}
+
+struct Case;
+
+/// Size of the first mesh's triangles: the case's; else a sixth of the section's height, and a twelfth with pore water,
+/// whose pressure is linear in a triangle [m].
+double find_bounds_size(const Case& data);
+
+}  // namespace talus::input

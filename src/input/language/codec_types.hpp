@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How lists of words and of texts, a point, a large whole number and a single value of any unit are written in TOML.
+
+#include <cstdint>
+
+#include "input/language/codec.hpp"
+
+namespace talus::input {
+
+bool decode_words(const Decoding& in, const toml::node& node, const std::string& path,
+                  const std::vector<std::string>& words, std::vector<std::size_t>& out);
+
+/// Words of an enumeration.
+template <class E>
+requires std::is_enum_v<E>
+struct Codec<std::vector<E>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<E>& out) {
+    std::vector<std::size_t> indices;
+    if (!decode_words(in, node, path, Codec<E>::words(), indices)) return false;
+    out.clear();
+    for (const std::size_t i : indices) out.push_back(choices<E>[i].value);
+    return true;
+  }
+  static nlohmann::json encode(const std::vector<E>& value, const Spec& spec) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const E word : value) list.push_back(Codec<E>::encode(word, spec));
+    return list;
+  }
+  static std::string name(const Spec&) { return "list of words"; }
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(Codec<E>::schema(spec), 0, -1); }
+};
+
+/// The enumeration whose words a key of type T takes: T itself, or what a list T is of.
+template <class T>
+struct WordType {
+  using Type = T;
+};
+template <class E>
+struct WordType<std::vector<E>> {
+  using Type = E;
+};
+template <class T>
+using WordOf = typename WordType<T>::Type;
+
+template <>
+struct Codec<std::vector<std::string>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path,
+                     std::vector<std::string>& out);
+  static nlohmann::json encode(const std::vector<std::string>& value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "list of texts"; }
+  static nlohmann::json schema(const Spec&) { return write_array_schema({{"type", "string"}}, 0, -1); }
+};
+
+/// A point of the plane: [x, y].
+template <>
+struct Codec<std::array<double, 2>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out);
+  static nlohmann::json encode(const std::array<double, 2>& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 2, 2); }
+};
+
+template <>
+struct Codec<std::uint64_t> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::uint64_t& out);
+  static nlohmann::json encode(std::uint64_t value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "whole number"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "integer"}, {"minimum", 0}}; }
+};
+
+template <>
+struct Codec<TomlText> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlText& out);
+  static nlohmann::json encode(const TomlText& value, const Spec&);
+  static std::string name(const Spec&) { return "number or text with unit"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
+};
+
+// How dates, series in time and curves over suction are written in TOML: pairs whose two numbers have different units.
+
+/// Rows of two numbers, each with the unit and range of its column.
+bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
+                  const Spec& second, const std::string& wanted, std::vector<std::array<double, 2>>& out);
+nlohmann::json write_pair_schema(const Spec& first, const Spec& second);
+
+template <>
+struct Codec<Series> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out);
+  static nlohmann::json encode(const Series& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
+struct Codec<Date> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Date& out);
+  static nlohmann::json encode(const Date& value, const Spec& spec);
+  static std::string name(const Spec&) { return "date"; }
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
+struct Codec<std::vector<Date>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<Date>& out);
+  static nlohmann::json encode(const std::vector<Date>& value, const Spec& spec);
+  static std::string name(const Spec&) { return "list of dates"; }
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
+struct Codec<SuctionCurve> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, SuctionCurve& out);
+  static nlohmann::json encode(const SuctionCurve& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+// How contents in per cent, shares over depth or age, and the four suctions of Feddes are written in TOML.
+
+bool decode_per_cent(const Decoding& in, const toml::node& node, const std::string& path, double& out);
+
+template <class T>
+struct Codec<PerCent<T>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, PerCent<T>& out) {
+    double value = 0;
+    if (!decode_per_cent(in, node, path, value)) return false;
+    out.value = value;
+    return true;
+  }
+  static nlohmann::json encode(const PerCent<T>& value, const Spec&) {
+    const std::optional<double> number = value.value;
+    return number ? nlohmann::json(*number) : nlohmann::json();
+  }
+  static std::string name(const Spec& spec) { return Codec<double>::name(spec); }
+  static nlohmann::json schema(const Spec& spec) { return write_number_schema(spec); }
+};
+
+template <>
+struct Codec<ShareTable> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, ShareTable& out);
+  static nlohmann::json encode(const ShareTable& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+/// Four increasing numbers.
+template <>
+struct Codec<std::array<double, 4>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 4>& out);
+  static nlohmann::json encode(const std::array<double, 4>& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 4, 4); }
+};
+
+// How the path of an element test and its changes of a material are written in TOML.
+
+template <>
+struct Codec<Turns> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Turns& out);
+  static nlohmann::json encode(const Turns& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+/// A table of keys of the test's material: { cohesion = 5, water.conductivity = 1e-6 }.
+template <>
+struct Codec<std::vector<PointSetting>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path,
+                     std::vector<PointSetting>& out);
+  static nlohmann::json encode(const std::vector<PointSetting>& value, const Spec& spec);
+  static std::string name(const Spec&) { return "table of keys and values"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "object"}}; }
+};
+
+}  // namespace talus::input
+
+// How every type of a key is written: for visitors of the whole case.

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/gmsh_mesh.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <unordered_map>
+
+#include "base/error.hpp"
+#include "base/numbers.hpp"
+#include "mesh/planar.hpp"
+
+namespace talus::mesh {
+
+GmshSession::GmshSession() {
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::option::setNumber("General.Verbosity", 1);
+  gmsh::option::setNumber("General.NumThreads", 1);
+  gmsh::option::setNumber("Mesh.RandomSeed", 1);
+}
+
+GmshSession::~GmshSession() {
+  try {
+    gmsh::model::mesh::removeSizeCallback();
+    gmsh::finalize();
+  } catch (...) {  // nothing to save and nobody to tell
+  }
+}
+
+std::string GmshSession::get_last_error() {
+  std::string text;
+  gmsh::logger::getLastError(text);
+  while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
+  return text.empty() ? "no reason given" : text;
+}
+
+// The polygons, lines and element sizes of a plan as Gmsh's geometry, and the mesh that Gmsh makes of it.
+
+namespace {
+
+namespace occ = gmsh::model::occ;
+
+/// A mesh whose number of triangles is this near to the wanted one is not made again.
+constexpr double count_tolerance = 0.01;
+
+std::vector<int> add_polyline(const Polyline& line) {
+  std::vector<int> points, curves;
+  for (const Point2& x : line) points.push_back(occ::addPoint(x[0], x[1], 0));
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) curves.push_back(occ::addLine(points[i], points[i + 1]));
+  return curves;
+}
+
+int add_surface(const Polyline& corners) {
+  std::vector<int> points, curves;
+  for (const Point2& x : corners) points.push_back(occ::addPoint(x[0], x[1], 0));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    curves.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+  return occ::addPlaneSurface({occ::addCurveLoop(curves)});
+}
+
+/// `entities` drawn along z over `thickness`; only what has one dimension more is kept of the result.
+gmsh::vectorpair extrude(const gmsh::vectorpair& entities, double thickness) {
+  gmsh::vectorpair drawn, kept;
+  for (const auto& entity : entities) {
+    occ::extrude({entity}, 0, 0, thickness, drawn);
+    for (const auto& d : drawn)
+      if (d.first == entity.first + 1) kept.push_back(d);
+  }
+  return kept;
+}
+
+/// Cuts box, polygons and lines at each other, so that the mesh conforms to all of them.
+void build_geometry(const Plan& plan) {
+  const auto [x0, y0] = plan.box_min;
+  const auto [x1, y1] = plan.box_max;
+  gmsh::vectorpair box{{2, add_surface({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})}}, parts;
+  for (const Polygon& p : plan.polygons) parts.emplace_back(2, add_surface(p.points));
+  for (const Line& l : plan.lines)
+    for (int curve : add_polyline(l.points)) parts.emplace_back(1, curve);
+  if (plan.dimension == 3) {
+    box = extrude(box, plan.thickness);
+    parts = extrude(parts, plan.thickness);
+    occ::synchronize();
+  }
+  if (!parts.empty()) {
+    gmsh::vectorpair fragments;
+    std::vector<gmsh::vectorpair> origin;
+    occ::fragment(box, parts, fragments, origin);
+  }
+  occ::synchronize();
+}
+
+int get_algorithm(Algorithm algorithm) {
+  switch (algorithm) {
+    case Algorithm::meshadapt:
+      return 1;
+    case Algorithm::delaunay:
+      return 5;
+    case Algorithm::frontal:
+      break;
+  }
+  return 6;
+}
+
+/// The number of triangles over that of equilateral triangles of the wanted size on the same area. Gmsh divides every
+/// edge into parts no longer than the size, so coarse meshes come out finer than asked for (3 % on a slope of 60
+/// elements' length, 15 % with the Delaunay algorithm).
+double measure_surplus(const Plan& plan) {
+  std::vector<std::size_t> tags, corners;
+  gmsh::model::mesh::getElementsByType(2, tags, corners);
+  std::vector<double> places, parametric;
+  std::vector<std::size_t> nodes;
+  gmsh::model::mesh::getNodes(nodes, places, parametric, -1, -1, false, false);
+  std::unordered_map<std::size_t, Point2> by_tag;
+  for (std::size_t i = 0; i < nodes.size(); ++i) by_tag[nodes[i]] = {places[3 * i], places[3 * i + 1]};
+  double wanted = 0;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Point2 &a = by_tag[corners[i]], &b = by_tag[corners[i + 1]], &c = by_tag[corners[i + 2]];
+    const double size = compute_size(plan, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3});
+    wanted += std::abs(compute_area({a, b, c})) / (std::numbers::sqrt3 / 4 * size * size);
+  }
+  return static_cast<double>(tags.size()) / wanted;
+}
+
+}  // namespace
+
+double compute_size(const Plan& plan, const Point2& x) {
+  double size = plan.size;
+  for (const Refinement& r : plan.refinements) {
+    const double share = std::min(1.0, compute_distance(x, r.near) / r.distance);
+    size = std::min(size, r.size + share * (plan.size - r.size));
+  }
+  return size;
+}
+
+void mesh_with_gmsh(const Plan& plan) {
+  gmsh::model::add("plan");
+  build_geometry(plan);
+  // The size comes from the plan alone: nothing spreads from short edges or from CAD points.
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 0);
+  gmsh::option::setNumber("Mesh.Algorithm", get_algorithm(plan.algorithm));
+  double scale = 1;
+  const bool uniform = plan.refinements.empty();
+  const std::function<double(int, int, double, double, double)> get_size = [&](int, int, double x, double y, double) {
+    return scale * compute_size(plan, {x, y});
+  };
+  if (!uniform) gmsh::model::mesh::setSizeCallback(get_size);
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    gmsh::option::setNumber("Mesh.MeshSizeMax", scale * plan.size);
+    gmsh::model::mesh::generate(plan.dimension);
+    if (plan.dimension == 3) break;
+    const double surplus = measure_surplus(plan);
+    if (std::abs(surplus - 1) < count_tolerance) break;
+    if (attempt == 2) break;
+    scale *= std::sqrt(surplus);
+    gmsh::model::mesh::clear();
+  }
+  if (!uniform) gmsh::model::mesh::removeSizeCallback();
+}
+
+// Gmsh's nodes, elements and named sides as a mesh, and how its nodes may move.
+
+namespace {
+
+/// Gmsh's numbers of the linear simplices: line, triangle, tetrahedron.
+constexpr std::array<int, 4> simplex_type{15, 1, 2, 4};
+
+/// Gmsh's nodes by tag.
+struct Nodes {
+  std::unordered_map<std::size_t, int> index;
+  std::vector<std::array<double, 3>> places;
+};
+
+Nodes get_nodes() {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parametric;
+  gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
+  Nodes nodes;
+  nodes.index.reserve(tags.size());
+  nodes.places.reserve(tags.size());
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    if (nodes.index.emplace(tags[i], static_cast<int>(nodes.places.size())).second)
+      nodes.places.push_back({coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]});
+  return nodes;
+}
+
+/// The simplices of dimension `N-1` on one geometric entity. Anything else there is an error.
+template <int N>
+std::vector<std::array<int, N>> get_simplices(int entity, const Nodes& nodes) {
+  constexpr int dimension = N - 1;
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> element_tags, node_tags;
+  gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension, entity);
+  std::vector<std::array<int, N>> simplices;
+  for (std::size_t t = 0; t < types.size(); ++t) {
+    if (types[t] != simplex_type[dimension]) {
+      std::string name;
+      int dim, order, count, primary;
+      std::vector<double> local;
+      gmsh::model::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("the mesh holds {} elements of type '{}': only linear {} are understood", element_tags[t].size(),
+                      name, dimension == 1 ? "lines" : (dimension == 2 ? "triangles" : "tetrahedra")));
+    }
+    for (std::size_t i = 0; i < node_tags[t].size(); i += N) {
+      std::array<int, N> simplex;
+      for (int k = 0; k < N; ++k) simplex[k] = nodes.index.at(node_tags[t][i + static_cast<std::size_t>(k)]);
+      simplices.push_back(simplex);
+    }
+  }
+  return simplices;
+}
+
+template <std::size_t N>
+std::array<double, 3> compute_centroid(const std::array<int, N>& simplex, const Nodes& nodes) {
+  std::array<double, 3> centroid{};
+  for (int node : simplex)
+    for (int d = 0; d < 3; ++d) centroid[d] += nodes.places[node][d] / static_cast<double>(N);
+  return centroid;
+}
+
+/// A 2D case lies in the x-y plane; dropping a z that varies would fold the mesh.
+void check_plane(const Mesh<2>& mesh, const Nodes& nodes) {
+  const auto& first = nodes.places[mesh.elements[0][0]];
+  for (const auto& element : mesh.elements)
+    for (int node : element)
+      if (const auto& x = nodes.places[node]; x[2] != first[2])
+        throw Error(ExitCode::wrong_input,
+                    fmt::format("the triangles of the mesh do not lie in one plane of constant z: z is {} at "
+                                "({}, {}) and {} elsewhere",
+                                format_coordinate(x[2]), format_coordinate(x[0]), format_coordinate(x[1]),
+                                format_coordinate(first[2])));
+}
+
+/// How far the nodes inside one geometric entity, flat as all of a plan's are, may move.
+template <int D>
+Freedom<D> find_freedom(int dimension, int entity, const Nodes& nodes) {
+  Freedom<D> freedom;
+  freedom.count = dimension;
+  if (dimension == D) {
+    for (int d = 0; d < D; ++d) freedom.directions[d][d] = 1;
+    return freedom;
+  }
+  const auto span = [&](const auto& simplex) {  // Gram and Schmidt on its edges
+    for (int i = 0; i < dimension; ++i) {
+      auto& v = freedom.directions[i];
+      for (int d = 0; d < D; ++d) v[d] = nodes.places[simplex[i + 1]][d] - nodes.places[simplex[0]][d];
+      for (int j = 0; j < i; ++j) {
+        const double share = std::inner_product(v.begin(), v.end(), freedom.directions[j].begin(), 0.0);
+        for (int d = 0; d < D; ++d) v[d] -= share * freedom.directions[j][d];
+      }
+      const double length = std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+      for (double& component : v) component /= length;
+    }
+  };
+  if (dimension == 1) {
+    const auto lines = get_simplices<2>(entity, nodes);
+    if (lines.empty()) return {};
+    span(lines.front());
+  } else {
+    const auto triangles = get_simplices<3>(entity, nodes);
+    if (triangles.empty()) return {};
+    span(triangles.front());
+  }
+  return freedom;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Freedom<D>> extract_freedoms() {
+  const Nodes nodes = get_nodes();
+  std::vector<Freedom<D>> freedoms(nodes.places.size());
+  for (int dimension = 1; dimension <= D; ++dimension) {
+    gmsh::vectorpair entities;
+    gmsh::model::getEntities(entities, dimension);
+    for (const auto& [dim, entity] : entities) {
+      std::vector<std::size_t> tags;
+      std::vector<double> coordinates, parametric;
+      gmsh::model::mesh::getNodes(tags, coordinates, parametric, dim, entity, false, false);
+      if (tags.empty()) continue;
+      const auto freedom = find_freedom<D>(dim, entity, nodes);
+      for (std::size_t tag : tags) freedoms[nodes.index.at(tag)] = freedom;
+    }
+  }
+  return freedoms;
+}
+
+template <int D>
+Mesh<D> extract_mesh(const Naming& naming) {
+  const Nodes nodes = get_nodes();
+  Mesh<D> mesh;
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, D);
+  for (const auto& [dim, entity] : entities) {
+    const auto simplices = get_simplices<D + 1>(entity, nodes);
+    if (simplices.empty()) continue;
+    const int region = naming.region(entity, compute_centroid(simplices.front(), nodes));
+    mesh.elements.insert(mesh.elements.end(), simplices.begin(), simplices.end());
+    mesh.element_region.insert(mesh.element_region.end(), simplices.size(), region);
+  }
+  if (mesh.elements.empty())
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the mesh has no {}, which a {}D case needs", D == 2 ? "triangles" : "tetrahedra", D));
+  if constexpr (D == 2) check_plane(mesh, nodes);
+  gmsh::model::getEntities(entities, D - 1);
+  for (const auto& [dim, entity] : entities) {
+    const auto simplices = get_simplices<D>(entity, nodes);
+    if (simplices.empty()) continue;
+    for (const std::string& name : naming.sides(entity, compute_centroid(simplices.front(), nodes))) {
+      auto& side = mesh.sides[name];
+      side.insert(side.end(), simplices.begin(), simplices.end());
+    }
+  }
+  for (auto& [name, side] : mesh.sides) {  // two entities of one group may hold the same side
+    for (auto& s : side) std::sort(s.begin(), s.end());
+    std::sort(side.begin(), side.end());
+    side.erase(std::unique(side.begin(), side.end()), side.end());
+  }
+  mesh.nodes.resize(nodes.places.size());
+  for (std::size_t i = 0; i < nodes.places.size(); ++i) std::copy_n(nodes.places[i].begin(), D, mesh.nodes[i].begin());
+  return mesh;
+}
+
+template std::vector<Freedom<2>> extract_freedoms<2>();
+template std::vector<Freedom<3>> extract_freedoms<3>();
+template Mesh<2> extract_mesh<2>(const Naming&);
+template Mesh<3> extract_mesh<3>(const Naming&);
+
+}  // namespace talus::mesh

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "mpm/darcy/darcy_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/darcy/darcy_block.hpp"
+#include "mpm/darcy/flow_kernels.hpp"
+#include "mpm/darcy/sweep.hpp"
+#include "mpm/step/chunk_pass.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+void step_darcy(Body<D>& body, const StepOptions<D>& o) {
+  Stopwatch timed;
+  Timing& t = body.timing;
+  MoverLists movers;
+  timed(t.solve_momentum, [&] {
+    find_contents(body, o);
+    load_surface(body, o);
+    find_flow(body, o);
+    load_darcy(body, o);
+    press_nodes(body, o);
+    const Work before = body.work;
+    solve_momentum(Dry{}, body, o);
+    body.work = before;  // counted with the pressures of the end of the step
+    predict_motion(body, o);
+    solve_pressures(body, o);
+    press_nodes(body, o);
+    solve_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * body.nodes.motion_step * find_pore_power(body, o);  // as mapping counts its forces
+  });
+  timed(t.remap_momentum, [&] {
+    remap_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * o.dt * find_pore_power(body, o);
+  });
+  if (o.smoothing != input::Smoothing::none) timed(t.smooth_strain, [&] { smooth_increments(Dry{}, body, o); });
+  timed(t.advance_points, [&] { movers = advance_points(Darcy{}, body, o); });
+  body.time += o.dt;
+  ++body.step_count;
+  timed(t.relocate, [&] { relocate(body, o, movers); });
+}
+
+template void step_darcy<2>(Body<2>&, const StepOptions<2>&);
+template void step_darcy<3>(Body<3>&, const StepOptions<3>&);
+
+// The one pass over the points of the mixture: as heavy as soil and water, under effective stresses, with the water
+// that solve_pressures() leaves them.
+
+namespace {
+
+template <int D>
+struct DarcyPass : OneVelocityPass<D> {
+  template <class Law>
+  using Block = DarcyBlock<DarcyPass, Law>;
+  using OneVelocityPass<D>::OneVelocityPass;
+  Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
+
+  TALUS_KERNEL void note_full(const BlockPlace<Body<D>>&, Mask) {}
+  ChunkSums sum() const { return {sum_lanes(this->dissipated), sum_lanes(pressed_in)}; }
+};
+
+}  // namespace
+
+template <int D>
+MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options) {
+  return advance_blocks<DarcyPass<D>>(body, options);
+}
+
+template MoverLists advance_points<2>(Darcy, Body<2>&, const StepOptions<2>&);
+template MoverLists advance_points<3>(Darcy, Body<3>&, const StepOptions<3>&);
+
+// The water of elements and nodes at the start of a step, and the pressures that it starts from.
+
+namespace {
+
+template <int D>
+void allocate(Body<D>& body) {
+  DarcyWater<D>& m = body.water.darcy;
+  const std::size_t nodes = body.mesh().nodes.size(), materials = body.water.laws.size(),
+                    lanes = static_cast<std::size_t>(body.layout->blocks) * lane_width;
+  if (!m.graph) m.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
+  if (m.pressure.size() != nodes) m.pressure.assign(nodes, NAN);
+  if (m.ponded.size() != nodes) m.ponded.assign(nodes, 0);
+  if (m.change.size() != nodes) m.change.assign(nodes, 0.0);
+  m.pore_force.assign(nodes, {});
+  if (m.node_water.size() == nodes) return;
+  m.pores.assign(materials, AlignedVector<double>(lanes, 0.0));
+  m.volume = m.pores;
+  m.water.assign(lanes, 0.0);
+  for (auto* field : {&m.share, &m.drawn}) field->assign(lanes, 0.0);
+  for (auto& component : m.flux) component.assign(lanes, 0.0);
+  m.node_pores.assign(materials, std::vector<double>(nodes, 0.0));
+  for (auto* field : {&m.node_water, &m.out, &m.passed, &m.mobility}) field->assign(nodes, 0.0);
+  m.velocity.assign(nodes, {});
+  m.acceleration = m.area = m.velocity;
+  for (auto* field : {&m.saturated, &m.effective, &m.coupling, &m.conductive, &m.soft})
+    field->assign(body.mesh().elements.size(), 0.0);
+}
+
+}  // namespace
+
+template <int D>
+void find_contents(Body<D>& body, const StepOptions<D>& o) {
+  allocate(body);
+  Water<D>& water = body.water;
+  const Layout<D>& layout = *body.layout;
+  const int elements = body.mesh().element_count();
+  const std::size_t nodes = body.mesh().nodes.size();
+  const bool first = water.darcy.own.size() != nodes;  // on all ranks or on none
+  if (first) water.darcy.own.assign(nodes, 0.0);
+  DarcyWater<D>& m = water.darcy;
+  std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
+  for_chunks(body, o.threads, [&](int c) {
+    const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
+    for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
+      const bool was = water.volume[e] > 0;
+      if (sum_element(body, e, o.mixed) != was) turned[static_cast<std::size_t>(c)] = 1;
+    }
+  });
+  if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
+  update_elements(body, water.volume, water.mean_pressure, m.water);
+  for (auto& pores : m.pores) update_elements(body, pores);
+  for_nodes(body, o.threads, [&](int i) { start_node(body, i, first); });
+  update_nodes(body, m.pressure);
+}
+
+template void find_contents<2>(Body<2>&, const StepOptions<2>&);
+template void find_contents<3>(Body<3>&, const StepOptions<3>&);
+
+// Coefficients of the flow in a step, the forces of the pressures, and the motion that they predict.
+
+template <int D>
+void find_flow(Body<D>& body, const StepOptions<D>& o) {
+  Water<D>& water = body.water;
+  DarcyWater<D>& m = water.darcy;
+  std::vector<std::vector<double>> relative(water.laws.size());
+  for (std::size_t k = 0; k < water.laws.size(); ++k) {
+    if (!water.laws[k].wet) continue;
+    relative[k].resize(body.mesh().nodes.size());
+    for_nodes(body, o.threads, [&, k](int i) { relative[k][i] = find_relative_at_node(body, k, i); });
+    update_nodes(body, relative[k]);
+  }
+  for_elements(body, o.threads, [&](int e) { find_flow_through(body, o, relative, e); });
+  update_elements(body, m.saturated, m.effective, m.coupling, m.conductive, m.soft);
+}
+
+template <int D>
+void load_darcy(Body<D>& body, const StepOptions<D>& o) {
+  gather_loads(body);
+  if (body.nodes.load.empty()) body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
+  if (body.water.darcy_load.empty()) return;
+  for_node_pieces(body, o.threads, [&](int begin, int end, int) {
+    for (int i = begin; i < end; ++i)
+      for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.darcy_load[i][d];
+  });
+}
+
+template <int D>
+void press_nodes(Body<D>& body, const StepOptions<D>& o) {
+  for_nodes(body, o.threads, [&](int i) { press_node(body, i); });
+}
+
+template <int D>
+double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const auto has_rows = [&](int i) { return layout.row_start[i] < layout.row_start[i + 1]; };
+  return list_nodes(body, has_rows).sum(body, o.threads, [&](int i) { return find_pore_power_at(body, i); });
+}
+
+/// Whether walls are pressed on, at nodes that other ranks sum up.
+template <int D>
+void update_pressed(Body<D>& body) {
+  Conditions<D>& conditions = body.conditions;
+  if (!body.share || conditions.pressed.empty()) return;
+  std::vector<double> pressed(body.mesh().nodes.size(), 0.0);
+  const auto for_constraints = [&](auto&& work) {
+    for (std::size_t i = 0; i < pressed.size(); ++i)
+      if (const int c = conditions.constraint_of_node[i]; c >= 0)
+        work(pressed[i], conditions.pressed[static_cast<std::size_t>(c)]);
+  };
+  for_constraints([](double& of_node, std::uint8_t& of_wall) { of_node = of_wall; });
+  update_nodes(body, pressed);
+  for_constraints([](double& of_node, std::uint8_t& of_wall) { of_wall = of_node != 0; });
+}
+
+template <int D>
+void predict_motion(Body<D>& body, const StepOptions<D>& o) {
+  DarcyWater<D>& m = body.water.darcy;
+  std::vector<std::array<double, D + 1>> own_mass(body.mesh().elements.size());
+  for_elements(body, o.threads, [&](int e) { own_mass[e] = find_own_mass(body, e); });
+  update_elements(body, own_mass);
+  for_nodes(body, o.threads, [&](int i) { predict_node(body, o, own_mass, i); });
+  update_nodes(body, m.velocity, m.acceleration, m.mobility);
+  update_pressed(body);
+}
+
+#define TALUS_INSTANTIATE(D)                                                 \
+  template void find_flow<D>(Body<D>&, const StepOptions<D>&);               \
+  template void load_darcy<D>(Body<D>&, const StepOptions<D>&);              \
+  template void press_nodes<D>(Body<D>&, const StepOptions<D>&);             \
+  template double find_pore_power<D>(const Body<D>&, const StepOptions<D>&); \
+  template void predict_motion<D>(Body<D>&, const StepOptions<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::mpm

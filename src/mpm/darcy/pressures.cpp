@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The equation of the nodal pressures (T22.5), with the conditions of the surface, and the water that it moves.
+#include "mpm/darcy/pressures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mpm/darcy/darcy_step.hpp"
+#include "mpm/darcy/pressure_kernels.hpp"
+#include "mpm/darcy/sweep.hpp"
+#include "mpm/two_velocity/root_uptake.hpp"
+#include "mpm/two_velocity/surface_kernels.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+NodeGraph<D> make_node_graph(const mesh::Mesh<D>& mesh) {
+  NodeGraph<D> graph;
+  const std::size_t nodes = mesh.nodes.size();
+  graph.touch_start.assign(nodes + 1, 0);
+  for (const auto& element : mesh.elements)
+    for (int node : element) ++graph.touch_start[static_cast<std::size_t>(node) + 1];
+  for (std::size_t i = 0; i < nodes; ++i) graph.touch_start[i + 1] += graph.touch_start[i];
+  graph.element.resize(static_cast<std::size_t>(graph.touch_start.back()));
+  graph.local.resize(graph.element.size());
+  std::vector<int> next(graph.touch_start.begin(), graph.touch_start.end() - 1);
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int k = 0; k <= D; ++k) {
+      const auto t = static_cast<std::size_t>(next[mesh.elements[e][k]]++);
+      graph.element[t] = e;
+      graph.local[t] = k;
+    }
+  constexpr double simplices = D == 2 ? 2 : 6;  // of a square, a cube
+  for (std::size_t i = 0; i < nodes; ++i) {
+    double volume = 0;
+    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) volume += mesh.volumes[graph.element[t]];
+    graph.size.push_back(std::pow(simplices * volume / (graph.touch_start[i + 1] - graph.touch_start[i]), 1.0 / D));
+  }
+  graph.place.resize(graph.element.size() * (D + 1));
+  graph.row_start.push_back(0);
+  std::vector<int> row;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    row.assign(1, static_cast<int>(i));
+    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
+      for (int node : mesh.elements[graph.element[t]])
+        if (std::find(row.begin(), row.end(), node) == row.end()) row.push_back(node);
+    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
+      for (int k = 0; k <= D; ++k)
+        graph.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)] =
+            graph.row_start.back() +
+            static_cast<int>(std::find(row.begin(), row.end(), mesh.elements[graph.element[t]][k]) - row.begin());
+    graph.column.insert(graph.column.end(), row.begin(), row.end());
+    graph.row_start.push_back(static_cast<int>(graph.column.size()));
+  }
+  return graph;
+}
+
+template NodeGraph<2> make_node_graph<2>(const mesh::Mesh<2>&);
+template NodeGraph<3> make_node_graph<3>(const mesh::Mesh<3>&);
+
+namespace {
+
+/// One step's equation, chunk by chunk.
+template <int D>
+class PressureEquation {
+ public:
+  PressureEquation(Body<D>& body, const StepOptions<D>& o)
+      : body_(body), water_(body.water), m_(body.water.darcy), mesh_(body.mesh()), o_(o) {
+    const std::size_t nodes = mesh_.nodes.size();
+    for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
+      field->assign(nodes, 0.0);
+    s_.fixed.assign(nodes, 0);
+    s_.pushed.assign(nodes, {});
+    s_.pores.assign(nodes, 0.0);
+    s_.divergence.assign(mesh_.elements.size(), 0.0);
+    s_.flux.assign(mesh_.elements.size(), {});
+    s_.lift = s_.flux;
+    s_.entries.assign(m_.graph->column.size(), {});
+    s_.push.assign(m_.graph->column.size(), {});
+    s_.surface.assign(nodes, {});
+    s_.lines.assign(nodes, {});
+    for (int i = 0; i < mesh_.node_count(); ++i) lines_.sum_pores(i);
+    update_nodes(body_, s_.pores);
+    wet_nodes_ = list_nodes(body_, [&](int i) { return s_.pores[i] > 0; });
+    find_area();
+    for_nodes([&](int i) { lines_.find_surface(i); });
+    for_elements([&](int e) { lines_.assemble_element(e); });
+    update_elements(body_, s_.divergence, s_.flux, m_.drawn);
+    for_nodes([&](int i) { lines_.assemble_node(i); });
+    for_nodes([&](int i) { lines_.find_diagonal(i); });
+  }
+
+  void solve() {
+    for_nodes([&](int i) { lines_.start_line(i); });
+    m_.iterations = 0;
+    for (m_.rounds = 1; m_.rounds <= most_rounds; ++m_.rounds) {
+      for_nodes([&](int i) { lines_.find_source(i); });
+      solve_round();
+      bool settled = true;
+      wet_nodes_.for_each(1, [&](int i) { settled = lines_.settle_surface(i) && settled; });
+      std::vector<std::uint8_t> right(mesh_.nodes.size(), 1);
+      for_nodes([&](int i) { right[i] = lines_.bend_line(i, m_.rounds - 1); });
+      settled = settled && std::all_of(right.begin(), right.end(), [](auto b) { return b != 0; });
+      if (!is_any(body_, !settled)) break;
+    }
+    apply(m_.change, false);
+    for_nodes([&](int i) { lines_.find_out(i); });
+  }
+
+  /// What every pore of an element loses, and what stays with the nodes.
+  void share_water() {
+    update_nodes(body_, m_.out);
+    for_elements([&](int e) { lines_.share_water(e); });
+    update_elements(body_, m_.share);
+    for_nodes([&](int i) { lines_.keep_own(i); });
+  }
+
+  void find_end() {
+    for_nodes([&](int i) { m_.pressure[i] += m_.change[i]; });
+    update_nodes(body_, m_.pressure);
+    for_elements([&](int e) { lines_.find_end(e); });
+  }
+
+  void count_water() {
+    const std::size_t surfaces = water_.surfaces.size();
+    water_.budgets.resize(surfaces);
+    std::vector<SurfaceBudget> budgets(static_cast<std::size_t>(body_.layout->chunks) * surfaces);
+    wet_nodes_.for_each_in_chunk([&](int i, int c) {
+      budgets[static_cast<std::size_t>(c) * surfaces + static_cast<std::size_t>(water_.surface_of_node[i])].add(
+          lines_.count_water(i));
+    });
+    add_budgets(body_, budgets);
+  }
+
+ private:
+  template <class Work>
+  void for_nodes(const Work& work) const {
+    wet_nodes_.for_each(o_.threads, work);
+  }
+  template <class Work>
+  void for_elements(const Work& work) const {
+    mpm::for_elements(body_, o_.threads, work);
+  }
+  template <class Value>
+  double sum(const Value& value) const {
+    return wet_nodes_.sum(body_, o_.threads, value);
+  }
+
+  void find_area() {
+    std::fill(m_.area.begin(), m_.area.end(), Vec<D>{});
+    for (const OpenSide<D>& side : water_.open_sides) {
+      for (int k = 0; k <= D; ++k)
+        if (has_share(body_, side.element, side.opposite, k))
+          for (int d = 0; d < D; ++d) m_.area[mesh_.elements[side.element][k]][d] += side.share[d];
+    }
+  }
+
+  /// q = (flow [+ storage + growth by the push of the pressures]) x.
+  void apply(std::vector<double>& x, bool whole) {
+    update_nodes(body_, x);
+    if (whole) {
+      for_nodes([&](int j) { lines_.push(x, j); });
+      update_nodes(body_, s_.pushed);
+    }
+    for_nodes([&](int i) { lines_.multiply(x, whole, i); });
+  }
+
+  /// Solves for m_.change, and for what passes the surface.
+  void solve_round() {
+    for_nodes([&](int i) { lines_.fix_node(i); });
+    apply(m_.change, true);
+    for_nodes([&](int i) { lines_.start_gradients(i); });
+    const double wanted =
+        o_.pressure_tolerance * o_.pressure_tolerance * sum([&](int i) { return lines_.find_scale(i); });
+    double rz = sum([&](int i) { return lines_.find_residual(i); });
+    for (int n = 0; n < most_iterations && rz > wanted; ++n, ++m_.iterations) {
+      apply(s_.d, true);
+      const double step = rz / sum([&](int i) { return lines_.find_curvature(i); });
+      for_nodes([&](int i) { lines_.go_on(step, i); });
+      const double last = rz;
+      rz = sum([&](int i) { return lines_.find_residual(i); });
+      for_nodes([&](int i) { lines_.turn(rz / last, i); });
+    }
+    if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // or no number
+    apply(m_.change, true);
+    for_nodes([&](int i) { lines_.find_passed(i); });
+  }
+
+  using Arrays = PressureArrays<D, ArrayHere>;
+  Body<D>& body_;
+  Water<D>& water_;
+  DarcyWater<D>& m_;
+  const mesh::Mesh<D>& mesh_;
+  const StepOptions<D>& o_;
+  NodeList wet_nodes_;
+  Arrays s_;
+  PressureLines<Body<D>, Arrays> lines_{body_, s_, o_};
+};
+
+}  // namespace
+
+void throw_no_pressures(std::int64_t step) {
+  throw Error(ExitCode::unstable,
+              fmt::format("the pore pressures of step {} were not found within {} iterations", step, most_iterations));
+}
+
+template <int D>
+void solve_pressures(Body<D>& body, const StepOptions<D>& o) {
+  find_root_draw(body, o);
+  PressureEquation<D> equation(body, o);
+  equation.solve();
+  equation.share_water();
+  equation.count_water();
+  equation.find_end();
+}
+
+template void solve_pressures<2>(Body<2>&, const StepOptions<2>&);
+template void solve_pressures<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

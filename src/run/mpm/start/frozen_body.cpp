@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "run/mpm/start/frozen_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "mpm/body/observe.hpp"
+#include "mpm/two_velocity/kernels.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
+
+namespace talus::run {
+
+namespace {
+
+/// Elements with altitudes below this share of the median are small: those of an ungraded mesh are not.
+constexpr double small_altitude = 0.85;
+
+/// The altitude above and below which one half of the soil's volume is [m].
+template <int D>
+double find_median_altitude(const mpm::Body<D>& body) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  std::vector<int> filled;
+  double all = 0;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (body.points.count[e] == 0) continue;
+    filled.push_back(e);
+    all += mesh.volumes[e];
+  }
+  std::sort(filled.begin(), filled.end(), [&](int a, int b) { return mesh.altitudes[a] < mesh.altitudes[b]; });
+  double below = 0;
+  for (int e : filled) {
+    below += mesh.volumes[e];
+    if (below >= 0.5 * all) return mesh.altitudes[e];
+  }
+  return 0;
+}
+
+/// By how much the inertia of each element's points grows. The critical step also looks at the neighbours.
+template <int D>
+std::vector<double> find_growth(const mpm::Body<D>& body) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  const double wanted = small_altitude * find_median_altitude(body);
+  std::vector<double> growth(mesh.elements.size());
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    double altitude = mesh.altitudes[e];
+    for (int n : mesh.neighbours[e])
+      if (n >= 0) altitude = std::min(altitude, mesh.altitudes[n]);
+    growth[e] = std::max(1.0, (wanted / altitude) * (wanted / altitude));
+  }
+  return growth;
+}
+
+}  // namespace
+
+template <int D>
+mpm::Body<D> make_even_body(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state) {
+  const std::vector<double> growth = find_growth(body);
+  mpm::Body<D> even = body;
+  std::vector<Vec<D>> relief(body.mesh().nodes.size());
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const int e = body.points.element[id];
+    if (growth[e] == 1) continue;
+    double* p = &even.points.data[find_place(even.points, id)];
+    double& mass = p[mpm::Points<D>::mass * lane_width];
+    const double added = mass * (growth[e] - 1);
+    mass += added;
+    double shape[D + 1];
+    shape[0] = 1;
+    for (int k = 0; k < D; ++k) {
+      shape[k + 1] = p[(mpm::Points<D>::xi + k) * lane_width];
+      shape[0] -= shape[k + 1];
+    }
+    for (int k = 0; k <= D; ++k)
+      for (int d = 0; d < D; ++d) relief[body.mesh().elements[e][k]][d] -= shape[k] * added * plan.gravity[d];
+  }
+  mpm::Load<D> load;
+  for (std::size_t i = 0; i < relief.size(); ++i) {
+    if (norm(relief[i]) > 0) load.entries.push_back({static_cast<int>(i), relief[i]});
+  }
+  load.factor = find_weight_growth(body, plan, state);
+  if (!load.entries.empty()) even.conditions.loads.push_back(std::move(load));
+  return even;
+}
+
+template mpm::Body<2> make_even_body<2>(const mpm::Body<2>&, const StagePlan<2>&, const StageState&);
+template mpm::Body<3> make_even_body<3>(const mpm::Body<3>&, const StagePlan<3>&, const StageState&);
+
+template <int D>
+input::TimeTable find_weight_growth(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state) {
+  if (!(plan.gravity_ramp > 0)) return {};
+  const double start = state.started ? state.start_time : body.time;
+  return {{start, start + plan.gravity_ramp}, {state.gravity_share, 1.0}};
+}
+
+template <int D>
+void copy_from_stand_in(const mpm::Body<D>& stand_in, mpm::Body<D>& body) {
+  using P = mpm::Points<D>;
+  const bool wet = body.water.is_wet();
+  const int fields = wet ? body.water.first_field : body.points.fields;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const std::size_t at = find_place(body.points, id);
+    const double* from = &stand_in.points.data[at];
+    double* to = &body.points.data[at];
+    for (int i = 0; i < fields; ++i) {
+      if (i != P::mass) to[i * lane_width] = from[i * lane_width];
+    }
+  }
+  AlignedVector<double> held_saturation = std::move(body.elements.held_saturation);
+  body.elements = stand_in.elements;
+  body.elements.held_saturation = std::move(held_saturation);
+  body.nodes = stand_in.nodes;
+  body.work = stand_in.work;
+  body.monitor = stand_in.monitor;
+  body.timing = stand_in.timing;
+  body.time = stand_in.time;
+  body.step_count = stand_in.step_count;
+  if (!wet) return;
+  // For readers of the nodes: the grains move, no water moves against them.
+  for (int row = 0; row < body.layout->rows; ++row) {
+    const double* from = &stand_in.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
+    double* to = &body.water.motion[static_cast<std::size_t>(row) * mpm::wet_motion_stride<D>];
+    for (int d = 0; d < D; ++d) {
+      to[d] = to[D + d] = from[d];
+      to[2 * D + d] = from[D + d];
+      to[3 * D + d] = 0;
+    }
+  }
+}
+
+template <int D>
+results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+                               const StageHooks<D>& hooks) {
+  StageHooks<D> inner;
+  if (hooks.output) {
+    inner.output = [&](Pause<D>& now, StageState& s) {
+      copy_from_stand_in(now.whole(), body);
+      PauseHere<D> here(body);
+      hooks.output(here, s);
+    };
+  }
+  if (hooks.look) {
+    inner.look = [&](const mpm::Body<D>& b, const StageState& s) {
+      copy_from_stand_in(b, body);
+      hooks.look(body, s);
+    };
+  }
+  inner.look_is_due = hooks.look_is_due;
+  inner.report = hooks.report;
+  inner.report_is_due = hooks.report_is_due;
+  if (hooks.save_last_good) {
+    inner.save_last_good = [&](const mpm::Body<D>& b, const StageState& s) {
+      copy_from_stand_in(b, body);
+      return hooks.save_last_good(body, s);
+    };
+  }
+  if (hooks.mark) {
+    inner.mark = [&]() -> GoBack<D> {
+      return [&body, go_back = hooks.mark()](const mpm::Body<D>& b, const StageState& s, const StagePlan<D>& p) {
+        copy_from_stand_in(b, body);
+        go_back(body, s, p);
+      };
+    };
+  }
+  const results::StageEnd end = run_stage(stand_in, plan, state, inner);
+  copy_from_stand_in(stand_in, body);
+  body.nodes.load.clear();  // some are the stand-in's alone
+  mpm::gather_loads(body);
+  return end;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                    \
+  template input::TimeTable find_weight_growth<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
+  template void copy_from_stand_in<D>(const mpm::Body<D>&, mpm::Body<D>&);                                      \
+  template results::StageEnd run_stand_in<D>(mpm::Body<D>&, mpm::Body<D>&, const StagePlan<D>&, StageState&,    \
+                                             const StageHooks<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+namespace {
+
+/// The load of the pore pressures on the soil, growing with the weight of the stage.
+template <int D>
+mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
+  mpm::StepOptions<D> options = make_options(plan);
+  options.gravity = plan.gravity;
+  mpm::Body<D> still = wet;
+  still.time = state.started ? state.start_time : wet.time;
+  mpm::gather_nodal_sums(still, options);
+  const std::vector<Vec<D>> force = mpm::find_pore_force(still, options);
+  mpm::Load<D> load;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    if (norm(force[i]) > 0) load.entries.push_back({static_cast<int>(i), force[i]});
+  }
+  load.factor = find_weight_growth(wet, plan, state);
+  return load;
+}
+
+/// Mean saturation of each element, 1 where no soil is wet: laws with suction hardening ask for it.
+template <int D>
+AlignedVector<double> find_saturation(const mpm::Body<D>& wet) {
+  AlignedVector<double> sum(wet.elements.fill_limit.size(), 0.0), volume(sum.size(), 0.0);
+  for (int id = 0; id < wet.points.size(); ++id) {
+    if (!mpm::is_present(wet, id)) continue;
+    const auto p = mpm::view_point(wet, id);
+    sum[p.element] += p.volume * (p.wet ? p.saturation : 1.0);
+    volume[p.element] += p.volume;
+  }
+  for (std::size_t e = 0; e < sum.size(); ++e) sum[e] = volume[e] > 0 ? sum[e] / volume[e] : 1.0;
+  return sum;
+}
+
+/// One phase, with the mass of the water added to that of the grains.
+template <int D>
+mpm::Body<D> make_heavy(const mpm::Body<D>& wet) {
+  mpm::Body<D> heavy = wet;
+  heavy.water = {};
+  const int water_mass = wet.water.first_field + mpm::WaterFields<D>::mass;
+  for (int id = 0; id < wet.points.size(); ++id) {
+    if (!mpm::is_present(wet, id) || !wet.water.laws[wet.points.material[id]].wet) continue;
+    double* p = &heavy.points.data[find_place(heavy.points, id)];
+    p[mpm::Points<D>::mass * lane_width] += p[water_mass * lane_width];
+  }
+  return heavy;
+}
+
+}  // namespace
+
+template <int D>
+mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
+  mpm::Body<D> drained = make_heavy(wet);
+  drained.elements.held_saturation = find_saturation(wet);
+  drained.conditions.loads.push_back(make_pore_load(wet, plan, state));
+  return drained;
+}
+
+template <int D>
+mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, const StagePlan<D>& plan) {
+  return find_critical_step(make_heavy(wet), plan);
+}
+
+template <int D>
+results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state,
+                                    const StageHooks<D>& hooks) {
+  if (plan.step.geometry != input::Geometry::frozen) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
+  }
+  mpm::Body<D> drained = make_drained_body(wet, plan, state);
+  return run_stand_in(drained, wet, plan, state, hooks);
+}
+
+#define TALUS_INSTANTIATE(D)                                                                               \
+  template mpm::Body<D> make_drained_body<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
+  template mpm::CriticalStep find_drained_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&);      \
+  template results::StageEnd run_drained_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&,         \
+                                                  const StageHooks<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

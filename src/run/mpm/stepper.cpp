@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "run/mpm/stepper.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/ranks.hpp"
+#include "mpm/device/device_stepper.hpp"
+
+namespace talus::run {
+
+DeviceKind find_device_kind(const std::string& word) {
+  if (word == "gpu") return DeviceKind::gpu;
+  if (word == "emulated") return DeviceKind::emulated;
+  if (word == "cpu") return DeviceKind::cpu;
+  throw Error(ExitCode::wrong_input,
+              "--device " + word + ": expected cpu, gpu, or emulated (the kernels of a GPU on the processor)");
+}
+
+ChosenDevice::ChosenDevice(const input::Case& data, const RunOptions& options) {
+  if (options.device == DeviceKind::cpu) return;
+  if (get_ranks().size() > 1)
+    throw Error(ExitCode::wrong_input, "--device: a device calculates alone; start the program without mpiexec");
+  for (const auto& [name, material] : data.materials)
+    if (material.model == material::model_of<material::External>)
+      throw Error(ExitCode::wrong_input, "--device: material '" + name +
+                                             "' is calculated by a library of yours, which no device can call; leave "
+                                             "--device out");
+  options.device == DeviceKind::gpu ? mpm::use_gpu() : mpm::use_emulated_device({.threads = options.threads});
+}
+
+ChosenDevice::~ChosenDevice() {
+  mpm::use_no_device();
+}
+
+std::string describe_device() {
+  return mpm::get_device_name();
+}
+
+std::vector<std::string> list_left_to_processor(const input::Case& data) {
+  std::vector<std::string> stages;
+  if (mpm::get_device_name().empty()) return stages;
+  const bool wet = std::any_of(data.materials.begin(), data.materials.end(),
+                               [](const auto& entry) { return entry.second.water.is_wet(); });
+  for (const input::Stage& stage : data.stages)
+    if (wet && stage.step.water == input::WaterMotion::flows) stages.push_back(stage.name);
+  return stages;
+}
+
+}  // namespace talus::run
