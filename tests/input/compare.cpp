@@ -22,6 +22,14 @@ TEST(Compare, NamesAResultOfTheCase) {
   expect_fault(compare("@@\"runout[1.75].moved_volum\"", "91", "\"5 %\""), "did you mean 'runout[1.75].moved_volume'?");
 }
 
+TEST(Compare, NamesBothBounds) {
+  for (const char* name : {"bounds.lower", "bounds.upper"})
+    EXPECT_TRUE(find_faults(compare(std::string("\"") + name + "\"", "1.4", "\"5 %\""),
+                            {{"analysis.methods", "['bounds', 'mpm']"}})
+                    .empty())
+        << name;
+}
+
 TEST(Compare, MayNameWhatThisRunLeavesOut) {
   const std::string text = compare("\"curve.displacement[1.45]\"", "\"31 mm\"", "\"30 %\"");
   EXPECT_TRUE(find_faults(text).empty());

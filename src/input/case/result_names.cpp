@@ -192,7 +192,10 @@ results::RunResult outline_results(const Case& data) {
   results::RunResult run;
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
   if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
-  if (uses(data, Method::bounds)) run.bounds.emplace().lower = run.bounds->upper = 1;
+  if (uses(data, Method::bounds)) {
+    results::BoundsResult& bounds = run.bounds.emplace();
+    bounds.lower = bounds.upper = 1;
+  }
   if (data.timeline) run.timeline = outline_timeline(data);
   run.methods = outline_methods(data);
   if (uses(data, Method::mpm)) outline_points(data, run);
