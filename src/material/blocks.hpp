@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The input of a soil in blocks: a law names those that it needs, and laws share them. Each block is a plain struct
-// with its keys, beside the law that brings it.
+// The input of constitutive laws in blocks: each law lists the blocks that it needs, and laws share blocks. A block is
+// a plain struct with its keys, defined beside the law that introduces it.
 
 #include <limits>
 #include <optional>
@@ -18,56 +18,55 @@
 
 namespace talus::material {
 
-// What a law may know of a point beside its stress and state.
+// Quantities of a point that a law receives beside stress and state.
 
-/// What is known of the gaps of soil that comes apart (separation.hpp).
+/// State of the gaps of separating soil (linear_elastic.hpp).
 enum class Gaps {
-  ignored,  ///< the soil keeps none: its volume grows as if it flowed
-  none,     ///< none of these points has one yet; the state of gaps is not read
-  kept,     ///< a gap closes before the soil bears load again
+  ignored,  ///< gaps are not tracked: volume grows as in plastic flow
+  none,     ///< no point has a gap yet; the state of gaps is not read
+  kept,     ///< a gap must close before compressive stress returns
 };
 
-/// Softening over a length (theory 23), of laws whose traits soften.
+/// Nonlocal softening (theory 23), for laws with Traits::softens.
 template <class T>
 struct Softening {
-  T lent{0.0};  ///< plastic dilation of the neighbourhood beside the soil's own, which softens it [-]
-  T softened{
-      0.0};  ///< the law's answer: the soil's own of this step, in all directions, above zero where it dilates [-]
+  T lent{0.0};      ///< nonlocal plastic dilation minus the local one, which softens the point [-]
+  T softened{0.0};  ///< output: local plastic dilation of the step, in all directions, positive in dilation [-]
 };
 
-/// The rest of a point at the end of the step whose strain increment is given. Laws that need none of it ignore it.
+/// Further arguments of the update: the state at the end of the step of the strain increment. Laws ignore what they do
+/// not need.
 template <class T>
 struct Surroundings {
   T saturation{1.0};            ///< S_w of the pore water [-]; 1 in soil without pore water
-  const int* points = nullptr;  ///< number of each lane's point, -1 where there is none; nullptr: not known
-  double time = 0, dt = 0;      ///< start of the step and its length [s]
+  const int* points = nullptr;  ///< point number of each lane, -1 for an empty lane; nullptr: unknown
+  double time = 0, dt = 0;      ///< start and length of the step [s]
   Gaps gaps = Gaps::ignored;
-  Softening<T>* softening = nullptr;  ///< of soil that softens over a length; nullptr: as its own point does
+  Softening<T>* softening = nullptr;  ///< nonlocal softening; nullptr: local softening
 };
 
-/// A quantity that a law has beside stress, for results.
+/// A state variable of a law in the results.
 struct StateField {
-  std::string name;  ///< as stored, e.g. `void_ratio`
+  std::string name;  ///< name in results files, e.g. `void_ratio`
   std::string unit;  ///< SI
-  /// What soil of laws without it shows: roots are absent from soil without roots; other quantities are no number
-  /// there.
+  /// Value in soils whose law lacks it: 0 where absence means zero, as for roots; NaN for other quantities.
   double elsewhere = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The models whose law needs a block, and whether the material that is visited has one of them.
+/// The models whose law needs a block; its functions make keys conditional on them.
 struct Users {
   std::vector<input::Alternative> models;
 
-  /// A key that these models need, and one that they may have; with others it has no meaning.
+  /// need() makes a key required with these models, allow() optional; with other models the key is rejected.
   input::Spec need(input::Spec spec) const { return spec.condition = input::Condition{models, true}, spec; }
   input::Spec allow(input::Spec spec) const { return spec.condition = input::Condition{models, false}, spec; }
 };
 
-/// The blocks of a material that a law needs, as its functions receive them.
+/// References to the blocks of a material that a law needs; the argument of its functions.
 template <class... Block>
 class Needs {
  public:
-  /// Of all numbers of a material, or of what another law needs.
+  /// `from` holds all blocks of a material, or those of another law.
   template <class From>
   Needs(const From& from) : blocks_(pick<Block>(from)...) {}
   Needs(const Needs&) = default;
@@ -79,7 +78,7 @@ class Needs {
   template <class B>
   static constexpr bool has = (std::is_same_v<B, Block> || ...);
 
-  /// The same blocks, to be changed.
+  /// The same blocks, writable.
   class Changeable {
    public:
     template <class From>
@@ -112,7 +111,7 @@ class Needs {
   std::tuple<const Block&...> blocks_;
 };
 
-/// All blocks of some laws, each once, in their order.
+/// All blocks of a list of laws, each once, in the order of first use.
 template <class... Block>
 struct Numbers : Block... {
   template <class Work>
@@ -132,13 +131,13 @@ struct Joined<Numbers<Found...>, Needs<First, Block...>, More...>
     : Joined<std::conditional_t<(std::is_same_v<First, Found> || ...), Numbers<Found...>, Numbers<Found..., First>>,
              Needs<Block...>, More...> {};
 
-/// How the strength of a stage or trial differs from that of the case.
+/// Change of the strength in a stage or trial relative to the case.
 struct StrengthChange {
   double factor = 1;               ///< divides the strength (3.14-3.15)
-  std::optional<double> cohesion;  ///< in the place of the cohesion [Pa]
+  std::optional<double> cohesion;  ///< replaces the cohesion [Pa]
 };
 
-/// What the state of a point starts from.
+/// Initial conditions from which the state of a point is set.
 struct StateStart {
   const double* stress;  ///< [Pa]
   double void_ratio = 0, saturation = 1;
@@ -147,7 +146,7 @@ struct StateStart {
   double level = std::numeric_limits<double>::infinity();  ///< vertical coordinate [m]
 };
 
-/// Where a check of one soil reports.
+/// Findings of the check of one soil.
 struct SoilFindings {
   const std::string& name;
   double porosity;
@@ -157,7 +156,7 @@ struct SoilFindings {
   std::string find_path(const std::string& key) const { return "materials." + name + (key.empty() ? "" : "." + key); }
   bool is_sound(const std::string& key) const { return findings.is_sound(find_path(key)); }
   bool is_given(const std::string& key) const { return findings.places.is_given(find_path(key)); }
-  /// An empty key: of the material as a whole.
+  /// Adds a finding; an empty key refers to the material as a whole.
   void add(const std::string& key, const std::string& sentence) const { findings.add(find_path(key), sentence); }
 };
 

@@ -8,7 +8,7 @@
 namespace talus::material {
 namespace {
 
-/// M with its tan φ divided by a factor.
+/// Returns M with its tan φ divided by `factor`.
 double reduce_slope(double slope, double factor) {
   const double sine = std::min(3 * slope / (6 + slope), 0.9999);
   const double reduced = std::sin(std::atan(std::tan(std::asin(sine)) / factor));

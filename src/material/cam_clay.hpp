@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Modified Cam-clay, and the rooted-soil model of Świtała et al. over it (4.1-4.15): hardening by plastic volume,
-// saturation and root activation, associated flow, implicit return mapping.
+// Modified Cam-clay and, as an extension, the rooted-soil model of Świtała et al. (4.1-4.15): hardening by plastic
+// volumetric strain, saturation and root activation, associated flow, implicit return mapping.
 
 #include <algorithm>
 #include <limits>
@@ -16,16 +16,16 @@
 namespace talus::material {
 
 struct CamClayParameters {
-  double compression = 0;           ///< λ, slope of the normal-compression line in e - ln p' [-]
-  double swelling = 0;              ///< κ, of the swelling line [-]
+  double compression = 0;           ///< λ, slope of the normal compression line in e - ln p' [-]
+  double swelling = 0;              ///< κ, slope of the swelling line [-]
   double poisson_ratio = 0;         ///< ν [-]
   double critical_state_slope = 0;  ///< M_0 [-]
   double suction_hardening = 0;     ///< b of (4.6), (4.9) [-]
-  double smallest_pressure = 1e3;   ///< K = (1+e) max(p', this)/κ [Pa]
+  double smallest_pressure = 1e3;   ///< p'_min in K = (1+e) max(p', p'_min)/κ [Pa]
   double strength_factor = 1;       ///< divides tan φ of the critical state [-]
 };
 
-/// What a case gives of them; Poisson's ratio stands in a block of its own.
+/// Cam-clay parameters of the case; Poisson's ratio is in PoissonInput.
 struct CamClayInput {
   double compression = 0, swelling = 0, critical_state_slope = 0, suction_hardening = 0, smallest_pressure = 1e3;
 };
@@ -46,10 +46,11 @@ void describe(Visitor& v, CamClayInput& in, const Users& users) {
         "Floor of p' in the bulk modulus (1+e)p'/κ, which would vanish at a free surface.");
 }
 
-/// The preconsolidation of a soil that hardens; one of both is given.
+/// Initial preconsolidation; exactly one of the two is given.
 struct Preconsolidation {
-  std::optional<double> preconsolidation;        ///< p'_c0 of the saturated bare soil [Pa]; or
-  std::optional<double> preconsolidation_ratio;  ///< R_0 over the mean effective stress after initial.equilibrium [-]
+  std::optional<double> preconsolidation;  ///< p'_c0 of the saturated soil without roots [Pa]
+  std::optional<double>
+      preconsolidation_ratio;  ///< R_0, ratio to the mean effective stress after initial.equilibrium [-]
 
   void check(const SoilFindings& findings, const char* title) const;
 };
@@ -63,16 +64,17 @@ void describe(Visitor& v, Preconsolidation& in, const Users& users) {
         "then the soil is elastic.");
 }
 
-/// What roots do to the soil. Per cent of root mass per dry mass throughout: (4.4), (4.6) and (4.10) as physics of the
-/// published runs are.
+/// Parameters of the rooted soil. Root contents are mass of roots over dry mass of soil in per cent: (4.4), (4.6) and
+/// (4.10) in the units of the published runs.
 struct RootParameters {
   double hardening = 0;                ///< R_p of (4.6), (4.10) [1/%]
   double strength = 0;                 ///< R_a of (4.4) [1/%]
-  std::optional<double> activation{};  ///< R_p m_r of (4.10) as one number [-]; if not given, hardening × content
-  double breaking_strain = std::numeric_limits<double>::infinity();  ///< ε_r^peak, beyond which roots break [-]
-  double breaking_range = 0.1;  ///< ε_r beyond the peak over which they do, linearly [-]
-  double residual_share = 0;    ///< share of the roots' part that stays [-]
-  double root_content = 0;      ///< m_r^ini where no [[roots]] says otherwise [%]
+  std::optional<double> activation{};  ///< R_p m_r of (4.10) as one number [-]; hardening × content if not given
+  double breaking_strain =
+      std::numeric_limits<double>::infinity();  ///< ε_r^peak, activation strain at which roots begin to break [-]
+  double breaking_range = 0.1;                  ///< range of ε_r beyond the peak over which roots break, linearly [-]
+  double residual_share = 0;                    ///< fraction of the root contribution that remains after breakage [-]
+  double root_content = 0;                      ///< m_r^ini where no [[roots]] sets it [%]
 
   void check(const SoilFindings& findings) const;
 };
@@ -100,8 +102,8 @@ void describe(Visitor& v, RootParameters& in, const Users& users) {
 }
 
 /// State variables: 0 deviatoric plastic strain [-]; 1 preconsolidation pressure p'_c without suction and roots [Pa],
-/// positive; 2 void ratio e [-]; and rooted: 3 root content m_r [%]; 4 exponent of the roots' part of p'_c while they
-/// are intact [-]; 5 activation strain ε_r [-]; 6 share of the roots that is intact [-].
+/// positive; 2 void ratio e [-]; rooted also 3 root content m_r [%]; 4 exponent of the contribution of intact roots to
+/// p'_c [-]; 5 activation strain ε_r [-]; 6 fraction of the roots that is intact [-].
 template <bool Rooted>
 class CamClay {
  public:
@@ -125,9 +127,9 @@ class CamClay {
           "it is."};
   static constexpr int state_size = Rooted ? 7 : 3;
   static constexpr bool is_plastic = true;
-  /// p'_c of a point whose preconsolidation is not set yet: elastic whatever the stress [Pa].
+  /// p'_c of a point whose preconsolidation is not set yet: the response is elastic at any stress [Pa].
   static constexpr double not_set = 1e30;
-  /// Means over points that are not set and others are not set either.
+  /// Returns false also for an average over points of which some are `not_set`.
   static constexpr bool is_set(double preconsolidation) { return preconsolidation < set_below; }
 
   using Input = std::conditional_t<Rooted, Needs<PoissonInput, CamClayInput, Preconsolidation, RootParameters>,
@@ -135,23 +137,23 @@ class CamClay {
   static CamClay make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
   static Properties list_properties(const Input& in);
-  /// Those that follow from the roots, of which the soil has at most `content` [%].
+  /// Lists the properties that follow from the roots, of which the soil has at most `content` [%].
   static Properties list_root_properties(const Input& in, double content);
 
   explicit CamClay(const CamClayParameters& soil, const RootParameters& roots = {});
 
   const CamClayParameters& soil() const { return soil_; }
   const RootParameters& roots() const { return roots_; }
-  /// E_c at a stress and state, for the time step [Pa].
+  /// Returns E_c at a stress and state, for the critical time step [Pa].
   TALUS_PORTABLE double constrained_modulus(const double* sigma, const double* state) const {
     const double bulk = (1 + state[2]) / soil_.swelling * std::max(find_pressure(sigma), soil_.smallest_pressure);
     return bulk * (1 + 4.0 / 3 * shear_ratio_);
   }
-  /// The elastic stiffness at a stress and state.
+  /// Returns the elastic stiffness at a stress and state.
   LinearElastic find_elastic(const double* sigma, const double* state) const {
     return LinearElastic::from_constrained_modulus(constrained_modulus(sigma, state), soil_.poisson_ratio);
   }
-  /// Density of the elastic energy: that of compressing from zero along the swelling line, and q²/(6G) [J/m³].
+  /// Returns the elastic energy density: compression from zero along the swelling line, plus q²/(6G) [J/m³].
   template <int NS>
   TALUS_PORTABLE double elastic_energy(const double* sigma, const double* state) const {
     const double p = find_pressure(sigma),
@@ -163,17 +165,17 @@ class CamClay {
     return volume * (p > small ? p - 0.5 * small : p * p / (2 * small)) + squares / (4 * shear_ratio_ * bulk);
   }
 
-  /// Stress and state at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
-  /// Void ratio and activation strain change in every step: `any_plastic` is true always.
+  /// Updates stress and state over a step with strain increment `d_epsilon`. Lanes outside `active` may hold any
+  /// values. `any_plastic` is always true because void ratio and activation strain change in every step.
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                                   const Surroundings<T>& around = {}) const {
     const T p_before = (sigma[0] + sigma[1] + sigma[2]) * (-1.0 / 3);
     const T volume = -(d_epsilon[0] + d_epsilon[1] + d_epsilon[2]), third = volume * (1.0 / 3);
-    const T specific = change_void_ratio(volume, state[2]);  // mean of 1 + e
+    const T specific = change_void_ratio(volume, state[2]);  // mean of 1 + e over the step
     const T bulk = find_secant_bulk(p_before, volume, specific), shear = bulk * shear_ratio_;
     const T p_trial = p_before + bulk * volume;
-    T squares(0.0), strain_squares(0.0);  // s:s of the trial, and of the strain deviator
+    T squares(0.0), strain_squares(0.0);  // s:s of the trial stress and e:e of the strain deviator
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) {
       const T e = d_epsilon[i] + third;
@@ -227,24 +229,25 @@ class CamClay {
     return {true, dilation, multiplier * back.pressure * back.growth * p_c};
   }
 
-  /// p'_c with suction and roots (4.6-4.10) [Pa]; `not_set` as it is.
+  /// Returns p'_c with suction and roots (4.6-4.10) [Pa]; `not_set` is returned unchanged.
   double find_preconsolidation(const double* state, double saturation) const;
-  /// The state at a stress: void ratio `e`, root content `content` [%], and state[1] so that the saturated soil without
-  /// roots has p'_c = max(`preconsolidation`, what p' needs) [Pa]; `preconsolidation` = not_set leaves it open.
+  /// Sets the state at a stress: void ratio `e`, root content `content` [%] and state[1] such that the saturated soil
+  /// without roots has p'_c = max(`preconsolidation`, the least p'_c that admits the stress) [Pa]. `preconsolidation` =
+  /// not_set leaves it unset.
   void set_initial_state(const double* sigma, double e, double content, double preconsolidation, double saturation,
                          double* state) const;
   void set_initial_state(const Input& in, const StateStart& start, double* state) const {
     set_initial_state(start.stress, start.void_ratio, start.root_content,
                       in.template get<Preconsolidation>().preconsolidation.value_or(not_set), start.saturation, state);
   }
-  /// Takes the roots of a point out of its state.
+  /// Copies the root content of a point to `start`.
   static void read_roots(const double* state, StateStart& start) requires Rooted { start.root_content = state[3]; }
-  /// `ratio` times the mean effective stress [Pa].
+  /// Sets p'_c to `ratio` times the mean effective stress [Pa].
   void set_preconsolidation(double ratio, const double* sigma, double* state) const {
     state[1] = ratio * std::max(find_pressure(sigma), soil_.smallest_pressure);
   }
   static double find_void_ratio(const double* state) { return state[2]; }
-  /// What results show: p'_c (no number while it is not set), e, and rooted: m_r, ε_r, intact share.
+  /// State fields of the results: p'_c (NaN while it is not set) and e; rooted also m_r, ε_r and the intact fraction.
   static std::vector<StateField> fields() {
     if constexpr (Rooted)
       return {{"preconsolidation_pressure", "Pa"},
@@ -260,11 +263,12 @@ class CamClay {
  private:
   static constexpr double set_below = 1e28;
   static constexpr double least_void_ratio = 0.01, most_void_ratio = 4;
-  static constexpr double most_exponent = 50;  ///< of suction and roots together
+  static constexpr double most_exponent = 50;  ///< upper limit of the exponent of suction and roots together
 
   TALUS_PORTABLE static double find_pressure(const double* sigma) { return -(sigma[0] + sigma[1] + sigma[2]) / 3; }
 
-  /// Void ratio after the volumetric strain `volume` (compression positive), and the mean of 1 + e over it.
+  /// Updates the void ratio by the volumetric strain `volume` (positive in compression) and returns the mean of 1 + e
+  /// over the step.
   template <class T>
   static TALUS_KERNEL T change_void_ratio(T volume, T& e) {
     const T v = lane_max(T(-0.5), lane_min(T(0.5), volume));
@@ -274,7 +278,7 @@ class CamClay {
     return specific;
   }
 
-  /// Δp'/Δε_v of an elastic step: exact along the swelling line, constant below the smallest pressure.
+  /// Returns Δp'/Δε_v of an elastic step: exact along the swelling line, constant below the smallest pressure.
   template <class T>
   TALUS_KERNEL T find_secant_bulk(T p, T volume, T specific) const {
     const T stiffness = specific * over_swelling_;
@@ -284,7 +288,7 @@ class CamClay {
     return stiffness * lane_max(p, T(soil_.smallest_pressure)) * growth;
   }
 
-  /// Activation strain, exponent and intact share after the increment `d_activation` (4.5, 4.10).
+  /// Updates activation strain, exponent and intact fraction by the increment `d_activation` (4.5, 4.10).
   template <class T>
   TALUS_KERNEL void activate_roots(T d_activation, T e, MaskOf<T> set, T* state) const {
     const T d = select(set, d_activation, T(0.0));
@@ -297,7 +301,7 @@ class CamClay {
     }
   }
 
-  /// M with its tan φ divided by the strength factor.
+  /// Returns M with its tan φ divided by the strength factor.
   template <class T>
   TALUS_KERNEL T reduce(T m) const {
     if (soil_.strength_factor == 1) return m;
@@ -316,7 +320,7 @@ class CamClay {
     if (!Rooted && soil_.suction_hardening == 0) return lane_max(p_b, T(floor_));
     return lane_max(p_b * lane_exp(limit_exponent(exponent)), T(floor_));
   }
-  /// p_b of a p'_c that may have been raised to its floor.
+  /// Returns p_b, raised where necessary such that p'_c is at least `floor_`.
   template <class T>
   TALUS_KERNEL T raise_to_floor(T p_b, T p_c, T exponent) const {
     const auto raised = !(p_c > T(floor_));
@@ -326,11 +330,11 @@ class CamClay {
 
   CamClayParameters soil_;
   RootParameters roots_;
-  double activation_;                          ///< negative: not given
+  double activation_;                          ///< negative if not given
   double over_swelling_, over_plastic_slope_;  ///< 1/κ, 1/(λ-κ)
   double shear_ratio_;                         ///< G/K
-  double slope_square_;                        ///< M² without roots, reduced
-  double floor_;                               ///< least p'_c [Pa]
+  double slope_square_;                        ///< M² without roots, after strength reduction
+  double floor_;                               ///< lower limit of p'_c [Pa]
   double over_range_;
   bool breaks_;
 };

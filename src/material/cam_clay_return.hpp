@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The return of modified Cam-clay to its ellipse (4.12-4.15), in numbers without dimension: pressures over the trial
-// p'_c, the multiplier times it. Unknowns are d = Δλ p'_c and y = ln of the growth of p'_c; p' and q follow:
+// The return mapping of modified Cam-clay to its ellipse (4.12-4.15) in dimensionless quantities: pressures over the
+// trial p'_c, and the multiplier times it. The unknowns are d = Δλ p'_c and y, the logarithm of the growth of p'_c; p'
+// and q follow from them:
 //
 //   P(d, y) = (P_t + k d c)/(1 + 2 k d),  R(d) = 1 + g d,  c = max(e^y, c_min)
 //   0 = y - θ d (2P - c)                  hardening by plastic volume (4.15)
 //   0 = Q_t/R² - P (c - P)                yield (4.1)
 //
-// Newton's method from the trial state in lanes; a bracketed search on d alone for the lanes that it leaves.
+// Lanes use Newton's method from the trial state. Lanes that do not converge use a bracketed search on d alone.
 
 #include <cmath>
 
@@ -16,7 +17,7 @@
 
 namespace talus::material {
 
-/// A trial state outside its ellipse.
+/// Trial state outside the ellipse, dimensionless.
 template <class T>
 struct CamClayTrial {
   T pressure;         ///< P_t = p'/p'_c, of either sign
@@ -24,22 +25,22 @@ struct CamClayTrial {
   T bulk;             ///< k = K/p'_c
   T shear_stiffness;  ///< g = 6G/(M² p'_c)
   T hardening;        ///< θ = (1+e)/(λ-κ)
-  T least_growth;     ///< c_min, that p'_c does not vanish, at most 1
+  T least_growth;     ///< c_min <= 1, keeps p'_c above its floor
 };
 
-/// What the return makes of it.
+/// Result of the return.
 template <class T>
 struct CamClayReturn {
   T pressure;    ///< P
-  T growth;      ///< c of p'_c
-  T shear;       ///< 1/R, ratio of q to that of the trial
+  T growth;      ///< c = e^y, growth of p'_c
+  T shear;       ///< 1/R, ratio of q to that of the trial state
   T multiplier;  ///< d
 };
 
-/// f/p'_c² and |error of y| up to which a state counts as on the surface.
+/// Tolerance of |f|/p'_c² and of the residual of y.
 inline constexpr double cam_clay_tolerance = 1e-10;
 
-/// Residuals at (y, d) and what Newton's step needs of them.
+/// Residuals at (y, d) and the terms of Newton's step.
 template <class T>
 struct CamClayPoint {
   T pressure, distance, growth, slope;  ///< P, 2P - c, c, dc/dy
@@ -60,12 +61,12 @@ struct CamClayPoint {
   }
 };
 
-/// y of the hardening law at a given multiplier: the root of y + A c(y) - 2A P_t, which rises and is convex in y, so
-/// that Newton's method from the right of it comes down to it.
+/// Solves the hardening law for y at a given multiplier: the root of y + A c(y) - 2A P_t. The function increases and is
+/// convex in y, so Newton's method converges monotonically from the right of the root.
 TALUS_PORTABLE inline double find_growth_exponent(const CamClayTrial<double>& t, double d) {
   const double a = t.hardening * d / (1 + 2 * t.bulk * d);
   if (2 * t.pressure < t.least_growth && a * (2 * t.pressure - t.least_growth) < std::log(t.least_growth))
-    return a * (2 * t.pressure - t.least_growth);  // p'_c has come down to its floor
+    return a * (2 * t.pressure - t.least_growth);  // p'_c is at its floor
   double y = 0;
   if (a * (1 - 2 * t.pressure) < 0) y = lane_min(2 * a * t.pressure, std::log(2 * t.pressure));
   for (int i = 0; i < 100; ++i) {
@@ -76,10 +77,10 @@ TALUS_PORTABLE inline double find_growth_exponent(const CamClayTrial<double>& t,
   return y;
 }
 
-/// The return by bracketing: slow, and it always ends, with f <= 1e-10 p'_c².
+/// Solves the return by bracketing: slow, but it always terminates, with f <= 1e-10 p'_c².
 TALUS_PORTABLE inline CamClayReturn<double> search_cam_clay_return(const CamClayTrial<double>& t) {
   const auto find = [&](double d) { return CamClayPoint<double>(t, find_growth_exponent(t, d), d); };
-  // f is positive at d = 0 and tends to -c²/4 for large d: between them it has a root.
+  // f is positive at d = 0 and tends to -c²/4 for large d, so there is a root between.
   const double n = 2 * t.pressure - 1;
   double low = 0;
   double high = (t.shear - t.pressure * (1 - t.pressure)) / (2 * t.shear_stiffness * t.shear + t.bulk * n * n);
@@ -100,7 +101,7 @@ TALUS_PORTABLE inline CamClayReturn<double> search_cam_clay_return(const CamClay
                        t.bulk * at.distance * at.distance * at.over_den;
     const double slope = f_d - f_y * r_d / r_y;
     d -= at.f / slope;
-    const bool halves = i % 3 == 2;  // Newton's method alone may creep from one side
+    const bool halves = i % 3 == 2;  // Newton's method alone may converge slowly from one side
     if (halves || !(d > low && d < high)) d = low + 0.5 * (high - low);
   }
   if (find(d).f > 1e-3 * cam_clay_tolerance * find(d).growth * find(d).growth) d = high;
@@ -108,17 +109,18 @@ TALUS_PORTABLE inline CamClayReturn<double> search_cam_clay_return(const CamClay
   return {at.pressure, at.growth, at.over_shear, d};
 }
 
-/// Returns the lanes of `yields`; the others hold anything that is a number if their trial is.
+/// Solves the return for the lanes of `yields`; other lanes hold finite values if their trial state is finite.
 template <class T>
 TALUS_KERNEL CamClayReturn<T> return_cam_clay(const CamClayTrial<T>& t, MaskOf<T> yields) {
-  if constexpr (requires { T::derivatives; }) return search_cam_clay_return(t);  // cam_clay_tangent.hpp
-  // The first guess: the root of the expansion of f(d, y(d)) about the trial, by Chebyshev's step of third order, so
-  // that the small increments of an explicit step need no other. It has one exponential and no quotient less than
-  // Newton's.
+  if constexpr (requires { T::derivatives; })
+    return search_cam_clay_return(t);  // the overload for dual numbers is below
+  // Initial guess: the root of the expansion of f(d, y(d)) about the trial state by one third-order Chebyshev step,
+  // which is accurate enough for the small increments of an explicit step. It has one exponential and saves one
+  // division relative to Newton's method.
   const T n = 2.0 * t.pressure - 1.0, theta = select(t.least_growth < T(1.0), t.hardening, T(0.0));
   const T k_n = t.bulk * n, theta_n = theta * n, softening = 2.0 * t.bulk + theta, g_q = t.shear_stiffness * t.shear;
   const T f_0 = t.shear - t.pressure * (1.0 - t.pressure);
-  const T over_f_1 = 1.0 / (2.0 * g_q + k_n * n + theta_n * t.pressure);  // of the slope's negative
+  const T over_f_1 = 1.0 / (2.0 * g_q + k_n * n + theta_n * t.pressure);  // reciprocal of minus the derivative of f
   const T f_2 = 3.0 * t.shear_stiffness * g_q + k_n * (n * softening + theta_n + k_n) -
                 t.pressure * theta_n * (0.5 * theta_n - softening);
   T d = lane_max(f_0 * over_f_1, T(0.0));
@@ -164,8 +166,8 @@ TALUS_KERNEL CamClayReturn<T> return_cam_clay(const CamClayTrial<T>& t, MaskOf<T
   }
 }
 
-// The derivatives of modified Cam-clay's return: the root is found in plain numbers, and one step of Newton's method
-// in dual numbers from there moves nothing but carries the derivatives (implicit function theorem).
+// Derivatives of the return mapping: the root is found in double precision, and one step of Newton's method in dual
+// numbers from there leaves the values unchanged and adds the derivatives (implicit function theorem).
 
 template <int N>
 CamClayReturn<Dual<N>> search_cam_clay_return(const CamClayTrial<Dual<N>>& t) {
@@ -173,7 +175,7 @@ CamClayReturn<Dual<N>> search_cam_clay_return(const CamClayTrial<Dual<N>>& t) {
   const CamClayTrial<double> plain{t.pressure.value,        t.shear.value,     t.bulk.value,
                                    t.shear_stiffness.value, t.hardening.value, t.least_growth.value};
   const CamClayReturn<double> root = return_cam_clay<double>(plain, true);
-  // ln of the growth, or what the hardening law would make of it below the floor
+  // y is the logarithm of the growth, or the value of the hardening law where p'_c is at its floor.
   const double multiplier = root.multiplier;
   const double y_value =
       plain.hardening * multiplier * (2 * plain.pressure - root.growth) / (1 + 2 * plain.bulk * multiplier);

@@ -21,7 +21,7 @@ namespace talus::material {
 
 namespace {
 
-/// UMAT as gfortran and ifort call it: everything by address, and the length of CMNAME behind all.
+/// Signature of UMAT as gfortran and ifort compile it: all arguments by address, the length of CMNAME last.
 using Function = void(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
                       double* rpl, double* ddsddt, double* drplde, double* drpldt, double* stran, double* dstran,
                       double* time, double* dtime, double* temp, double* dtemp, double* predef, double* dpred,
@@ -30,7 +30,7 @@ using Function = void(double* stress, double* statev, double* ddsdde, double* ss
                       int* noel, int* npt, int* layer, int* kspt, int* kstep, int* kinc, std::size_t cmname_length);
 
 constexpr std::size_t name_length = 80;
-/// Abaqus counts 11 22 33 12 13 23, Talus xx yy zz xy yz zx.
+/// Component order: Abaqus 11 22 33 12 13 23, Talus xx yy zz xy yz zx.
 constexpr std::array<std::size_t, 6> order{0, 1, 2, 3, 5, 4};
 
 }  // namespace
@@ -48,7 +48,7 @@ struct Umat::Arguments {
   Arguments(void* umat, const std::string& material, const std::vector<double>& given, std::size_t states)
       : function(reinterpret_cast<Function*>(umat)),
         constants(given),
-        statev(std::max<std::size_t>(states, 1)),  // never without address
+        statev(std::max<std::size_t>(states, 1)),  // a UMAT without state variables still gets a valid address
         props(std::max<std::size_t>(given.size(), 1)) {
     name.fill(' ');
     std::copy_n(material.begin(), std::min(material.size(), name_length), name.begin());
@@ -56,9 +56,9 @@ struct Umat::Arguments {
     nprops = static_cast<int>(given.size());
   }
 
-  /// A UMAT may change all that it is given, so everything is set before each call.
+  /// Sets every argument before each call, because a UMAT may overwrite any of them.
   void set(const UmatQuestion& q) {
-    // Element size and place are not known here. A UMAT that needs them shall fail, not compute with a number made up.
+    // Element size and coordinates are not available here. NaN makes a UMAT that uses them fail visibly.
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const std::size_t n = q.stress.size();
     for (const GuardedArray* array : {&stress, &ddsdde, &ddsddt, &drplde, &stran, &dstran, &dpred})
@@ -136,7 +136,7 @@ UmatAnswer Umat::ask(const UmatQuestion& question) {
 
 namespace {
 
-/// UMATs may keep data between calls and share it, also between libraries: never two at once.
+/// Serialises all calls: UMATs may keep static data and share it, also between libraries.
 std::mutex& get_umat_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -153,7 +153,7 @@ std::string of_material(const ExternalParameters& p) {
   return p.material.empty() ? "" : fmt::format(" of material '{}'", p.material);
 }
 
-/// dlerror() without the path that it begins with.
+/// Returns dlerror() without the leading path.
 std::string find_reason(const std::string& path) {
   const char* text = dlerror();
   std::string reason = text ? text : "no reason is known";
@@ -168,8 +168,8 @@ std::string LawFailure::describe(const std::string& place) const {
   return fmt::format("{} failed in {}{}: {}", model, where, place, answer);
 }
 
-/// The library stays open until the program ends: a Fortran library that has opened files or threads does not survive
-/// being closed.
+/// The library stays open until the program ends: a Fortran runtime that has opened files or threads does not survive
+/// dlclose().
 class ExternalLibrary {
  public:
   explicit ExternalLibrary(const ExternalParameters& p) {
@@ -180,7 +180,7 @@ class ExternalLibrary {
       fail(fmt::format("has {} state variables; 0 to {} are possible", p.states, External::most_states));
     if (p.initial_states.size() > static_cast<std::size_t>(p.states))
       fail(fmt::format("has {} initial values for {} state variables", p.initial_states.size(), p.states));
-    // Absolute: without a slash dlopen() would look through the system's folders instead.
+    // The path is absolute because dlopen() searches the system's folders for a name without a slash.
     const std::string path = std::filesystem::absolute(p.find_library()).lexically_normal().string();
     if (const auto fault = find_file_fault(path, largest_file::library))
       fail(fault->is_missing
@@ -199,10 +199,10 @@ class ExternalLibrary {
     umat_.emplace(umat, name_, p.material, p.constants, static_cast<std::size_t>(p.states));
   }
 
-  /// Called with get_umat_mutex() held.
+  /// Requires get_umat_mutex() to be held.
   UmatAnswer ask(const UmatQuestion& question) { return umat_->ask(question); }
 
-  /// Called with get_umat_mutex() held, as take() does for itself.
+  /// Requires get_umat_mutex() to be held; take() locks it itself.
   void keep(int point, const std::string& answer) {
     if (failure_ && failure_->point <= point) return;
     failure_ = {point, name_, answer};
@@ -290,7 +290,7 @@ double External::update_point(int components, double* sigma, const double* d_eps
   const std::span stress(answer.stress.data(), n);
   std::string fault = answer.trouble;
   if (!fault.empty()) {
-    // it has answered nothing
+    // The call did not return, so there is no answer to check.
   } else if (!is_finite(stress)) {
     fault = "it answered a stress that is no number";
   } else if (!is_finite(answer.states)) {

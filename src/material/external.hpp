@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A compiled Abaqus UMAT as a constitutive model. One call per point and step: slow, and the same for every lane type.
+// A compiled Abaqus UMAT as a constitutive law. It is called once per point and step, which is slow, by the same code
+// for every lane type.
 
 #include <algorithm>
 #include <array>
@@ -16,9 +17,9 @@
 
 namespace talus::material {
 
-// The calls of a compiled UMAT: its arguments, between pages of memory that it cannot touch, and what it answers.
+// Calls of a compiled UMAT: its arguments, which lie between guard pages, and its results.
 
-/// What a UMAT is asked. Components are xx yy zz xy (yz zx), four or six; stresses [Pa].
+/// Arguments of a call. Components are xx yy zz xy (yz zx), four or six; stresses [Pa].
 struct UmatQuestion {
   std::span<const double> stress, strain, increment;
   std::span<const double> states;
@@ -26,26 +27,27 @@ struct UmatQuestion {
   int point = -1;
 };
 
-/// What it answers, as asked.
+/// Results of a call, in the component order of the arguments.
 struct UmatAnswer {
-  std::string trouble;  ///< why the rest holds nothing: "it crashed (Segmentation fault) …"; empty when it returned
+  std::string trouble;  ///< why the other members are not valid: "it crashed (Segmentation fault) …"; empty when the
+                        ///< UMAT returned
   std::array<double, 6> stress{};
-  std::span<const double> states;  ///< valid until the next question
+  std::span<const double> states;  ///< valid until the next call
   double step_ratio = 1;           ///< PNEWDT
-  double dissipation = 0;          ///< what it added to SPD
+  double dissipation = 0;          ///< increase of SPD
 };
 
 class Umat {
  public:
-  /// `function` is the subroutine; `name` is what messages call it, `material` its CMNAME.
+  /// `function` is the subroutine, `name` its name in messages, `material` its CMNAME.
   Umat(void* function, std::string name, const std::string& material, const std::vector<double>& constants,
        std::size_t states);
   ~Umat();
   Umat(const Umat&) = delete;
   Umat& operator=(const Umat&) = delete;
 
-  /// One call at a time in the process: a UMAT may keep data between calls and share it, also between libraries. After
-  /// a call that never returned all answers are that.
+  /// Calls the UMAT. Calls must be serialised in the process, because UMATs may keep static data and share it, also
+  /// between libraries. After a call that never returned, every later answer reports that.
   UmatAnswer ask(const UmatQuestion& question);
 
  private:
@@ -61,9 +63,9 @@ struct ExternalParameters {
   std::string material;                ///< CMNAME
   std::vector<double> constants;       ///< PROPS
   int states = 0;                      ///< NSTATV, at most External::most_states
-  std::vector<double> initial_states;  ///< zero where not given
-  double constrained_modulus = 0;      ///< for the time step [Pa]
-  std::string library_file;            ///< the library as it is found from here; empty: as given
+  std::vector<double> initial_states;  ///< zero if not given
+  double constrained_modulus = 0;      ///< E_c for the critical time step [Pa]
+  std::string library_file;            ///< resolved path of the library; empty: as given
 
   const std::string& find_library() const { return library_file.empty() ? library : library_file; }
 };
@@ -83,19 +85,19 @@ void describe(Visitor& v, ExternalParameters& in, const Users& users) {
         "The largest stiffness in one-dimensional compression that the UMAT can have; it sets the time step.");
 }
 
-/// A call of a UMAT that led to nothing.
+/// A call of a UMAT without a usable result.
 struct LawFailure {
-  int point = -1;      ///< -1: not known
+  int point = -1;      ///< -1: unknown
   std::string model;   ///< "the external model 'clay' (umat_ in libclay.so)"
-  std::string answer;  ///< what was answered to which inputs
+  std::string answer;  ///< the answer and the arguments that led to it
 
-  /// One sentence; `place` follows the number of the point, e.g. " at (3.2, 1.5) m".
+  /// Returns the failure as one sentence; `place` follows the number of the point, e.g. " at (3.2, 1.5) m".
   std::string describe(const std::string& place) const;
 };
 
-class ExternalLibrary;  // the opened library and the first failure
+class ExternalLibrary;  // owns the opened library and the first failure
 
-/// State variables: 0 deviatoric plastic strain, which a UMAT does not tell: 0; 1… STATEV; behind them STRAN.
+/// State variables: 0 deviatoric plastic strain, always 0 because a UMAT does not return it; 1… STATEV; then STRAN.
 class External {
  public:
   static constexpr Traits traits{
@@ -115,7 +117,7 @@ class External {
   static constexpr int state_size = first_strain + 6;
   static constexpr bool is_plastic = true;
 
-  /// Opens the library. Throws Error (wrong_input) with the reason when it or the symbol cannot be found.
+  /// Opens the library. Throws Error (wrong_input) with the reason if the library or the symbol cannot be found.
   explicit External(ExternalParameters parameters);
 
   const ExternalParameters& parameters() const { return *parameters_; }
@@ -127,17 +129,17 @@ class External {
   }
   template <int NS>
   double elastic_energy(const double*, const double* = nullptr) const {
-    return 0;  // a UMAT's is not known
+    return 0;  // the elastic energy of a UMAT is unknown
   }
 
   using Input = Needs<ExternalParameters>;
-  /// Throws Error (wrong_input) when the strength is to be reduced: only the library knows it.
+  /// Throws Error (wrong_input) if the strength is to be reduced, since it is defined inside the library.
   static External make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
   static Properties list_properties(const Input& in);
   static std::string describe_model(const Input& in);
   static double find_oedometric_modulus(const Input& in) { return in.get<ExternalParameters>().constrained_modulus; }
-  /// Names the material to the UMAT, and finds its library from the folder of the case.
+  /// Sets CMNAME to the name of the material and resolves the path of the library relative to the folder of the case.
   template <class FindFile>
   static void complete(const Input::Changeable& in, const std::string& name, const FindFile& find_file) {
     auto& parameters = in.get<ExternalParameters>();
@@ -145,13 +147,13 @@ class External {
     if (!parameters.library.empty()) parameters.library_file = find_file(parameters.library);
   }
 
-  /// Writes state_size numbers; initial_states that are not given are 0.
+  /// Writes state_size values; initial_states that are not given are 0.
   void set_initial_state(double* state) const;
   void set_initial_state(const Input&, const StateStart&, double* state) const { set_initial_state(state); }
 
-  /// A point whose UMAT fails (no number, or PNEWDT < 1) keeps its stress and state; the failure with the lowest point
-  /// number is kept for throw_failure(). States are stored always, so `any_plastic` is true. The dissipation is what
-  /// the UMAT adds to SPD.
+  /// Updates stress and state. A point whose UMAT fails (NaN or PNEWDT < 1) keeps its stress and state; the failure
+  /// with the lowest point number is kept for throw_failure(). `any_plastic` is true because states are always stored.
+  /// The dissipation is the increase of SPD.
   template <int NS, class T>
   Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                      const Surroundings<T>& around = {}) const {
@@ -175,25 +177,25 @@ class External {
     return response;
   }
 
-  /// What results show: STATEV, as state_1, state_2 …
+  /// State fields of the results: STATEV as state_1, state_2 …
   std::vector<StateField> fields() const;
   void show(const double* state, double /*saturation*/, double* values) const {
     std::copy_n(state + 1, parameters_->states, values);
   }
 
-  /// The failure with the lowest point number since the last look, if there was one.
+  /// Returns and clears the failure with the lowest point number since the last call, if there was one.
   std::optional<LawFailure> take_failure() const;
-  /// Throws Error (unstable) with it. Called between steps.
+  /// Throws Error (unstable) with that failure. It is called between steps.
   void throw_failure() const;
 
  private:
-  /// What a UMAT is told beside stress and strain.
+  /// Arguments of a UMAT other than stress and strain.
   struct Call {
     double saturation;
     int point;
     double time, dt;  ///< [s]
   };
-  /// One call of the UMAT; the plastic work that it names [J/m³].
+  /// Calls the UMAT once and returns its plastic work [J/m³].
   double update_point(int components, double* sigma, const double* d_epsilon, double* state, const Call& call) const;
 
   std::shared_ptr<const ExternalParameters> parameters_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The list of constitutive laws. A soil is its header and one word here; everything else asks its traits.
+// The list of constitutive laws and the functions on a law of unknown type. A new law needs its header and one entry in
+// `Law`; all other code reads its traits.
 
 #include <algorithm>
 #include <array>
@@ -23,19 +24,19 @@ template <class Laws>
 struct OfLaws;
 template <class... L>
 struct OfLaws<std::variant<L...>> {
-  /// All numbers that a case may give of a soil.
+  /// Union of the blocks of all laws.
   using Numbers = typename Joined<material::Numbers<>, typename L::Input...>::type;
   static constexpr std::array<Traits, sizeof...(L)> traits{L::traits...};
   static constexpr int max_state_size = std::max({L::state_size...});
 
-  /// The model of a law.
+  /// Returns the model of a law.
   template <class Wanted>
   static constexpr Model find_model() {
     int place = 0;
     const bool found = ((std::is_same_v<L, Wanted> || (++place, false)) || ...);
     return Model(found ? place : -1);
   }
-  /// The models whose law needs a block, `now` being that of the material.
+  /// Returns the models whose law needs a block, `now` being the model of the material.
   template <class Block>
   static Users list_users(Model now) {
     Users users;
@@ -60,7 +61,7 @@ inline constexpr Model model_of = Laws::find_model<L>();
 inline const Traits& get_traits(Model model) {
   return Laws::traits[static_cast<std::size_t>(model)];
 }
-/// Whether the law of `model` needs a block of input.
+/// Returns true if the law of `model` needs a block of input.
 template <class Block>
 bool needs(Model model) {
   bool answer = false;
@@ -68,14 +69,15 @@ bool needs(Model model) {
   return answer;
 }
 
-/// The words of the models whose traits hold, in quotation marks: '"a", "b" or "c"'.
+/// Lists the words of the models that satisfy `holds`, in quotation marks: '"a", "b" or "c"'.
 std::string list_words(bool (*holds)(const Traits&), const char* last = " or ");
-/// Those that methods of slices, finite elements and partial factors take.
+/// Lists the models that LEM, FEM and partial factors accept.
 inline std::string list_sliceable() {
   return list_words([](const Traits& t) { return t.serves_slices && t.strength == Strength::known; });
 }
 
-/// Most state variables of any law. One of them is every plastic law's: the deviatoric plastic strain.
+/// Largest number of state variables of any law. The first one is common to all plastic laws: the deviatoric plastic
+/// strain.
 inline constexpr int max_state_size = Laws::max_state_size, common_state_size = 1;
 
 inline int state_size(const Law& law) {
@@ -85,33 +87,33 @@ inline const Traits& get_traits(const Law& law) {
   return Laws::traits[law.index()];
 }
 
-/// Laws that harden from a preconsolidation, which may be set after a stage of equilibrium.
+/// Laws with a preconsolidation, which may be set after a stage of equilibrium.
 template <class L>
 concept IsPreconsolidated = requires(const L& l, const double* state) {
   l.find_preconsolidation(state, 1.0);
 };
 
-// Of the soil of a case.
+// Functions of the soil of a case.
 
-/// The law of a soil, its strength changed. Throws Error (wrong_input) when an external model is to be reduced, or its
-/// library cannot be opened.
+/// Returns the law of a soil with changed strength. Throws Error (wrong_input) if an external model is to be reduced,
+/// or if its library cannot be opened.
 Law make_law(Model model, const SoilNumbers& in, const StrengthChange& change);
 void check_soil(Model model, const SoilNumbers& in, const SoilFindings& findings);
 Properties list_properties(Model model, const SoilNumbers& in);
-/// Those that follow from the roots, of which the soil has at most `content` [%].
+/// Lists the properties that follow from the roots, of which the soil has at most `content` [%].
 Properties list_root_properties(Model model, const SoilNumbers& in, double content);
-/// The name of the soil's model in reports.
+/// Returns the name of the soil's model in reports.
 std::string describe_model(Model model, const SoilNumbers& in);
-/// Cohesion and friction angle; nothing of an elastic soil, nor of one that serves no slices.
+/// Returns the strength for LEM; std::nullopt for a law without cohesion and friction angle.
 std::optional<SliceStrength> find_slice_strength(Model model, const SoilNumbers& in);
 void divide_strength(Model model, SoilNumbers& in, PartialDivision& division);
-/// Whether stresses are total ones, on which pore water does not act.
+/// Returns true if the law is in total stresses, so that pore pressure does not act.
 bool is_total_stress(Model model, const SoilNumbers& in);
-/// The model of the same soil whose cohesion is a state variable of its points, where it varies from place to place.
+/// Returns the model of the same soil with the cohesion as a state variable, where the cohesion varies in space.
 std::optional<Model> find_local_model(Model model, const SoilNumbers& in);
-/// E_c of a soil whose stiffness does not change [Pa].
+/// Returns E_c of a soil with constant stiffness [Pa].
 std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in);
-/// Fills what is found from the folder of the case.
+/// Completes the input with what depends on the folder of the case.
 template <class FindFile>
 void complete_soil(SoilNumbers& in, const std::string& name, const FindFile& find_file) {
   [&]<class... L>(std::variant<L...>*) {
@@ -123,24 +125,24 @@ void complete_soil(SoilNumbers& in, const std::string& name, const FindFile& fin
   }(static_cast<Law*>(nullptr));
 }
 
-// Of a point.
+// Functions of a point.
 
-/// The state variables of a point at the start, of which `state` has room for max_state_size.
+/// Sets the initial state variables of a point; `state` has room for max_state_size values.
 void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& start, double* state);
-/// Takes the roots of a point out of its state, for another start.
+/// Copies the roots of a point from its state to `start`.
 void read_roots(const Law& law, const double* state, StateStart& start);
-/// E_c of (2.84) of a point with stress `sigma` and state variables `state` [Pa].
+/// Returns E_c of (2.84) at stress `sigma` and state variables `state` [Pa].
 double constrained_modulus(const Law& law, const double* sigma, const double* state);
-/// Elastic energy density [J/m³].
+/// Returns the elastic energy density [J/m³].
 template <int NS>
 double elastic_energy(const Law& law, const double* sigma, const double* state);
-/// What results show of a law beside stress and plastic strain, in the order of show_state().
+/// Lists the state fields of the results beside stress and plastic strain, in the order of show_state().
 std::vector<StateField> list_state_fields(const Law& law);
-/// Writes one value per field. `saturation` is that of the pore water, 1 in dry soil.
+/// Writes one value per state field. `saturation` is that of the pore water, 1 in dry soil.
 void show_state(const Law& law, const double* state, double saturation, double* values);
-/// The gap that the soil has come apart by, as a volume strain [-]; 0 for laws that keep none.
+/// Returns the gap as a volumetric strain [-]; 0 for laws without gaps.
 double find_gap(const Law& law, const double* state);
-/// What a law could not calculate since the last look; the first point of it.
+/// Returns and clears the failure with the lowest point number since the last call.
 std::optional<LawFailure> take_failure(const Law& law);
 
 }  // namespace talus::material

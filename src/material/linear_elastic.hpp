@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Isotropic linear elasticity: the predictor of every other model.
+// Isotropic linear elasticity, the predictor of every other law, and the gaps of soil that separates in tension.
 
 #include "material/blocks.hpp"
 #include "material/properties.hpp"
@@ -15,17 +15,17 @@ using input::quantity;
 template <int D>
 inline constexpr int stress_size = D == 2 ? 4 : 6;
 
-/// What an update tells beside the new stress. All per point.
+/// Output of an update beside the new stress, per point.
 template <class T>
 struct Response {
-  bool any_plastic;    ///< false: no lane yielded, the state is as before and the rest is zero
-  T plastic_dilation;  ///< Δε^p of the step, summed over the directions that move: two of NS = 4, all of 6 [-]
-  /// Plastic work of the step [J/m³]. Mohr–Coulomb's is that of the mean of the stresses before and after,
-  /// ½(σ_old + σ):Δε^p, which is what the elastic energy and the work of a finite step leave.
+  bool any_plastic;    ///< false: no lane yielded, the state is unchanged and the rest is zero
+  T plastic_dilation;  ///< Δε^p of the step, sum over two directions for NS = 4, three for NS = 6 [-]
+  /// Plastic work of the step [J/m³]. Mohr–Coulomb uses the mean of the stresses before and after, ½(σ_old + σ):Δε^p,
+  /// which closes the balance of elastic energy and work over a finite step.
   T dissipation;
-  // Of soil that comes apart, separation.hpp.
-  T opened{0.0};  ///< growth of its gaps, below zero where they closed [-]
-  T gap{0.0};     ///< at the end of the step [-]
+  // Output of separating soil:
+  T opened{0.0};  ///< increase of the gap, negative where it closed [-]
+  T gap{0.0};     ///< gap at the end of the step [-]
 };
 
 struct YoungInput {
@@ -95,14 +95,14 @@ struct LinearElastic {
     return {false, T(0.0), T(0.0)};
   }
 
-  /// E_c = λ + 2μ of (2.84) [Pa].
+  /// Returns E_c = λ + 2μ of (2.84) [Pa].
   TALUS_PORTABLE double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
     return lambda + 2 * mu;
   }
-  /// The elastic stiffness at a stress and state.
+  /// Returns the elastic stiffness at a stress and state.
   LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return *this; }
 
-  /// Elastic energy density ½ σ:C⁻¹:σ [J/m³].
+  /// Returns the elastic energy density ½ σ:C⁻¹:σ [J/m³].
   template <int NS>
   TALUS_PORTABLE double elastic_energy(const double* sigma, const double* = nullptr) const {
     const double trace = sigma[0] + sigma[1] + sigma[2];
@@ -112,28 +112,29 @@ struct LinearElastic {
   }
 };
 
-// Soil that comes apart. Where a soil bears no more tension in any direction that moves, its volume grows as if it
-// flowed. What grows there is a gap. The gap is kept as a volume strain, and when the soil is pressed again the gap
-// closes first: only then stress returns (after Tampubolon et al. 2017, ACM Trans. Graph. 36, 105). Without it loose
-// soil gains volume for ever, and gains energy whenever it is pressed.
+// Separation. Where the soil is at its tension limit in all D directions, plastic flow increases its volume; this
+// increase is a gap, stored as a volumetric strain. In later compression the gap closes first, and only then
+// compressive stress returns (after Tampubolon et al. 2017, ACM Trans. Graph. 36, 105). Without gaps, loose soil gains
+// volume in every cycle, and gains energy in every compression.
 
 inline const StateField separation_field{"separation", "-", 0};
 
-/// What is left of a strain increment when gaps have closed.
+/// Strain increment that remains after gaps have closed.
 template <int NS, class T>
 struct AfterClosing {
   T strain[NS];
-  T closed{0.0};  ///< how far gaps closed [-]
-  T work{0.0};    ///< done by a compressive stress on it: dissipated [J/m³]
+  T closed{0.0};  ///< decrease of the gap [-]
+  T work{0.0};    ///< work of a compressive stress on the closing, dissipated [J/m³]
 
-  /// Pressing soil first takes its tension away, elastically, and then closes the `gap`. The closing is spread over the
-  /// directions that move. An element shares the state of its points, so it may have a gap and a compressive stress.
+  /// Compression first removes the tension elastically, then closes the `gap`. The closing is spread equally over the D
+  /// directions. Points of an element share its state, so a gap and a compressive stress may occur together.
   TALUS_KERNEL AfterClosing(const LinearElastic& elastic, const T* sigma, const T* d_epsilon, T gap, MaskOf<T> active) {
     constexpr int D = NS == 4 ? 2 : 3;
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) strain[i] = d_epsilon[i];
     const T zero(0.0);
-    const double stiffness = elastic.lambda + 2 * elastic.mu / D;  // mean stress of these directions per volume strain
+    const double stiffness =
+        elastic.lambda + 2 * elastic.mu / D;  // mean stress of the D directions over volumetric strain
     T mean = sigma[0] + sigma[1], volumetric = d_epsilon[0] + d_epsilon[1];
     if constexpr (D == 3) {
       mean += sigma[2];
@@ -146,7 +147,7 @@ struct AfterClosing {
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) strain[i] += closed * (1.0 / D);
   }
-  /// Puts the closing into the response of the soil to the rest of the strain, and changes the gap.
+  /// Adds the closing to the response to the remaining strain and updates the gap.
   TALUS_KERNEL void finish(Response<T>& response, T* gap, MaskOf<T> active) const {
     response.opened -= closed;
     if (any(active && closed > T(0.0))) {

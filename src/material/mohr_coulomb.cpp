@@ -50,7 +50,7 @@ void MohrCoulomb::check(const Input& in, const SoilFindings& findings) {
         "dilatancy_angle",
         fmt::format("'dilatancy_angle' is {:.6g} deg; it must not be greater than the friction angle, {:.6g} deg",
                     s.dilatancy_angle / degree, s.friction_angle / degree));
-  // Without friction the yield surface has no apex, and tension is limited by nothing else.
+  // For φ = 0 the yield surface has no apex, so the tensile strength is the only limit of tension.
   if (!has_angle || !findings.is_sound("cohesion") || !findings.is_sound("tensile_strength") || s.friction_angle <= 0)
     return;
   const double apex = s.cohesion / std::tan(s.friction_angle);
@@ -96,7 +96,7 @@ void MohrCoulomb::divide(const Input::Changeable& in, PartialDivision& division)
                   "kPa/m", kilo);
   division.divide(s.tensile_strength, factor, "tensile strength", "σ_t", "kPa", kilo);
   division.divide_angle(s.friction_angle, division.friction, "friction angle", "φ'");
-  if (s.dilatancy_angle > s.friction_angle)  // a soil dilates by no more than its friction angle
+  if (s.dilatancy_angle > s.friction_angle)  // ψ <= φ must also hold after the division
     division.divide_angle(s.dilatancy_angle, std::tan(s.dilatancy_angle) / std::tan(s.friction_angle),
                           "dilatancy angle", "ψ");
 }
@@ -108,13 +108,13 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
   const double m = (1 + sin_psi) / (1 - sin_psi);
   intercept_per_cohesion_ = 2 * std::sqrt(k_);
   bounds_.intercept = 2 * strength.cohesion * std::sqrt(k_);
-  // Round-off of a trial stress is about 1e-16 of the modulus times the strain; 1e-12 E is far above it and far below
-  // any stress that matters.
+  // Round-off of a trial stress is about 1e-16 times modulus times strain; 1e-12 μ is far above it and far below any
+  // relevant stress.
   tolerance_ = 1e-12 * elastic.mu;
   const double apex = k_ > 1 ? bounds_.intercept / (k_ - 1) : strength.tensile_strength;
   bounds_.tension = std::min(strength.tensile_strength, apex);
   bounds_.tension_limit = bounds_.tension + tolerance_;
-  // Without friction there is no apex; a huge number, and not infinity, keeps 0 times it a number.
+  // For φ = 0 there is no apex; the largest finite number instead of infinity avoids 0·∞ = NaN.
   apex_per_intercept_ = k_ > 1 ? 1 / (k_ - 1) : std::numeric_limits<double>::max();
 
   const auto stiffness = [&](const Vector& b) {
@@ -122,7 +122,7 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
     return Vector{volumetric + 2 * elastic.mu * b[0], volumetric + 2 * elastic.mu * b[1],
                   volumetric + 2 * elastic.mu * b[2]};
   };
-  // Normals of the yield planes (1,3), (1,2), (2,3), and the plastic directions through the elastic stiffness.
+  // Normals of the yield planes (1,3), (1,2), (2,3), and the plastic directions multiplied by the elastic stiffness.
   const Vector a13{k_, 0, -1}, a12{k_, -1, 0}, a23{0, k_, -1};
   const Vector c13 = stiffness({m, 0, -1}), c12 = stiffness({m, -1, 0}), c23 = stiffness({0, m, -1});
   for (std::size_t i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
   const auto corner = invert(c13[0], elastic.lambda + 2 * elastic.mu, c13[2], elastic.lambda);
   std::copy(corner.begin(), corner.end(), corner_inverse_);
 
-  // f = (s1-s3) + (s1+s3) sinφ - 2c cosφ with s1-s3 <= 2√J2 and |s1+s3-2p| <= 2√(J2/3)
+  // f = (s1-s3) + (s1+s3) sinφ - 2c cosφ with s1-s3 <= 2√J2 and |s1+s3-2p| <= 2√(J2/3) bounds f from above by the cone.
   const double scale = 2 + 2 / std::sqrt(3.0) * sin_phi;
   cone_slope_ = 2 * sin_phi / scale;
   cone_per_cohesion_ = 2 * std::cos(strength.friction_angle) / scale;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Mohr–Coulomb with tension cut-off, perfectly plastic, non-associated, by closed-form return in principal space.
+// Mohr–Coulomb with tension cut-off: perfectly plastic, non-associated, closed-form return in principal stress space.
 //
 //   f   = k s1 - s3 - 2c√k,  k = (1+sinφ)/(1-sinφ)        shear, s1 >= s2 >= s3, positive in tension
 //   g   = m s1 - s3,         m = (1+sinψ)/(1-sinψ)        its plastic potential
 //   f_t = s1 - σ_t                                        Rankine's tension cut-off, associated
 //
-// The return goes to the plane, to the edges s2 = s3 or s1 = s2, to the tension planes or to a vertex, after Clausen,
-// Damkilde and Andersen (2006), Comput. Struct. 84, 1795: all candidates are affine in the trial stress, so lanes
-// differ by a selection only. σ_t is at most the apex c/tanφ; equal to it, the cut-off is the apex return.
+// The return goes to the shear plane, to the edges s2 = s3 or s1 = s2, to the tension planes or to a vertex, after
+// Clausen, Damkilde and Andersen (2006), Comput. Struct. 84, 1795. All candidates are affine in the trial stress, so
+// lanes differ by a selection only. σ_t is at most the apex c/tanφ; where both are equal, the cut-off is the apex
+// return.
 //
-// Cohesion enters through Bounds alone: one for all points here, one per point in rooted soil, by the same code.
+// Cohesion enters through MohrCoulombBounds alone: one set for all points here, one per point in rooted soil, by the
+// same code.
 
 #include <algorithm>
 
@@ -19,17 +21,18 @@
 
 namespace talus::material {
 
-/// Block of input and strength of a law alike.
+/// Strength parameters: the block of input, and the strength that the law uses.
 struct MohrCoulombStrength {
   double cohesion = 0;          ///< c [Pa]
   double friction_angle = 0;    ///< φ [rad]
   double dilatancy_angle = 0;   ///< ψ [rad]
   double tensile_strength = 0;  ///< σ_t [Pa]
 
-  /// c/F, arctan(tanφ/F), (3.14-3.15). The dilatancy angle is kept but never above the reduced friction angle, and
-  /// the tensile strength is divided like the cohesion, so that the cut-off keeps its place on the cone.
+  /// Returns the strength with c/F and arctan(tanφ/F), (3.14-3.15). The dilatancy angle is unchanged but at most the
+  /// reduced friction angle. The tensile strength is divided like the cohesion, so that its ratio to the cohesion is
+  /// unchanged.
   MohrCoulombStrength reduced(double factor) const;
-  /// With the cohesion of a stage, and reduced.
+  /// Replaces the cohesion by that of the stage, if given, and reduces the strength.
   MohrCoulombStrength changed(const StrengthChange& change) const;
 };
 template <class Visitor>
@@ -58,7 +61,7 @@ struct CohesionGradient {
   double cohesion_gradient = 0;  ///< growth of c below `cohesion_level` [Pa/m]
   double cohesion_level = 0;     ///< [m]
 
-  /// What is added to the cohesion at a level [Pa].
+  /// Returns the increase of the cohesion at a level [Pa].
   double find_extra(double level) const { return cohesion_gradient * std::max(0.0, cohesion_level - level); }
 };
 template <class Visitor>
@@ -69,13 +72,13 @@ void describe(Visitor& v, CohesionGradient& in, const Users& users) {
         "Level y at which that growth begins; `cohesion_gradient` needs it.");
 }
 
-/// What follows from the cohesion; T: double where it is the same for all points.
+/// Quantities that depend on the cohesion. T is double where the cohesion is the same for all points.
 template <class T>
 struct MohrCoulombBounds {
   T intercept;      ///< 2c√k [Pa]
   T tension;        ///< σ_t, at most the apex [Pa]
-  T tension_limit;  ///< the same with the tolerance [Pa]
-  T cone_offset;    ///< √J2 <= offset - slope·p is inside the pyramid [Pa]
+  T tension_limit;  ///< σ_t plus the tolerance [Pa]
+  T cone_offset;    ///< a stress with √J2 <= offset - slope·p is inside the pyramid [Pa]
 };
 
 class RootedMohrCoulomb;
@@ -88,8 +91,8 @@ class MohrCoulomb {
                                  .serves_slices = true,
                                  .has_friction = true,
                                  .paragraphs = {"mohr_coulomb"}};
-  /// state[0]: ∫√(⅔ ė^p:ė^p) dt, the deviatoric plastic strain [-]; state[1]: gap (separation.hpp), read and written
-  /// only where the surroundings ask for it
+  /// State variables: 0 deviatoric plastic strain ∫√(⅔ ė^p:ė^p) dt [-]; 1 gap (linear_elastic.hpp), read and written
+  /// only if Surroundings::gaps is not `ignored`.
   static constexpr int state_size = 2, gap_states = 1;
   static constexpr bool is_plastic = true;
 
@@ -100,7 +103,7 @@ class MohrCoulomb {
   static SliceStrength find_slice_strength(const Input& in);
   static void divide(const Input::Changeable& in, PartialDivision& division);
   static bool is_total_stress(const Input& in) { return in.get<MohrCoulombStrength>().friction_angle == 0; }
-  /// The law of the same soil whose cohesion is a state variable, and whether finite elements need it.
+  /// Law of the same soil with the cohesion as a state variable; varies() is true where the FEM needs it.
   using Local = RootedMohrCoulomb;
   static bool varies(const Input& in) { return in.get<CohesionGradient>().cohesion_gradient != 0; }
 
@@ -117,7 +120,7 @@ class MohrCoulomb {
     return elastic_.elastic_energy<NS>(sigma);
   }
 
-  /// Stress at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
+  /// Updates the stress over a step with strain increment `d_epsilon`. Lanes outside `active` may hold any values.
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                                   const Surroundings<T>& around = {}) const {
@@ -127,15 +130,15 @@ class MohrCoulomb {
   static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
   TALUS_PORTABLE static double find_gap(const double* state) { return state[1]; }
 
-  /// The bounds with `extra` cohesion [Pa] of the points' own. σ_t stays as given: roots let the soil bear more tension
-  /// only as far as the apex held it below σ_t.
+  /// Returns the bounds with the additional cohesion `extra` of each point [Pa]. The given σ_t is unchanged: roots
+  /// raise the tension limit only where the apex was below σ_t.
   template <class T>
   TALUS_KERNEL MohrCoulombBounds<T> widen_bounds(T extra) const {
     const T intercept = bounds_.intercept + extra * intercept_per_cohesion_;
     const T tension = lane_min(T(strength_.tensile_strength), intercept * apex_per_intercept_);
     return {intercept, tension, tension + tolerance_, bounds_.cone_offset + extra * cone_per_cohesion_};
   }
-  /// update() within other bounds. `gap`: of the points' state.
+  /// Performs update() with other bounds. `gap` points to the gap of the points' state.
   template <int NS, class T, class B>
   TALUS_KERNEL Response<T> update_within(T* sigma, const T* d_epsilon, T* state, T* gap, MaskOf<T> active,
                                          const MohrCoulombBounds<B>& bounds, const Surroundings<T>& around) const {
@@ -150,7 +153,7 @@ class MohrCoulomb {
     return response;
   }
 
-  /// Returns principal stresses s1 >= s2 >= s3 [Pa] that violate the strength. Public for the tests.
+  /// Returns principal stresses s1 >= s2 >= s3 [Pa] outside the yield surface to it. Public for the tests.
   template <class T>
   TALUS_KERNEL void return_principal(T& s1, T& s2, T& s3) const {
     return_principal(s1, s2, s3, bounds_);
@@ -160,8 +163,8 @@ class MohrCoulomb {
     const T f = k_ * s1 - s3 - bounds.intercept;
     const T t1 = s1, t2 = s2, t3 = s3;
     T a = s1 - f * plane_[0], b = s2 - f * plane_[1], c = s3 - f * plane_[2];
-    const auto below = c > b + tolerance_;  // left the plane across s2 = s3
-    const auto above = b > a + tolerance_;  // left the plane across s1 = s2
+    const auto below = c > b + tolerance_;  // outside the plane, beyond the edge s2 = s3
+    const auto above = b > a + tolerance_;  // outside the plane, beyond the edge s1 = s2
     if (any(below || above)) {
       const T f12 = k_ * s1 - s2 - bounds.intercept, f23 = k_ * s2 - s3 - bounds.intercept;
       T a1, b1, c1, a2, b2, c2;
@@ -190,7 +193,7 @@ class MohrCoulomb {
   }
 
  private:
-  /// Return to a line where two shear planes meet: the trial stress minus two multipliers times two directions.
+  /// Return to the edge of two shear planes: the trial stress minus two multipliers times two plastic directions.
   struct Edge {
     double inverse[4];           ///< inverse of the planes' hardening matrix
     double first[3], second[3];  ///< C:b of the two planes
@@ -205,7 +208,7 @@ class MohrCoulomb {
   };
   static constexpr double two_over_root3 = 1.1547005383792517;
 
-  /// Of soil that does not look at its gaps.
+  /// Performs the update without gaps.
   template <int NS, class T, class B>
   TALUS_KERNEL Response<T> update_coherent(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                                            const MohrCoulombBounds<B>& bounds) const {
@@ -213,7 +216,7 @@ class MohrCoulomb {
     if constexpr (NS == 4) {
       return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, d_epsilon, state, active, bounds);
     } else {
-      // A cone inside the pyramid rules most points out before any principal stress is computed.
+      // Most points are inside a cone inscribed in the pyramid and need no principal stresses.
       const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
       const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
       const T root_j2 =
@@ -230,12 +233,12 @@ class MohrCoulomb {
     const auto yields =
         active && (k_ * trial.s1 - trial.s3 > T(bounds.intercept + tolerance_) || trial.s1 > T(bounds.tension_limit));
     if (!any(yields)) return {false, T(0.0), T(0.0)};
-    constexpr int D = NS == 4 ? 2 : 3;  // directions that move
+    constexpr int D = NS == 4 ? 2 : 3;  // directions in the plane of motion
     T n1 = trial.s1, n2 = trial.s2, n3 = trial.s3;
     return_principal(n1, n2, n3, bounds);
     const T d1 = trial.s1 - n1, d2 = trial.s2 - n2, d3 = trial.s3 - n3;
     const T trace = d1 + d2 + d3, mean = trace * (1.0 / 3);
-    // ε^p = C⁻¹:(σ_trial - σ), principal
+    // Plastic strain ε^p = C⁻¹:(σ_trial - σ) in principal values.
     const T e_mean = trace * compliance_trace_;
     const T work = (n1 * (d1 - e_mean) + n2 * (d2 - e_mean) + n3 * (d3 - e_mean)) * half_over_mu_;
     const T x = d1 - mean, y = d2 - mean, z = d3 - mean;
@@ -244,7 +247,7 @@ class MohrCoulomb {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) composed[i] = sigma[i];
     trial.compose(n1, n2, n3, composed);
-    // σ_old:Δε^p = (σ_trial - C:Δε):C⁻¹:(σ_trial - σ)
+    // Work of the old stress: σ_old:Δε^p = (σ_trial - C:Δε):C⁻¹:(σ_trial - σ).
     T old_work = (trial.s1 * (d1 - e_mean) + trial.s2 * (d2 - e_mean) + trial.s3 * (d3 - e_mean)) * half_over_mu_;
     T dilation = -static_cast<double>(D) * e_mean;
     TALUS_UNROLL
@@ -255,7 +258,7 @@ class MohrCoulomb {
       sigma[i] = select(yields, composed[i], sigma[i]);
     }
     state[0] = select(yields, state[0] + shear, state[0]);
-    // Where all directions that move bear the most tension the soil comes apart; tr ε^p = tr(σ_trial - σ) / 3K.
+    // The soil separates where all D directions are at the tension limit; tr ε^p = tr(σ_trial - σ)/3K.
     T borne = composed[0] + composed[1];
     if constexpr (D == 3) borne += composed[2];
     const auto apart = yields && borne > T(D * bounds.tension - tolerance_);
@@ -263,7 +266,7 @@ class MohrCoulomb {
             select(apart, (trace - 3.0 * e_mean) * half_over_mu_, T(0.0))};
   }
 
-  /// From the trial stress to the tension planes, or to where they meet the shear planes.
+  /// Returns the trial stress to the tension planes or to their intersection with the shear planes.
   template <class T, class B>
   TALUS_KERNEL void return_tension(T& s1, T& s2, T& s3, const MohrCoulombBounds<B>& bounds) const {
     const T limit(bounds.tension);
@@ -275,9 +278,9 @@ class MohrCoulomb {
     v = lane_min(v, limit);
     w = lane_min(w, limit);
     const auto shears = k_ * limit - w - bounds.intercept > T(tolerance_);
-    if (any(shears)) {  // the line s1 = σ_t, s3 = kσ_t - 2c√k, between its two vertices
+    if (any(shears)) {  // the edge s1 = σ_t, s3 = kσ_t - 2c√k, between its two vertices
       const T s3_line = k_ * limit - bounds.intercept;
-      // s - γ C:b - τ C:(1,0,0) with s1 and s3 given: two equations for γ and τ
+      // s - γ C:b - τ C:(1,0,0) with s1 and s3 prescribed gives two equations for γ and τ.
       const T r1 = s1 - limit, r3 = s3 - s3_line;
       const T gamma = (r1 * corner_inverse_[0] + r3 * corner_inverse_[1]);
       const T tau = (r1 * corner_inverse_[2] + r3 * corner_inverse_[3]);
@@ -295,11 +298,12 @@ class MohrCoulomb {
   double k_, tolerance_;
   MohrCoulombBounds<double> bounds_{};
   double plane_[3]{};              ///< C:b / (a:C:b) of the shear plane
-  Edge edge_low_{}, edge_high_{};  ///< s2 = s3 and s1 = s2
+  Edge edge_low_{}, edge_high_{};  ///< edges s2 = s3 and s1 = s2
   double shear_direction_[3]{};    ///< C:b of the shear plane [Pa]
   double corner_inverse_[4]{};
   double cone_slope_;
-  /// Of the bounds, per Pa of cohesion; the apex per Pa of intercept, infinite without friction.
+  /// Derivatives of the bounds: intercept and cone offset per Pa of cohesion, apex per Pa of intercept (a huge number
+  /// for φ = 0).
   double intercept_per_cohesion_, cone_per_cohesion_, apex_per_intercept_;
   double compliance_trace_, half_over_mu_;
   CosineThird cosine_;

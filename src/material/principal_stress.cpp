@@ -10,7 +10,7 @@ CosineThird::CosineThird() {
   using Real = long double;
   constexpr int n = degree + 1;
   const Real pi = std::numbers::pi_v<Real>;
-  using Polynomial = std::vector<Real>;  // coefficients, lowest first
+  using Polynomial = std::vector<Real>;  // coefficients in ascending order
   const auto angle = [&](int i) { return pi * (static_cast<Real>(i) + 0.5L) / n; };
 
   Polynomial chebyshev(n);
@@ -23,7 +23,7 @@ CosineThird::CosineThird() {
   }
   chebyshev[0] /= 2;
 
-  // Σ c_k T_k(z), z = 2u-1, by Clenshaw's recurrence carried out on polynomials in u.
+  // Evaluates Σ c_k T_k(z), z = 2u-1, by Clenshaw's recurrence on polynomials in u.
   const auto times_z = [](const Polynomial& b) {
     Polynomial r(b.size());
     for (std::size_t i = 0; i < b.size(); ++i) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Principal stresses in closed form and the return to the tensor, without eigenvectors, trigonometry or branches.
+// Closed-form principal stresses and recomposition of the tensor, without eigenvectors, trigonometric functions or
+// branches.
 //
-// Three dimensions: with p the mean stress, q = √(J2/3) and t = cos3θ = J3/(2q³), s1 = p + 2q·c(t) and
-// s3 = p - 2q·c(-t), where c(t) = cos(acos(t)/3) = cos(⅔ acos u), u = √((1+t)/2). On u in [0, 1] this is analytic, and
-// a polynomial of degree 16 gives it to 1.1e-15. An isotropic function with principal values n_i is put back on the
-// axes of σ by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
+// Three dimensions: with p the mean stress, q = √(J2/3) and t = cos3θ = J3/(2q³), s1 = p + 2q·c(t) and s3 = p -
+// 2q·c(-t), where c(t) = cos(acos(t)/3) = cos(⅔ acos u), u = √((1+t)/2). On u in [0, 1] this function is analytic, and
+// a polynomial of degree 16 approximates it to 1.1e-15. The tensor with principal values n_i and the directions of σ is
+// composed by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
 
 #include <array>
 #include <cmath>
@@ -29,7 +30,7 @@ struct CosineThird {
   }
 };
 
-/// Principal stresses of a plane strain state: in the plane A >= B, across it sigma[2].
+/// Principal stresses in plane strain: A >= B in the plane, sigma[2] out of plane.
 template <class T>
 struct PlanePrincipal {
   T mean, half_difference, radius, out_of_plane;  ///< (σx+σy)/2, (σx-σy)/2, Mohr's radius, σz [Pa]
@@ -62,11 +63,11 @@ struct PlanePrincipal {
   }
 };
 
-/// Principal stresses of a three-dimensional state.
+/// Principal stresses in three dimensions.
 template <class T>
 struct SpacePrincipal {
   T p, q;              ///< mean stress and √(J2/3) [Pa]
-  T dev[3], shear[3];  ///< deviator's diagonal; xy, yz, zx [Pa]
+  T dev[3], shear[3];  ///< diagonal of the deviator; xy, yz, zx [Pa]
   T d1, d2, d3;        ///< principal deviators, decreasing [Pa]
   T s1, s2, s3;        ///< s1 >= s2 >= s3 [Pa]
 
@@ -97,7 +98,7 @@ struct SpacePrincipal {
     const T g12 = select(e12 > equal, (n1 - n2) / (e12 + tiny), T(0.0));
     const T g23 = select(e23 > equal, (n2 - n3) / (e23 + tiny), T(0.0));
     const T g123 = select(e13 > equal, (g12 - g23) / (e13 + tiny), T(0.0));
-    // n1 I + g12 (S-d1) + g123 (S-d1)(S-d2), S the deviator
+    // n1 I + g12 (S-d1) + g123 (S-d1)(S-d2) with S the deviator
     const T c1 = g12 - g123 * (d1 + d2), c0 = n1 - g12 * d1 + g123 * d1 * d2;
     const T xy = shear[0], yz = shear[1], zx = shear[2];
     const T square[6] = {dev[0] * dev[0] + xy * xy + zx * zx, xy * xy + dev[1] * dev[1] + yz * yz,

@@ -12,7 +12,7 @@ double find_area(const RootClass& roots) {
   return 0.25 * std::numbers::pi * roots.diameter * roots.diameter;
 }
 
-/// What one root bears [N].
+/// Returns the tensile force at failure of one root [N].
 double find_force(const RootClass& roots) {
   return roots.strength * find_area(roots);
 }
@@ -28,7 +28,7 @@ double find_wu_waldron_cohesion(const std::vector<RootClass>& roots, double orie
 double find_fibre_bundle_cohesion(std::vector<RootClass> roots, double orientation) {
   std::sort(roots.begin(), roots.end(),
             [](const RootClass& a, const RootClass& b) { return find_force(a) > find_force(b); });
-  double number = 0, largest = 0;  // roots per area that bear at least as much [1/m²]; load per area [Pa]
+  double number = 0, largest = 0;  // number per area of roots at least as strong [1/m²]; load per area [Pa]
   for (const RootClass& r : roots) {
     number += r.area_ratio / find_area(r);
     largest = std::max(largest, find_force(r) * number);

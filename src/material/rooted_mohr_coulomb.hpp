@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Mohr–Coulomb with a root cohesion of each point's own: c + c_r, as Wu and Waldron or a fibre bundle give it
-// (root_bundle.hpp). Only the cohesion differs from point to point: the code is Mohr–Coulomb's, with other bounds.
+// Mohr–Coulomb with a root cohesion c_r at each point, added to c, and the models that give c_r: Wu and Waldron's sum
+// and the fibre bundle. The code is that of Mohr–Coulomb with bounds per point.
 
 #include <vector>
 
@@ -9,25 +9,24 @@
 
 namespace talus::material {
 
-// The cohesion that roots across a shear plane give to the soil: Wu and Waldron's sum and a fibre bundle.
-// Symbols and sources: docs/theory/17-root-cohesion.md.
+// Root cohesion of a shear plane that roots cross. Symbols and sources: docs/theory/17-root-cohesion.md.
 
 /// Roots of one diameter that cross a shear plane.
 struct RootClass {
   double diameter = 0;    ///< d [m]
-  double area_ratio = 0;  ///< a, cross-section of these roots over that of the soil [-]
+  double area_ratio = 0;  ///< a, root area ratio: cross-section of these roots over that of the soil [-]
   double strength = 0;    ///< T, tensile strength [Pa]
 };
 
-/// c_r = k' Σ T_i a_i (T17.2): all roots break at once. `orientation`: k' [-].
+/// Returns c_r = k' Σ T_i a_i (T17.2): all roots break at once. `orientation` is k' [-].
 double find_wu_waldron_cohesion(const std::vector<RootClass>& roots, double orientation);
 
-/// c_r = k' max_j F_j Σ_{i not weaker than j} n_i (T17.4), F = T π d²/4 and n = a/(π d²/4): the load is shared equally
-/// by the roots that are left, and the root that bears least breaks first. Never above Wu and Waldron's.
+/// Returns c_r = k' max_j F_j Σ_{i not weaker than j} n_i (T17.4), F = T π d²/4 and n = a/(π d²/4): intact roots carry
+/// equal loads, and the weakest root breaks first. The value never exceeds Wu and Waldron's.
 double find_fibre_bundle_cohesion(std::vector<RootClass> roots, double orientation);
 
 struct RootCohesionInput {
-  double root_cohesion = 0;  ///< c_r where no [[roots]] says otherwise [Pa]
+  double root_cohesion = 0;  ///< c_r where no [[roots]] sets it [Pa]
 };
 template <class Visitor>
 void describe(Visitor& v, RootCohesionInput& in, const Users& users) {
@@ -35,8 +34,8 @@ void describe(Visitor& v, RootCohesionInput& in, const Users& users) {
         "c_r, added to the cohesion, where no [[roots]] says otherwise.");
 }
 
-/// State variables: 0 as Mohr–Coulomb's; 1 root cohesion c_r, and what the cohesion has grown with depth [Pa];
-/// 2 gap (separation.hpp).
+/// State variables: 0 as for Mohr–Coulomb; 1 root cohesion c_r plus the increase of c with depth [Pa]; 2 gap
+/// (linear_elastic.hpp).
 class RootedMohrCoulomb {
  public:
   static constexpr Traits traits{.word = "rooted_mohr_coulomb",
@@ -68,8 +67,8 @@ class RootedMohrCoulomb {
     state[1] = in.get<CohesionGradient>().find_extra(start.level) + start.root_cohesion;
   }
 
-  /// `strength` as it acts, reduced already; `root_factor` divides c_r (strength reduction). The tensile strength stays
-  /// as given; its limit is the apex (c + c_r)/tanφ.
+  /// `strength` is already reduced; `root_factor` divides c_r (strength reduction). The tensile strength is unchanged;
+  /// its limit is the apex (c + c_r)/tanφ.
   RootedMohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength, double root_factor = 1)
       : soil_(elastic, strength), root_share_(1 / root_factor) {}
 

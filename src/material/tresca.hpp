@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Tresca: undrained soil in total stresses, whose strength s_u may grow with depth. It is Mohr–Coulomb with φ = 0 and
-// c = s_u, each point with what its strength has grown by, and without a limit of tension of its own.
+// Tresca: undrained soil in total stresses with a strength s_u that may grow with depth. The code is that of
+// Mohr–Coulomb with φ = 0 and c = s_u, with the growth of s_u as a state variable and without a tension cut-off.
 
 #include <limits>
 #include <vector>
@@ -15,7 +15,7 @@ struct TrescaInput {
   double undrained_gradient = 0;  ///< growth of s_u below that level [Pa/m]
   double undrained_level = 0;     ///< [m]
 
-  /// What s_u has grown by at a level [Pa].
+  /// Returns the increase of s_u at a level [Pa].
   double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
 };
 template <class Visitor>
@@ -30,8 +30,8 @@ void describe(Visitor& v, TrescaInput& in, const Users& users) {
         "Level y at which that growth begins.");
 }
 
-/// State variables: 0 as Mohr–Coulomb's; 1 what s_u has grown by with depth at the start [Pa], which moves with the
-/// soil.
+/// State variables: 0 as for Mohr–Coulomb; 1 increase of s_u with depth in the initial geometry [Pa], which moves with
+/// the soil.
 class Tresca {
  public:
   static constexpr Traits traits{
@@ -77,7 +77,7 @@ class Tresca {
     state[1] = in.get<TrescaInput>().find_growth(start.level);
   }
 
-  /// `undrained_strength` of the case [Pa]; `factor` divides it and its growth.
+  /// `undrained_strength` is that of the case [Pa]; `factor` divides it and its growth.
   Tresca(const LinearElastic& elastic, double undrained_strength, double factor = 1)
       : soil_(elastic, {undrained_strength / factor, 0, 0, unlimited_tension}),
         undrained_strength_(undrained_strength),
@@ -94,7 +94,7 @@ class Tresca {
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                                   const Surroundings<T>& = {}) const {
-    // Without a limit of tension it never comes apart, and keeps no gap.
+    // Without a tension cut-off the soil does not separate, so no gap is passed.
     return soil_.update_within<NS>(sigma, d_epsilon, state, static_cast<T*>(nullptr), active,
                                    soil_.widen_bounds<T>(state[1] * share_), {});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the parameters of conductivity laws.
+// Validation of the parameters of conductivity laws.
 #include "material/water/conductivity.hpp"
 
 #include <fmt/format.h>

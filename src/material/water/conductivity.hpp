@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How easily water flows through unsaturated soil: k = k_s k_r, k_r over saturation or suction, at most 1.
+// Hydraulic conductivity of unsaturated soil: k = k_s k_r, with k_r <= 1 a function of saturation or suction.
 //
 // A law is a plain struct with
 //   template <class T> CurvePoint<T> evaluate(const SoilWater<T>&) const    k_r [-] and dk_r/ds [1/Pa]
-// Adding one: its struct, one word in Conductivity, its faults in conductivity.cpp, one test.
+// A new law needs its struct, one alternative in Conductivity, its checks in conductivity.cpp, and a test.
 
 #include "material/water/retention.hpp"
 
 namespace talus::material {
 
-/// k = k_s, whatever the suction.
+/// k = k_s at any suction.
 struct ConstantConductivity {
   template <class T>
   TALUS_KERNEL CurvePoint<T> evaluate(const SoilWater<T>& /*water*/) const {
@@ -18,24 +18,24 @@ struct ConstantConductivity {
   }
 };
 
-/// Which saturation a law is written in.
+/// The saturation X of a law.
 enum class SaturationMeasure {
-  total,     ///< S_w, as the dissertation writes (4.16) and (4.17)
-  effective  ///< S_e, as Mualem (1976) and van Genuchten (1980)
+  total,     ///< S_w, as in (4.16) and (4.17) of the source
+  effective  ///< S_e, as in Mualem (1976) and van Genuchten (1980)
 };
 
-/// k_r = √X [1 - (1 - X^(1/λ))^λ]², (4.16), with X = S_w or S_e. With X = S_w and S_max < 1, k_r stays below 1. For
-/// λ < 1/2 its slope at saturation is infinite (cut off here where 1 - X^(1/λ) = 1e-9), and for λ near 0.1 k_r falls to
-/// a half within 1 Pa, which is the formula's fault and not the soil's; then give an air entry (Vogel et al. 2001):
-/// with X_a = X at the suction where air enters, k_r is 1 for X >= X_a and the formula's values over that at X_a below.
+/// k_r = √X [1 - (1 - X^(1/λ))^λ]², (4.16), with X = S_w or S_e. With X = S_w and S_max < 1, k_r stays below 1. For λ <
+/// 1/2 its slope at saturation is infinite (limited here at 1 - X^(1/λ) = 1e-9). For λ near 0.1, k_r falls to a half
+/// within 1 Pa, an artefact of the formula; an air-entry value removes it (Vogel et al. 2001): with X_a = X at air
+/// entry, k_r = 1 for X >= X_a and k_r(X)/k_r(X_a) below.
 struct Mualem {
   double lambda = 0;  ///< λ of van Genuchten's curve [-]
   SaturationMeasure measure = SaturationMeasure::total;
-  double entry = 1;         ///< X_a [-]; 1: (4.16) as it stands
+  double entry = 1;         ///< X_a [-]; 1: (4.16) without air entry
   double at_entry = 1;      ///< k_r of (4.16) at X_a [-]
-  bool same_curve = false;  ///< X = S_e of a van Genuchten curve with the same λ
+  bool same_curve = false;  ///< X is S_e of a van Genuchten curve with the same λ
 
-  /// With air entering at the suction `air_entry` [Pa].
+  /// Returns the law with air entry at the suction `air_entry` [Pa].
   static Mualem with_air_entry(double lambda, SaturationMeasure measure, const Retention& retention, double air_entry) {
     Mualem law{lambda, measure};
     const SoilWater<double> water = find_water(retention, air_entry);
@@ -53,14 +53,14 @@ struct Mualem {
     return {k.value / at_entry, select(enters, k.slope / at_entry, T(0.0))};
   }
 
-  /// k_r from what the solution for the suction has found already.
+  /// Returns k_r, reusing terms of the retention curve.
   template <class T>
   TALUS_KERNEL T find_value(const SoilWater<T>& water) const {
     const T g = 1.0 - water.complement, k = lane_sqrt(water.effective) * g * g;
     return select(water.effective < T(entry), k * (1 / at_entry), T(1.0));
   }
 
-  /// (4.16) and its slope, for X with the slope `dx` by suction.
+  /// Returns (4.16) and its slope, where `dx` is dX/ds.
   template <class T>
   TALUS_KERNEL CurvePoint<T> find_plain(T x, T dx) const {
     const T y = lane_power(x, 1 / lambda);
@@ -97,10 +97,10 @@ struct ExponentialConductivity {
   }
 };
 
-/// Measured pairs of suction [Pa] and k_r; between them the logarithm of k_r is interpolated, or k_r itself.
+/// Measured pairs of suction [Pa] and k_r; ln k_r is interpolated, or k_r itself.
 struct TableConductivity {
   bool logarithmic = true;
-  MonotoneTable table;  ///< of ln k_r when logarithmic
+  MonotoneTable table;  ///< of ln k_r if logarithmic
 
   template <class T>
   TALUS_KERNEL CurvePoint<T> evaluate(const SoilWater<T>& water) const {
@@ -111,24 +111,24 @@ struct TableConductivity {
   }
 };
 
-/// Throws Error (wrong_input) when the pairs are no falling curve with values above 0 and up to 1.
+/// Throws Error (wrong_input) if the pairs do not form a decreasing curve with values in (0, 1].
 TableConductivity make_conductivity_table(const std::vector<std::array<double, 2>>& pairs, Interpolation interpolation,
                                           bool logarithmic = true);
 
 using Conductivity = std::variant<ConstantConductivity, Mualem, Hillel, ExponentialConductivity, TableConductivity>;
 
-/// k_r and dk_r/ds of a point's water.
+/// Returns k_r and dk_r/ds.
 template <class T>
 CurvePoint<T> find_relative_conductivity(const Conductivity& law, const SoilWater<T>& water) {
   return std::visit([&](const auto& l) { return l.evaluate(water); }, law);
 }
 
-/// k = ρ_w g κ / μ_d [m/s] of an intrinsic permeability κ [m²] (3.2), density [kg/m³] and viscosity [Pa s].
+/// Returns k = ρ_w g κ / μ_d [m/s] for an intrinsic permeability κ [m²] (3.2), density [kg/m³] and viscosity [Pa s].
 inline double find_conductivity(double permeability, double density, double gravity, double viscosity) {
   return density * gravity * permeability / viscosity;
 }
 
-/// What is wrong with the parameters, as a sentence for the user.
+/// Returns the fault of the parameters as a sentence for the user; std::nullopt if they are valid.
 std::optional<std::string> find_fault(const Conductivity& law);
 
 }  // namespace talus::material

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How much of what plants ask for roots take up at a suction: the reduction of Feddes, Kowalik and Zaradny (1978).
+// Reduction of root water uptake by suction after Feddes, Kowalik and Zaradny (1978): actual over potential uptake.
 
 #include <array>
 
@@ -8,12 +8,12 @@
 
 namespace talus::material {
 
-/// α [-] over suction [Pa]: 0 up to suctions[0], where roots lack air, 1 from [1] to [2], 0 from [3], wilting, on;
-/// straight lines between. suctions[0] = suctions[1]: wet soil does not reduce the uptake.
+/// α [-] over suction [Pa]: 0 up to suctions[0] (lack of oxygen), 1 from [1] to [2], 0 from [3] (wilting point); linear
+/// between. suctions[0] = suctions[1]: wet soil does not reduce the uptake.
 struct Feddes {
-  std::array<double, 4> suctions{1e3, 2.5e3, 40e3, 1.5e6};  ///< [Pa], not falling; the last two differ
+  std::array<double, 4> suctions{1e3, 2.5e3, 40e3, 1.5e6};  ///< [Pa], non-decreasing; the last two differ
 
-  /// α and dα/ds [1/Pa], for a Pack or a double. At a corner the slope is that of the flat side.
+  /// Returns α and dα/ds [1/Pa], for a Pack or a double. At a corner the slope is that of the flat side.
   template <class T>
   TALUS_KERNEL CurvePoint<T> evaluate(T suction) const {
     const bool lacks_air = suctions[1] > suctions[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the points of a table and computes its pieces.
+// Validation of the points of a table and computation of its cubic pieces.
 #include "material/water/monotone_table.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,8 @@ namespace talus::material {
 
 namespace {
 
-/// Slope at an inner point: the weighted harmonic mean of its neighbours', zero at an extremum or a flat.
+/// Returns the slope at an interior point: the weighted harmonic mean of the adjacent secants, zero at an extremum or
+/// plateau.
 double find_inner_slope(double h0, double h1, double m0, double m1) {
   if (m0 * m1 <= 0) return 0;
   const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
@@ -49,7 +50,7 @@ MonotoneTable make_table(const std::vector<std::array<double, 2>>& points, Inter
     m[i] = (t.c[0][i + 1] - t.c[0][i]) / h[i];
   }
   for (std::size_t i = 1; i + 1 < n; ++i) d[i] = find_inner_slope(h[i - 1], h[i], m[i - 1], m[i]);
-  // The curve is constant outside, so its slope is zero at both ends.
+  // The curve is constant outside the table, so the slope is zero at both ends.
   for (std::size_t i = 0; i + 1 < n; ++i) {
     if (interpolation == Interpolation::linear) {
       t.c[1][i] = m[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A monotone curve through given points, for retention and conductivity from the laboratory. It lives in fixed arrays,
-// so kernels may use it; the interval is found by selection, without a branch per lane.
+// A monotone curve through given points, for laboratory data of retention and conductivity. It has arrays of fixed size
+// so that kernels can use it; the interval is selected without a branch per lane.
 
 #include <array>
 #include <string>
@@ -12,11 +12,11 @@
 namespace talus::material {
 
 enum class Interpolation {
-  linear,  ///< straight lines
+  linear,  ///< piecewise linear
   smooth   ///< monotone cubics (PCHIP of Fritsch and Butland 1984): no overshoot, continuous slope
 };
 
-/// Value and slope of a curve at one place.
+/// Value and slope of a curve at a point.
 template <class T>
 struct CurvePoint {
   T value;
@@ -27,13 +27,13 @@ struct MonotoneTable {
   static constexpr int capacity = 48;
 
   int size = 0;
-  std::array<double, capacity> x{};                 ///< increasing
+  std::array<double, capacity> x{};                 ///< strictly increasing
   std::array<std::array<double, capacity>, 4> c{};  ///< of interval k: c0 + d(c1 + d(c2 + d c3)), d = x - x[k]
 
   double first_x() const { return x[0]; }
   double last_x() const { return x[static_cast<std::size_t>(size - 1)]; }
 
-  /// Constant before the first and after the last point.
+  /// Evaluates the curve, which is constant before the first and after the last point.
   template <class T>
   TALUS_KERNEL CurvePoint<T> evaluate(T at) const {
     const double low = x[0], high = x[static_cast<std::size_t>(size - 1)];
@@ -53,8 +53,9 @@ struct MonotoneTable {
   }
 };
 
-/// The curve through `points`, pairs of x and value. Throws Error (wrong_input) with a sentence that begins with `what`
-/// when there are fewer than two points or more than the capacity, x does not increase, or the values rise and fall.
+/// Makes the curve through `points`, pairs of x and value. Throws Error (wrong_input) with a sentence that begins with
+/// `what` if there are fewer than two points or more than the capacity, if x does not increase, or if the values are
+/// not monotone.
 MonotoneTable make_table(const std::vector<std::array<double, 2>>& points, Interpolation interpolation,
                          const std::string& what);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the parameters of retention curves.
+// Validation of the parameters of retention curves.
 #include "material/water/retention.hpp"
 
 #include <fmt/format.h>

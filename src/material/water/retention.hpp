@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How much water soil holds: degree of saturation over suction. Suction is the pore pressure itself, positive in
-// tension; at s <= 0 every curve has its maximum, so S and its slope are S_max and 0 there.
+// Soil water retention curves: degree of saturation as a function of suction. Suction is the pore pressure itself,
+// positive in tension; for s <= 0 every curve has S = S_max and slope 0.
 //
-// A curve is a plain struct with limits `minimum` and `maximum` [-] and
+// A curve is a plain struct with the limits `minimum` and `maximum` [-] and
 //   template <class T> CurvePoint<T> evaluate(T suction) const     S [-] and dS/ds [1/Pa], for a Pack or a double
-// Adding one: its struct, one word in Retention, its faults in retention.cpp, one test in tests/point/retention.cpp.
+// A new curve needs its struct, one alternative in Retention, its checks in retention.cpp, and a test in
+// tests/point/retention.cpp.
 
 #include <optional>
 #include <string>
@@ -18,9 +19,9 @@
 
 namespace talus::material {
 
-/// Soil that stays saturated to S_max whatever the suction.
+/// S = S_max at any suction.
 struct ConstantSaturation {
-  double minimum = 0;  ///< S_min [-]; only in the effective saturation, which is 1
+  double minimum = 0;  ///< S_min [-]; without effect, the effective saturation is 1
   double maximum = 1;  ///< S_max [-]
 
   template <class T>
@@ -39,15 +40,15 @@ struct VanGenuchten {
   template <class T>
   TALUS_KERNEL CurvePoint<T> evaluate(T suction) const {
     const auto dry = suction > T(0.0);
-    const T s = lane_max(suction, T(1e-30 * reference));  // a logarithm follows
+    const T s = lane_max(suction, T(1e-30 * reference));  // avoids the logarithm of 0
     const T u = lane_power(s * (1 / reference), 1 / (1 - lambda));
     const T v = (maximum - minimum) * lane_power(1.0 + u, -lambda);
     const T slope = v * u / ((1.0 + u) * s) * (-lambda / (1 - lambda));
     return {select(dry, minimum + v, T(maximum)), select(dry, slope, T(0.0))};
   }
 
-  /// The curve about a suction s_0 > 0, in y = ln(s/s_0): a power law where the soil is dry and nearly one where it is
-  /// almost saturated, so four terms give S_e to 1e-11 for |y| < series_reach(), without a further logarithm.
+  /// Expansion of the curve about a suction s_0 > 0 in y = ln(s/s_0). The curve is a power law in dry soil and nearly
+  /// one close to saturation, so four terms give S_e to 1e-11 for |y| < series_reach() without a further logarithm.
   template <class T>
   struct Series {
     T effective;       ///< S_e at s_0
@@ -58,10 +59,10 @@ struct VanGenuchten {
       const T e = y * (c1 + y * (c2 + y * (c3 + y * c4)));
       return effective * (1.0 + e * (1.0 + e * (1.0 / 2 + e * (1.0 / 6 + e * (1.0 / 24)))));
     }
-    /// d ln S_e/dy
+    /// Returns d ln S_e/dy.
     TALUS_KERNEL T find_slope(T y) const { return c1 + y * (2.0 * c2 + y * (3.0 * c3 + y * (4.0 * c4))); }
     TALUS_KERNEL T find_complement(T y, T effective_there, double exponent) const {
-      const T x = y * (exponent / (1 - exponent));  // it is (s/p_ref)^(λ/(1-λ)) S_e
+      const T x = y * (exponent / (1 - exponent));  // the complement is (s/p_ref)^(λ/(1-λ)) S_e
       return complement / effective * effective_there *
              (1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24)))));
     }
@@ -83,13 +84,13 @@ struct VanGenuchten {
   }
 };
 
-/// S = S_max - a s, not below S_min.
+/// S = max(S_max - a s, S_min).
 struct LinearRetention {
   double minimum = 0;
   double maximum = 1;
   double slope = 0;  ///< a [1/Pa]
 
-  /// The line that reaches S_min at the suction `scale` [Pa].
+  /// Returns the line that reaches S_min at the suction `scale` [Pa].
   static LinearRetention from_scale(double minimum, double maximum, double scale) {
     return {minimum, maximum, (maximum - minimum) / scale};
   }
@@ -102,8 +103,8 @@ struct LinearRetention {
   }
 };
 
-/// S = S_min + (S_max - S_min) e^(-αs), after Gardner (1958): the curve of the closed solutions of infiltration
-/// (Srivastava and Yeh 1991). Tables give α per metre of head; divide by γ_w.
+/// S = S_min + (S_max - S_min) e^(-αs), after Gardner (1958): the curve of the analytical solutions for infiltration of
+/// Srivastava and Yeh (1991). Published values of α are per metre of head; divide them by γ_w.
 struct ExponentialRetention {
   double minimum = 0;
   double maximum = 1;
@@ -116,7 +117,7 @@ struct ExponentialRetention {
   }
 };
 
-/// Measured pairs of suction [Pa] and saturation.
+/// Measured pairs of suction [Pa] and saturation [-].
 struct TableRetention {
   double minimum = 0;  ///< saturation of the last pair
   double maximum = 1;  ///< saturation of the first pair
@@ -128,12 +129,13 @@ struct TableRetention {
   }
 };
 
-/// Throws Error (wrong_input) when the pairs are not a falling curve over suctions from 0 on.
+/// Throws Error (wrong_input) if the pairs do not form a decreasing curve over suctions >= 0.
 TableRetention make_retention_table(const std::vector<std::array<double, 2>>& pairs, Interpolation interpolation);
 
 using Retention = std::variant<ConstantSaturation, VanGenuchten, LinearRetention, ExponentialRetention, TableRetention>;
 
-/// What the laws of conductivity and storage need of the water at a point. Slopes are d/ds [1/Pa], never positive.
+/// State of the pore water at a point for the laws of conductivity and storage. Slopes are d/ds [1/Pa] and never
+/// positive.
 template <class T>
 struct SoilWater {
   T suction;           ///< s [Pa]
@@ -141,10 +143,10 @@ struct SoilWater {
   T slope;             ///< dS/ds
   T effective;         ///< S_e = (S - S_min)/(S_max - S_min) [-]
   T effective_slope;   ///< dS_e/ds
-  T complement{-1.0};  ///< (1 - S_e^(1/λ))^λ of van Genuchten's curve where it is known [-], else negative
+  T complement{-1.0};  ///< (1 - S_e^(1/λ))^λ of van Genuchten's curve [-]; negative if not available
 };
 
-/// The same for one curve; visit the variant outside of loops and call this inside.
+/// Returns the same for one curve; visit the variant outside of loops and call this function inside.
 template <class T, class Curve>
 TALUS_KERNEL SoilWater<T> find_water_on(const Curve& curve, T suction) {
   const CurvePoint<T> p = curve.evaluate(suction);
@@ -157,13 +159,13 @@ template <class T>
 TALUS_PORTABLE SoilWater<T> find_water(const Retention& retention, T suction) {
   return visit_kind([&](const auto& curve) { return find_water_on(curve, suction); }, retention);
 }
-/// S(s) [-] of a suction [Pa].
+/// Returns S(s) [-] at a suction [Pa].
 template <class T>
 TALUS_PORTABLE T saturation(const Retention& retention, T suction) {
   return find_water(retention, suction).saturation;
 }
 
-/// What is wrong with the parameters, as a sentence for the user; nothing when they make a curve.
+/// Returns the fault of the parameters as a sentence for the user; std::nullopt if they are valid.
 std::optional<std::string> find_fault(const Retention& retention);
 
 }  // namespace talus::material
