@@ -19,9 +19,9 @@ namespace talus::input {
 
 namespace {
 
-constexpr std::string_view within_name = ".NAME.";  ///< in the name of a block within a block of the user's name
+constexpr std::string_view within_name = ".NAME.";  ///< in the names of blocks within a named block
 
-/// The visitor that collects the declarations; defaults are what a default-constructed struct holds.
+/// The visitor that collects the declarations; defaults are the members of default-constructed structs.
 class Collector {
  public:
   explicit Collector(BlockEntry& block) : block_(block) {}
@@ -73,7 +73,7 @@ class Collector {
  private:
   BlockEntry add(BlockKind kind, const std::string& name, const char* sample, int samples, const char* meaning) const {
     const std::string within = block_.kind == BlockKind::named ? block_.name + ".NAME" : block_.name;
-    // The name of the user's choice goes on into the blocks within.
+    // Blocks within a named block inherit the sample name.
     const bool goes_on = block_.name.find(".NAME") != std::string::npos || block_.kind == BlockKind::named;
     return {kind, name, within.empty() ? name : within + "." + name, goes_on ? block_.sample : sample, samples, meaning,
             {},   {}};
@@ -89,7 +89,7 @@ class Collector {
   BlockEntry& block_;
 };
 
-/// Adds a phrase for each key, block and choice of `block` and the blocks within that is called `word`.
+/// Adds a phrase for each key, block and choice called `word` of `block` and the blocks within it.
 void gather_owners(const BlockEntry& block, const std::string& word, std::vector<std::string>& phrases) {
   const std::string header = block.name.empty() ? "the top of the file" : block.write_header();
   for (const KeyEntry& key : block.keys) {
@@ -134,11 +134,11 @@ BlockEntry collect_catalogue() {
   return root;
 }
 
-// `talus manual`: every key in a table of its block, and an example of each block.
+// `talus manual`: the keys of each block in a table, and an example of each block.
 
 namespace {
 
-/// "|" would end the cell of a table.
+/// Escapes "|", which ends the cell of a table.
 std::string write_cell(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -214,7 +214,7 @@ std::string write_manual() {
   return head + write_section(collect_catalogue());
 }
 
-// `talus schema`: JSON Schema of case files, for the completion and checks of editors.
+// `talus schema`: JSON Schema of case files for completion and validation in editors.
 
 namespace {
 
@@ -233,7 +233,7 @@ json write_key_schema(const KeyEntry& key) {
   json schema = key.schema.get();
   schema["description"] = write_description(key);
   if (!key.default_text.empty()) {
-    // Defaults are TOML texts of numbers, words and lists, all of which are JSON as well.
+    // Defaults are TOML texts of numbers, words and lists, which are all valid JSON.
     const json value = json::parse(key.default_text, nullptr, false);
     if (!value.is_discarded()) schema["default"] = value;
   }
@@ -242,7 +242,7 @@ json write_key_schema(const KeyEntry& key) {
 
 json write_block_schema(const BlockEntry& block);
 
-/// `if fix = "plane" then normal is required`, as the schema says it.
+/// Writes a condition such as 'if fix = "plane", then normal is required' as JSON Schema.
 json write_requirement(const KeyEntry& key) {
   const Condition& condition = *key.spec.condition;
   const json then = {{"required", json::array({key.name})}};
@@ -254,13 +254,13 @@ json write_requirement(const KeyEntry& key) {
   return {{"if", cases.size() == 1 ? cases.front() : json{{"anyOf", cases}}}, {"then", then}};
 }
 
-/// The object of keys and inner blocks; additional ones are refused, as the reader does.
+/// Writes the object of keys and inner blocks; additional keys are rejected, as by the reader.
 json write_object(const BlockEntry& block) {
   json object = {{"type", "object"}, {"additionalProperties", false}, {"properties", json::object()}};
   json required = json::array(), all_of = json::array();
   for (const KeyEntry& key : block.keys) {
     object["properties"][key.name] = write_key_schema(key);
-    // What depends on the methods or on another table cannot be said here; the reader checks it.
+    // Requirements that depend on the methods or on another table cannot be expressed here; the reader checks them.
     const bool has_waivers = !key.spec.methods.empty() || key.spec.instead;
     if (key.spec.is_required && !has_waivers) required.push_back(key.name);
     if (const auto& condition = key.spec.condition;
@@ -300,7 +300,7 @@ json write_schema() {
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "Talus case file";
   schema["required"] = json::array({"materials", "regions"});
-  // Stages are those of the material point method.
+  // Stages are a feature of MPM.
   const json no_points = {{"not", {{"contains", {{"const", "mpm"}}}}}};
   const json asks = {{"required", {"methods"}}, {"properties", {{"methods", no_points}}}};
   schema["if"] = {{"required", {"analysis"}}, {"properties", {{"analysis", asks}}}};
@@ -308,14 +308,14 @@ json write_schema() {
   return schema;
 }
 
-// `talus template`: a case file that can be calculated as it is, in which every key stands with its default.
-// A line "#key = value" is a default that can be uncommented without changing anything; "# ..." is prose.
+// `talus template`: a case file that can be calculated unchanged and contains every key with its default. A line "#key
+// = value" is a default, which can be uncommented without effect; "# ..." is prose.
 
 namespace {
 
 constexpr std::size_t line_width = 110;
 
-/// A paragraph as lines that begin with "# ".
+/// Writes a paragraph as lines that begin with "# ".
 std::string write_comment(const std::string& text) {
   std::istringstream words(text);
   std::string result, line = "#", word;
@@ -343,10 +343,10 @@ std::string write_note(const KeyEntry& key) {
   return write_comment(text);
 }
 
-/// What `key` of sample `i` is set to in the template; empty when it is not set.
+/// Returns the value of `key` in sample `i` of the template; empty if it is not set.
 std::string find_value(const BlockEntry& block, const std::string& key, std::size_t i);
 
-/// Whether the condition of a key holds in sample `i` of its block. The template names no ready mesh file.
+/// Returns true if the condition of a key holds in sample `i` of its block. The template has no external mesh file.
 bool holds(const BlockEntry& block, const Condition& condition, std::size_t i) {
   return condition.is_absence() || std::any_of(condition.any.begin(), condition.any.end(), [&](const Alternative& a) {
            return (find_value(block, a.key, i) == a.value) != a.differs;
@@ -372,7 +372,7 @@ std::string write_key(const BlockEntry& block, const KeyEntry& key, std::size_t 
   if (key.spec.condition && !holds(block, *key.spec.condition, i))
     return write_comment(
         fmt::format("  only with {}: {} = {}", write_condition(*key.spec.condition), name, key.get_example(i)));
-  // An empty list or text as a default says less than an example of what could stand there.
+  // For an empty list or text as the default, an example is more useful.
   const bool says_nothing = key.default_text.empty() || key.default_text == "\"\"" || key.default_text == "[]";
   std::string text = key.default_text.empty() ? "" : fmt::format("#{} = {}\n", name, key.default_text);
   if (says_nothing && !key.spec.examples.empty())

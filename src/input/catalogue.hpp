@@ -14,42 +14,42 @@ namespace talus::input {
 struct KeyEntry {
   std::string name;
   Spec spec;
-  std::string type;  ///< what to write: "number [kPa]", "word", ...
+  std::string type;  ///< form of the value: "number [kPa]", "word", ...
   std::string meaning;
-  std::string default_text;                                ///< TOML text; empty when there is no default
-  std::vector<std::pair<std::string, std::string>> words;  ///< of a choice: word and meaning
-  JsonTree schema;                                         ///< JSON Schema of what may be written
+  std::string default_text;                                ///< TOML text; empty without default
+  std::vector<std::pair<std::string, std::string>> words;  ///< for a choice: word and meaning
+  JsonTree schema;                                         ///< JSON Schema of the value
 
-  /// An example of a value: that of sample `i` of a list, or the default.
+  /// Returns an example of a value: that of sample `i` of a list, or the default.
   const std::string& get_example(std::size_t i = 0) const;
 };
 
 enum class BlockKind {
   table,    ///< [name]
   list,     ///< [[name]]
-  named,    ///< [name.NAME], NAME being of the user's choice
-  entries,  ///< [name] with keys of the user's choice; keys[0] stands for all of them
+  named,    ///< [name.NAME] with a user-defined NAME
+  entries,  ///< [name] with user-defined keys; keys[0] describes all of them
 };
 
 struct BlockEntry {
   BlockKind kind = BlockKind::table;
   std::string key;     ///< last part of the name
-  std::string name;    ///< whole name: materials, materials.NAME.water
-  std::string sample;  ///< a name of the user's choice, for examples
-  int samples = 1;     ///< how many entries the template shows; 0: as a comment only
+  std::string name;    ///< full name: materials, materials.NAME.water
+  std::string sample;  ///< an example of a user-defined name
+  int samples = 1;     ///< number of entries in the template; 0: as a comment only
   std::string meaning;
   std::vector<KeyEntry> keys;
   std::vector<BlockEntry> blocks;
 
-  /// [mesh], [[stage]], [materials.NAME], [materials.NAME.water]; with `chosen_name` in the place of NAME.
+  /// Writes [mesh], [[stage]], [materials.NAME], [materials.NAME.water]; with `chosen_name` instead of NAME.
   std::string write_header(const std::string& chosen_name = "NAME") const;
 };
 
-/// The whole case file: a block without name.
+/// Returns the whole case file as a block without name.
 BlockEntry collect_catalogue();
 
-/// Names the places of a key, a block or a choice of this name in a case file: "it is a key of [lem]", "it belongs to
-/// 'methods' in [lem]"; empty where none has it, or more than two do.
+/// Describes the places of a key, a block or a choice of this name in a case file: "it is a key of [lem]", "it belongs
+/// to 'methods' in [lem]"; empty if there are none or more than two.
 std::string describe_owners(const std::string& word);
 
 }  // namespace talus::input

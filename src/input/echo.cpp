@@ -39,7 +39,7 @@ class Echo {
   template <class T>
   void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
     if (spec.condition && !spec.condition->holds()) return;
-    // A key that no method needs and that was not given has no value.
+    // A key that no method requires and that was not given has no value.
     if (!spec.methods.empty() && spec.is_waived(methods_) && !places_.is_given(write_path(name))) return;
     json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
                   {"given", places_.is_given(write_path(name))}};
@@ -105,7 +105,7 @@ class Echo {
 }  // namespace
 
 json echo(const Case& data, const Places& places) {
-  Case copy = data;  // one declaration serves readers and writers, so it takes what it may change
+  Case copy = data;  // describe() takes a mutable case, because readers use the same declaration
   std::set<std::string> methods;
   for (const Method method : data.methods) methods.insert(get_word(method));
   if (!data.tests.empty()) methods.insert("fem");
@@ -114,7 +114,7 @@ json echo(const Case& data, const Places& places) {
   return visitor.take();
 }
 
-// Questions to an echo without reading it into a case: whether two agree, and what they are called.
+// Queries of an echo without conversion to a case: comparison of two echoes and labels.
 
 namespace {
 
@@ -127,11 +127,11 @@ json strip_marks(json node) {
   return node;
 }
 
-/// What a mesh was made from.
+/// Returns the keys that determine the mesh.
 json describe_mesh_input(const json& echo) {
   json mesh = strip_marks(echo.at("mesh"));
   mesh.erase("points_per_element");
-  // The path of a ready mesh is the one from where the program was started.
+  // The path of an external mesh depends on the working directory, so only the file name is compared.
   if (mesh.contains("file"))
     mesh["file"] = std::filesystem::path(mesh["file"].at("value").get<std::string>()).filename().string();
   return {strip_marks(echo.at("geometry")), mesh};
@@ -175,13 +175,13 @@ std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std:
   return models;
 }
 
-// Keys of a case by their paths, from its echo.
+// Look-up of keys by their paths in an echo.
 
 namespace {
 
 using nlohmann::json;
 
-/// The entry of an echo's list that `step` names, as --set names it: by number from 0, by its name or its side.
+/// Returns the entry of a list that `step` identifies, as in --set: by its index from 0, its name or its side.
 const json* find_entry(const json& list, const std::string& step) {
   std::size_t number = 0;
   const char* end = step.data() + step.size();
@@ -228,13 +228,13 @@ std::string write_calculated(const JsonTree& echo) {
   return strip_given(echo.get()).dump();
 }
 
-// A case from its echo, for readers that have the results of a run but not its file.
+// Conversion of an echo to a case, for results whose case file is not available.
 
 namespace {
 
 using nlohmann::json;
 
-/// A JSON value as TOML has it; nothing for null.
+/// Appends the TOML equivalent of a JSON value; null is skipped.
 void append(toml::array& list, const json& value);
 
 toml::array to_array(const json& values) {
@@ -243,7 +243,7 @@ toml::array to_array(const json& values) {
   return list;
 }
 
-/// Calls `take` with the TOML value of a JSON value; not for null and objects, which no leaf of an echo has.
+/// Calls `take` with the TOML equivalent of a JSON value, except null and objects, which do not occur as leaves.
 template <class Take>
 void with_toml(const json& value, const Take& take) {
   if (value.is_boolean()) return take(toml::value<bool>(value.get<bool>()));
@@ -257,8 +257,8 @@ void append(toml::array& list, const json& value) {
   with_toml(value, [&](auto&& node) { list.push_back(std::forward<decltype(node)>(node)); });
 }
 
-/// The visitor that reads the structs from an echo. A key that is missing, or whose form has changed, keeps its
-/// default: the results may be those of another version.
+/// The visitor that reads the structs from an echo. A key that is missing or has another form keeps its default,
+/// because the results may be from another version.
 class EchoReader {
  public:
   EchoReader(const json& object, Findings& findings) : object_(object), findings_(findings) {}
@@ -318,7 +318,7 @@ class EchoReader {
   template <class T>
   void decode(const json& value, const std::string& name, const Spec& spec, T& member) {
     using Value = std::remove_cvref_t<T>;
-    // JSON has no infinity: it is written as null.
+    // JSON has no infinity, so it is written as null.
     if constexpr (std::is_same_v<Value, double>)
       if (value.is_null() && spec.allows_infinity) return void(member = std::numeric_limits<double>::infinity());
     with_toml(value, [&](const toml::node& node) {

@@ -40,7 +40,7 @@ void normalise(std::array<double, 3>& v) {
     for (double& component : v) component /= length;
 }
 
-/// The methods that [analysis] names: what the other blocks must hold depends on them.
+/// Returns the methods of [analysis], on which the requirements of the other blocks depend.
 std::set<std::string> find_methods(const toml::table& root) {
   std::set<std::string> asked;
   const toml::array* list = root["analysis"]["methods"].as_array();
@@ -49,7 +49,7 @@ std::set<std::string> find_methods(const toml::table& root) {
   return asked;
 }
 
-/// Blocks of which a slope has at least one, and a file of element tests alone has none.
+/// Blocks that are required for a slope and absent from a file of element tests alone.
 const std::set<std::string> slope_blocks{"geometry", "mesh", "regions", "stage"};
 
 bool has_tests_alone(const toml::table& root) {
@@ -57,7 +57,7 @@ bool has_tests_alone(const toml::table& root) {
                                                [&](const std::string& name) { return root.contains(name); });
 }
 
-/// A case of a later format has keys that this program does not know: that alone is said.
+/// Rejects a case of a later format with this fault alone, since unknown keys would follow from it.
 void check_format(const toml::table& root, const Places& places) {
   const std::int64_t format = root["format"].value_or<std::int64_t>(1);
   if (format <= newest_format) return;
@@ -70,13 +70,14 @@ void check_format(const toml::table& root, const Places& places) {
             format, version, newest_format)}});
 }
 
-/// Of element tests alone the echo names what the file gives, and not the defaults of a slope.
+/// Removes blocks that were not given from the echo: a file of element tests alone has no defaults of a slope.
 void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
   for (auto block = echo.begin(); block != echo.end();)
     block = places.is_given(block.key()) ? std::next(block) : echo.erase(block);
 }
 
-/// The case without what needs several readings of it: values of a study, soils of element tests. `root` is the file's.
+/// Reads and checks the case without what needs repeated readings (values of a study, soils of element tests). `root`
+/// is the table of the file.
 std::optional<LoadedCase> read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides,
                                     CaseScope scope, Findings& findings) {
   findings.describe_owners = describe_owners;
@@ -84,12 +85,12 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   check_format(root, findings.places);
   LoadedCase loaded;
   loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
-  // [geometry] comes first in the file, and has to know whether [mesh] names a ready mesh.
+  // [geometry] comes first in the file, but its checks depend on whether [mesh] has an external mesh.
   loaded.data.mesh.file = root["mesh"]["file"].value_or(std::string());
   Reader reader(root, findings);
   if (!loaded.is_whole) reader.leave_out(slope_blocks);
   std::set<std::string> asked = find_methods(root);
-  // An element test needs the whole law, as finite elements do.
+  // An element test requires all parameters of the law, as the FEM does.
   if (root.contains("test")) asked.insert("fem");
   reader.ask_methods(asked);
   describe(reader, loaded.data);
@@ -133,13 +134,14 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   return loaded;
 }
 
-/// The case again with other values, each time without the study that asks for them: it may have thousands.
+/// Repeated readings of the case with changed values. The study itself is left out, because it may have thousands of
+/// values.
 class Trials {
  public:
   Trials(const std::string& text, const std::string& name, const std::vector<Override>& overrides)
       : text_(text), name_(name), overrides_(overrides) {
-    // Written again without the study, unless that would change a value. Tables are not copied: copies do not know
-    // which keys the file gives.
+    // The text is written again without the study, unless a value changes in writing. Tables are not copied, because
+    // copies lose the positions of the keys in the file.
     toml::table root = parse_toml(text, name);
     if (root.erase("study") > 0) {
       std::ostringstream shorter;
@@ -149,9 +151,10 @@ class Trials {
     std::erase_if(overrides_, [](const Override& o) { return o.key == "study" || o.key.rfind("study.", 0) == 0; });
   }
 
-  /// Throws InputError where so many values of a study, or of tests, take longer to read than anybody waits.
+  /// Throws InputError if that many readings, for values of a study or for tests, would take too long.
   void require(std::size_t readings) const {
-    constexpr std::size_t most_bytes = 60'000'000, least = 10'000;  // a short case takes as long as one of `least`
+    constexpr std::size_t most_bytes = 60'000'000,
+                          least = 10'000;  // a short case takes as long as one of `least` bytes
     const std::size_t size = std::max(text_.size(), least);
     if (readings > most_bytes / size)
       throw InputError(
@@ -161,7 +164,7 @@ class Trials {
                         text_.size(), most_bytes / size)}});
   }
 
-  /// The case with `changes`; or its first fault.
+  /// Returns the case with `changes`, or its first fault.
   std::variant<LoadedCase, Diagnostic> read(const std::vector<Override>& changes) const {
     std::vector<Override> all = overrides_;
     all.insert(all.end(), changes.begin(), changes.end());
@@ -173,7 +176,7 @@ class Trials {
       return std::move(*loaded);
     return findings.sort().front();
   }
-  /// The first fault of the case with one change; nothing when it is right.
+  /// Returns the first fault of the case with one change; std::nullopt if there is none.
   std::optional<Diagnostic> find_fault(const Override& change) const {
     const auto outcome = read({change});
     const Diagnostic* fault = std::get_if<Diagnostic>(&outcome);
@@ -181,7 +184,7 @@ class Trials {
   }
 
  private:
-  /// The table that a text of this program's own makes; empty where it is none.
+  /// Parses a text that this program wrote; returns an empty table if that fails.
   static toml::table parse_quietly(const std::string& text) {
     try {
       return toml::parse(text);
@@ -194,7 +197,7 @@ class Trials {
   std::vector<Override> overrides_;
 };
 
-/// A value of a study is right when the case that it makes is right.
+/// Checks each value of a study by reading the case with that value.
 void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<Vary>& vary = loaded.data.study.vary;
   std::size_t values = 0;
@@ -206,13 +209,13 @@ void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findi
       if (!fault) continue;
       findings.add(fmt::format("study.vary.{}.values.{}", i, j),
                    fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j], fault->sentence));
-      // A key that does not exist is wrong once, not once for each of its values.
+      // An unknown key is reported once, not for each of its values.
       if (fault->is_unknown_key) break;
     }
   }
 }
 
-/// An uncertain number is right when the case is right at its mean and its limits.
+/// Checks an uncertain number by reading the case with its mean and with its limits.
 void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<RandomNumber>& numbers = loaded.data.study.sampling.numbers;
   trials.require(4 * numbers.size());
@@ -240,7 +243,7 @@ void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Fin
   }
 }
 
-/// The soil of each test: what the test sets is right when the case with it is right.
+/// Reads the soil of each test; the settings of a test are checked by reading the case with them.
 void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& findings) {
   trials.require(loaded.data.tests.size());
   for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
@@ -309,7 +312,7 @@ LoadedCase::~LoadedCase() = default;
 
 namespace {
 
-/// The keys that name a file: `file` of a mesh, a series or a measured curve, `library` of a soil, `result` of
+/// Collects the files that keys name: `file` of a mesh, a series or a measured curve, `library` of a soil, `result` of
 /// [initial].
 void gather_files(const toml::node& node, std::vector<std::string>& names) {
   if (const toml::array* list = node.as_array())

@@ -11,7 +11,7 @@
 namespace talus::input {
 namespace {
 
-/// Names in a list of tables must differ: results are filed under them.
+/// Reports names that occur twice in a list of tables, because results are stored under them.
 template <class T>
 void check_names(const std::vector<T>& list, const std::string& path, const char* what, Findings& findings) {
   std::set<std::string> names;
@@ -28,7 +28,7 @@ bool some_material(const Case& data, Holds holds) {
                      [&](const auto& entry) { return holds(entry.second); });
 }
 
-/// The models with a strength that a factor can divide.
+/// Lists the models with a strength that a factor can divide.
 std::string list_strong() {
   return material::list_words([](const material::Traits& t) { return t.strength == material::Strength::known; });
 }
@@ -37,12 +37,12 @@ bool has_cohesion(const Material& m) {
   return m.traits().has_friction;
 }
 
-/// Whether a strength can be divided by a factor.
+/// Returns true if the case has a strength that a factor can divide.
 bool has_strength(const Case& data) {
   return some_material(data, [](const Material& m) { return m.traits().strength == material::Strength::known; });
 }
 
-/// It is unknown which of the constants of a UMAT are its strength.
+/// Reports external models, because the constants of a UMAT that are its strength are unknown.
 void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
   for (const auto& [name, material] : data.materials)
     if (material.traits().strength == material::Strength::hidden)

@@ -16,7 +16,7 @@ bool is_zero(const std::array<double, 3>& v) {
   return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-/// A vector of a plane case must lie in the plane, and one that gives a direction must have a length.
+/// Checks that a vector of a plane case lies in the plane, and that a direction is not zero.
 void check_vector(const Case& data, const std::array<double, 3>& v, const std::string& path, bool is_direction,
                   Findings& findings) {
   if (!findings.is_sound(path)) return;
@@ -77,7 +77,7 @@ void check_conditions(const Case& data, Findings& findings) {
   check_unit(data.output.length_unit, "length_unit", "m", findings);
   check_unit(data.output.displacement_unit, "displacement_unit", "m", findings);
   check_unit(data.output.stress_unit, "stress_unit", "kPa", findings);
-  // Names of sides in a ready mesh are known only when it is read: check_against_mesh().
+  // Sides of an external mesh are known only after it is read: check_against_mesh().
   if (!data.mesh.file.empty() || !findings.is_sound("geometry.line") || !findings.is_sound("geometry.dimension"))
     return;
   std::set<std::string> sides{"left", "right", "bottom", "top"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[boundary]] and [[traction]]: what acts on named sides and lines.
+// [[boundary]] and [[traction]], conditions on named sides and lines, and the loads [[surcharge]] and [earthquake].
 
 #include <array>
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace talus::input {
 
-// [[surcharge]] and [earthquake]: loads of all methods.
+// [[surcharge]] and [earthquake]: loads for all methods.
 
 /// A vertical load on the ground.
 struct Surcharge {
   std::string name;
   std::vector<double> x;     ///< from left to right [m]
-  std::vector<double> load;  ///< at each x [Pa], linear between; down positive
-  bool variable = false;     ///< a variable action in the sense of Eurocode 7, else permanent
+  std::vector<double> load;  ///< at each x [Pa], linear between; positive downwards
+  bool variable = false;     ///< variable action (Eurocode 7); otherwise permanent
 };
 
-/// Towards which x the horizontal part of an earthquake pushes the soil.
+/// Direction of the horizontal inertia force along x.
 enum class EarthquakeDirection { both, left, right };
 
 template <>
@@ -31,13 +31,13 @@ inline constexpr auto choices<EarthquakeDirection> = std::array{
     Choice{EarthquakeDirection::right, "right", "towards larger x; with a negative `horizontal` towards smaller x"},
 };
 
-/// Pseudo-static acceleration over g.
+/// Pseudo-static coefficients, accelerations over g.
 struct Earthquake {
   double horizontal = 0;  ///< k_h [-]
-  double vertical = 0;    ///< k_v, down positive [-]
+  double vertical = 0;    ///< k_v, positive downwards [-]
   EarthquakeDirection direction = EarthquakeDirection::both;
 
-  /// The directions that are tried, `left` and `right` or one of them.
+  /// Returns the directions to be analysed.
   std::vector<EarthquakeDirection> list_directions() const {
     if (direction != EarthquakeDirection::both || horizontal == 0) return {direction};
     return {EarthquakeDirection::left, EarthquakeDirection::right};
@@ -66,20 +66,20 @@ void describe(Visitor& v, Earthquake& e) {
 enum class Fix { full, normal, plane, friction, velocity };
 
 struct Boundary {
-  std::string on;  ///< a named side or line
+  std::string on;  ///< named side or line
   Fix fix = Fix::full;
-  std::array<double, 3> normal{};    ///< plane: motion along it is suppressed (unit after reading)
-  double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that may be left but not crossed
+  std::array<double, 3> normal{};    ///< plane: direction of suppressed motion (unit vector after reading)
+  double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that allows separation but no penetration
   std::array<double, 3> velocity{};  ///< velocity: prescribed [m/s], times `factor`
   TimeTable factor{};
-  bool smooth = false;  ///< velocity: across the boundary only
+  bool smooth = false;  ///< velocity: prescribe only the component normal to the boundary
 };
 
 enum class Carrier { sides, points };
 
 struct Traction {
-  std::string on;                     ///< a named side or line
-  Carrier carrier = Carrier::points;  ///< mesh sides (fixed in space) or the material points beside them (2.31-2.32)
+  std::string on;                     ///< named side or line
+  Carrier carrier = Carrier::points;  ///< mesh sides (fixed in space) or the adjacent material points (2.31-2.32)
   std::array<double, 3> traction{};   ///< [Pa], times `factor`
   TimeTable factor{};
 };

@@ -79,7 +79,7 @@ std::vector<std::array<double, 2>> read_measured_table(const std::filesystem::pa
 
 namespace {
 
-constexpr double usual_error = 0.01;  ///< of the largest measured value [-]
+constexpr double usual_error = 0.01;  ///< fraction of the largest measured value [-]
 
 std::string suggest(const std::string& word, const std::vector<std::string>& known) {
   const std::string near = find_nearest(word, known);
@@ -89,7 +89,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& kno
   return "known: " + (list.empty() ? "there are none" : list);
 }
 
-/// An amount in the unit in which a material keeps the key.
+/// Converts an amount to the unit in which a material stores the key.
 double convert(const Amount& amount, const NumberKey& key) {
   if (amount.unit.empty()) return amount.number * key.factor;
   const std::string wanted = key.spec.unit.empty() ? "1" : key.spec.unit;
@@ -97,7 +97,7 @@ double convert(const Amount& amount, const NumberKey& key) {
   return si / (key.spec.unit.empty() ? 1 : units::get_si_factor(key.spec.unit)) * key.factor;
 }
 
-/// One parameter, and where it stands.
+/// Check of one parameter.
 class ParameterCheck {
  public:
   ParameterCheck(const Case& data, CalibrationParameter& parameter, std::string path, Findings& findings)
@@ -124,7 +124,7 @@ class ParameterCheck {
                                          "to begin with",
                                          p_.path));
     }
-    const double slack = 1e-9 * (p_.high - p_.low);  // rounding of a value at its limit that was written as text
+    const double slack = 1e-9 * (p_.high - p_.low);  // tolerates rounding of a limit that was written as text
     if (p_.first < p_.low - slack || p_.first > p_.high + slack)
       report(p_.start ? "start" : "key", fmt::format("'{}' begins at {}, outside 'min' and 'max', {} to {}", p_.key,
                                                      show(p_.first), show(p_.low), show(p_.high)));
@@ -181,7 +181,7 @@ class ParameterCheck {
   Findings& findings_;
 };
 
-/// One curve, and where it stands.
+/// Check of one curve.
 class CurveCheck {
  public:
   CurveCheck(const Case& data, MeasuredCurve& curve, std::string path, std::string folder, Findings& findings)
@@ -277,13 +277,13 @@ class CurveCheck {
   Findings& findings_;
 };
 
-/// Whether the test depends on the parameter: it has the material, and does not set the number itself.
+/// Returns true if the test depends on the parameter: it uses the material and does not set the key itself.
 bool feels(const PointTest& test, const CalibrationParameter& parameter) {
   return test.material == parameter.material &&
          std::none_of(test.set.begin(), test.set.end(), [&](const PointSetting& s) { return s.key == parameter.path; });
 }
 
-/// What must hold between parameters and curves.
+/// Checks conditions between parameters and curves.
 void check_together(const Case& data, const Calibration& calibration, Findings& findings) {
   if (calibration.parameters.empty() && findings.is_sound("calibration"))
     findings.add("calibration", "[calibration] has nothing to fit: add a [[calibration.parameter]]");

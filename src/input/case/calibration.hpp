@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [calibration]: which numbers of the soils `talus calibrate` fits, and to what.
+// [calibration]: soil parameters that `talus calibrate` fits, and the measured curves.
 
 #include <array>
 #include <cstddef>
@@ -15,16 +15,16 @@
 
 namespace talus::input {
 
-// Tables of measurements of element tests.
+// Tables of measured element tests.
 
-/// The quantity of an element test by its name; nullptr when there is none.
+/// Returns the quantity of an element test by its name; nullptr if there is none.
 const PointQuantity* find_point_quantity(const std::string& name);
 
-/// One `unit` of a measured quantity in SI. An empty unit is none. Throws Error (wrong_input) with one sentence when it
-/// is unknown or of another dimension.
+/// Returns the factor of `unit` of a measured quantity to SI; 1 for an empty unit. Throws Error (wrong_input) with one
+/// sentence if the unit is unknown or of another dimension.
 double find_measured_factor(const PointQuantity& quantity, const std::string& unit);
 
-/// The columns `x` and `y` of a TextTable [SI], row by row; rows in which one of them is empty are left out. Throws
+/// Returns the columns `x` and `y` of a TextTable [SI] row by row, without rows in which one of them is empty. Throws
 /// Error (wrong_input) with one sentence that names the file and the line.
 std::vector<std::array<double, 2>> read_measured_table(const std::filesystem::path& path, const PointQuantity& x,
                                                        const PointQuantity& y);
@@ -33,35 +33,35 @@ enum class CalibrationScale { linear, log };
 
 struct CalibrationParameter {
   std::string key;              ///< dotted path as for --set: "materials.loess.kappa"
-  std::optional<Amount> start;  ///< by default what the case has
+  std::optional<Amount> start;  ///< default: the value of the case
   Amount min, max;
   CalibrationScale scale = CalibrationScale::linear;
-  // What follows, in the unit in which the material keeps it (number_keys.hpp).
+  // Derived, in the unit in which the material stores the key (uncertain_number.hpp):
   std::string material, path;  ///< "loess" and "kappa"
-  std::string unit;            ///< as people write it; empty: none
-  double factor = 1;           ///< of that unit in the material's
+  std::string unit;            ///< for reports; empty: none
+  double factor = 1;           ///< one such unit in the unit of the material
   double first = 0, low = 0, high = 0;
 };
 
-/// Points of a test as a laboratory measured them.
+/// Measured points of a test.
 struct MeasuredCurve {
   std::string test;
-  std::string file;                         ///< table, relative to the case; or
+  std::string file;                         ///< table, path relative to the case file; or
   std::vector<std::array<double, 2>> data;  ///< rows, in the units below
   std::string x, y;                         ///< quantities of list_point_quantities()
   std::string x_unit, y_unit;               ///< of `data`; empty: kPa or none
   double weight = 1;                        ///< [-]; 0: shown, not fitted
   std::optional<Amount> error;              ///< standard error of y: in per cent of its largest value, or an amount
-  // What follows.
+  // Derived:
   std::size_t test_number = 0;
   std::vector<std::array<double, 2>> points;  ///< in the order of the measurement [SI]
   double deviation = 0;                       ///< standard error of y [SI]
 };
 
 struct Calibration {
-  int starts = 5;       ///< solutions from as many starting points
-  int seed = 1;         ///< of their random choice
-  int iterations = 50;  ///< of each at most
+  int starts = 5;       ///< number of starting points
+  int seed = 1;         ///< of the random starting points
+  int iterations = 50;  ///< limit per starting point
   std::vector<CalibrationParameter> parameters;
   std::vector<MeasuredCurve> curves;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The case as plain data, in SI units and radians, and the case file: its blocks in the order of the manual. Each block
-// has a header, with its struct and what each key means to a user, and a .cpp with what must hold between its keys.
+// The case as plain data, in SI units and radians, with its blocks in the order of the manual. Each block has a header,
+// with its struct and the declaration of its keys, and a .cpp with the checks between its keys.
 
 #include <map>
 #include <optional>
@@ -29,18 +29,17 @@
 
 namespace talus::input {
 
-/// What the meaning of the keys is counted by: it goes up when a case that was right becomes wrong, or means something
-/// else.
+/// Version of the meaning of the keys. It increases when a valid case becomes invalid or changes its meaning.
 inline constexpr int newest_format = 1;
 
 struct Case {
-  int format = 1;  ///< of files without the key
+  int format = 1;  ///< for files without the key
   std::string title;
-  std::vector<std::string> unusual;  ///< keys whose warnings are silenced
+  std::vector<std::string> unusual;  ///< keys whose warnings are suppressed
   Project project;
   mesh::Plan mesh;
   int points_per_element = 3;
-  std::optional<double> softening_length{};  ///< [m]
+  std::optional<double> softening_length{};  ///< nonlocal length [m]
   std::map<std::string, Material> materials;
   std::map<std::string, std::string> regions;  ///< region → material
   std::vector<Boundary> boundaries;
@@ -65,11 +64,11 @@ struct Case {
   Output output;
   std::vector<Compare> compare;
   std::vector<PointTest> tests;
-  std::vector<Material> test_soils;  ///< of each test: its material with what the test sets
+  std::vector<Material> test_soils;  ///< for each test: its material with the settings of the test
   Study study;
   std::optional<Calibration> calibration;
 
-  // Compiled once, in case.cpp: the files that hold one would each compile them again.
+  // Defined in case.cpp to reduce compile time.
   Case();
   Case(const Case&);
   Case(Case&&) noexcept;
@@ -78,13 +77,13 @@ struct Case {
   ~Case();
 };
 
-/// Whether `method` is one of those that answer.
+/// Returns true if [analysis] methods includes `method`.
 bool uses(const Case& data, Method method);
 
-/// What a visitor offers: `key` for one value, `table` for a block, `tables` for a list of blocks (and how many of them
-/// the template shows), `named` for blocks with names of the user's choice, `entries` for single values with such
-/// names (both with a sample name). Within a block, keys come before blocks, and a key that a condition names comes
-/// before the key with the condition.
+/// Declares all keys to a visitor. A visitor has `key` for one value, `table` for a block, `tables` for a list of
+/// blocks (with the number shown in the template), `named` for blocks with user-defined names, and `entries` for single
+/// values with such names (both with a sample name). Within a block, keys precede blocks, and a key precedes those
+/// whose condition refers to it.
 template <class Visitor>
 void describe(Visitor& v, Case& c) {
   v.key("format", c.format, plain().at_least(1),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What must hold between the keys of a case. A check is silent about keys that are already known to be wrong.
+// Checks between the keys of a case. A check reports nothing about keys that are already faulty.
 
 #include <set>
 #include <string>
@@ -10,68 +10,67 @@
 
 namespace talus::input {
 
-/// Returns false, and adds a fault, where the section has more corners than the checks of geometry take, which compare
-/// each with all others.
+/// Returns false and adds a fault if the section has more corners than the geometric checks, of quadratic cost, allow.
 bool check_extent(const Case& data, Findings& findings);
-/// Moves corners that nearly lie on another polygon onto it, with a warning that says so.
+/// Moves corners that nearly lie on another polygon onto it, with a warning.
 void join_polygons(Case& data, Findings& findings);
-/// Polygons, lines, box and points per element.
+/// Checks polygons, lines, box and points per element.
 void check_geometry(const Case& data, Findings& findings);
-/// Whether the polygons overlap or leave gaps, and whether the mesh generator can take them; after check_geometry.
+/// Checks for overlaps and gaps of polygons, and for faults that the mesh generator rejects; after check_geometry().
 void check_cover(const Case& data, Findings& findings);
-/// Whether the keys that `unusual` names are in the file.
+/// Checks that the keys listed in `unusual` are in the file.
 void check_unusual(const Case& data, Findings& findings);
-/// Materials, and which region has which.
+/// Checks materials and their assignment to regions.
 void check_materials(const Case& data, Findings& findings);
-/// [[roots]], the soils that they are in, and the stage of initial.equilibrium.
+/// Checks [[roots]], the rooted soils, and the stage of initial.equilibrium.
 void check_roots(const Case& data, Findings& findings);
-/// Vectors that need a direction, names of sides and regions, units of the output.
+/// Checks directions, names of sides and regions, and units of the output.
 void check_conditions(const Case& data, Findings& findings);
-/// The result that the case starts from, and what has no meaning with one.
+/// Checks the result that the case starts from, and keys that it replaces.
 void check_result(const Case& data, Findings& findings);
-/// Reports a stress at the start that the case cannot begin with.
+/// Reports an initial stress that is not possible in the case.
 void check_start_stress(const Case& data, Findings& findings);
-/// Stages, strength reduction and names of monitors.
+/// Checks stages, strength reduction and names of monitors.
 void check_analysis(const Case& data, Findings& findings);
-/// The methods of [analysis]: what each of them needs of the case, and what it cannot take.
+/// Checks the requirements and limitations of the methods of [analysis].
 void check_methods(const Case& data, Findings& findings);
-/// [lem] and its surfaces, surcharges and partial factors.
+/// Checks [lem] and its surfaces, surcharges and partial factors.
 void check_slices(const Case& data, Findings& findings);
 class SoilOutline;
-/// One [[lem.surface]], which is at `path`.
+/// Checks the [[lem.surface]] at `path`.
 void check_slip_surface(const SlipSurface& surface, const std::string& path, const SoilOutline& soil,
                         Findings& findings);
-/// Whether a list is [from, to], increasing. False for an empty list; false with a finding for any other wrong list.
-/// `what` names the numbers.
+/// Returns true if a list is [from, to], increasing. Returns false for an empty list; false with a finding for any
+/// other list. `what` is the name of the numbers in the finding.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
-/// Whether a water table has points that run from left to right; false with a finding, or where one stands already.
+/// Returns true if a water table has points from left to right; false with a finding, unless there is one already.
 bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, Findings& findings);
-/// Uncertain numbers of a study and their correlations, and the key that is extrapolated.
+/// Checks uncertain numbers of a study, their correlations, and the key of the extrapolation.
 void check_sampling(const Case& data, Findings& findings);
-/// The pore water itself, that of the materials, and whether stages and start ask for what needs it.
+/// Checks [water], the water of the materials, and keys of stages and [initial] that depend on pore water.
 void check_water(const Case& data, Findings& findings);
-/// Hydraulic conditions and the pore pressure at the start.
+/// Checks hydraulic conditions and the initial pore pressure.
 void check_hydraulics(const Case& data, Findings& findings);
-/// [lem.drawdown]: what it needs of the case, and what it cannot take.
+/// Checks the requirements and limitations of [lem.drawdown].
 void check_drawdown(const Case& data, Findings& findings);
-/// [timeline]: what it needs of the case, and its times.
+/// Checks the requirements of [timeline] and its times.
 void check_timeline(const Case& data, Findings& findings);
-/// Clock and sections of the output.
+/// Checks the reference stage of times and the sections of the output.
 void check_output(const Case& data, Findings& findings);
-/// Names, units and tolerances of the values that results are compared with. A result that this case leaves out is
-/// no fault: the report says that it was not calculated.
+/// Checks names, units and tolerances of the values to compare with. A result that this case leaves out is not a fault:
+/// the report lists it as not calculated.
 void check_compare(const Case& data, Findings& findings);
-/// Element tests: names, materials, and what each of them follows.
+/// Checks names, materials and paths of element tests.
 void check_point_tests(const Case& data, Findings& findings);
-/// [calibration]: keys, limits and curves, and what follows from them and from the files of the measurements, which are
-/// found from the folder of the case file `file`. The tests must be checked before.
+/// Checks keys, limits and curves of [calibration] and derives its further members, also from measurement files
+/// relative to the folder of the case file `file`. Requires check_point_tests() before.
 void complete_calibration(Case& data, const std::string& file, Findings& findings);
 
-/// Whether any material has pore water.
+/// Returns true if any material has pore water.
 bool is_wet(const Case& data);
 /// Reports boundaries, tractions, hydraulic conditions and roots on sides that are not in `sides`.
 void check_sides(const Case& data, const std::set<std::string>& sides, Findings& findings);
-/// Reports regions without material, and materials and velocities for regions that do not exist.
+/// Reports regions without material, and materials and velocities of regions that do not exist.
 void check_regions(const Case& data, const std::set<std::string>& regions, Findings& findings);
 
 }  // namespace talus::input

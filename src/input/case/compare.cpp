@@ -31,7 +31,7 @@ std::string suggest(const Case& data, const std::string& name) {
   return "it yields " + list;
 }
 
-/// A plain number is in SI units already; a unit must be of the result's dimension.
+/// A plain number is in SI units; a unit must be of the result's dimension.
 bool fits(const Amount& amount, const std::string& unit) {
   if (amount.unit.empty()) return true;
   if (unit.empty()) return units::get_dimension_name(amount.unit) == units::get_dimension_name("");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[compare]]: a value that a result is compared with.
+// [[compare]]: a reference value for a result.
 
 #include <string>
 
@@ -9,21 +9,21 @@
 
 namespace talus::input {
 
-/// A published or measured value that a result is compared with.
+/// A published or measured reference value for a result.
 struct Compare {
-  std::string name;  ///< of the result, see result_names.hpp
+  std::string name;  ///< name of the result, see result_names.hpp
   Amount value;
   Amount tolerance;  ///< in per cent of the value, or in its unit
   std::string source;
 };
 
-/// `amount` in SI. A plain number is SI already.
+/// Returns `amount` in SI. A plain number is in SI already.
 double to_si(const Amount& amount);
 
-/// Whether a tolerance is in per cent of the value.
+/// Returns true if a tolerance is in per cent of the value.
 bool is_relative(const Amount& tolerance);
 
-/// Largest difference [SI] that `compare` lets pass: per cent are those of its value, a plain number is in its unit.
+/// Returns the allowed difference [SI]: per cent are of the value, a plain number is in its unit.
 double find_tolerance(const Compare& compare);
 
 template <class Visitor>

@@ -16,7 +16,7 @@ namespace talus::input {
 
 namespace {
 
-/// Without material points the box is the bounding box of the soil.
+/// Sets the box to the bounding box of the soil, for a case without MPM.
 void fit_box(mesh::Plan& plan) {
   if (plan.polygons.empty()) return;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ void fit_box(mesh::Plan& plan) {
   }
 }
 
-/// Supports of the finite elements where the case names none.
+/// Sets the default supports of FEM and limit analysis: fixed base, rollers at the sides.
 void hold_section(Case& data) {
   std::vector<const char*> rollers{"left", "right"};
   if (data.mesh.dimension == 3) rollers.insert(rollers.end(), {"front", "back"});
@@ -44,7 +44,7 @@ void hold_section(Case& data) {
   }
 }
 
-/// What a case without material points leaves out.
+/// Completes keys that a case without MPM leaves out.
 void complete_without_points(Case& data, const Places& places) {
   if (data.mesh.file.empty() && !places.is_given("geometry.box")) fit_box(data.mesh);
   if (uses(data, Method::mpm)) return;
@@ -52,13 +52,14 @@ void complete_without_points(Case& data, const Places& places) {
   if ((uses(data, Method::fem) || uses(data, Method::bounds)) && data.boundaries.empty()) hold_section(data);
 }
 
-/// The density that belongs to a unit weight, unless grains and pores are given as well.
+/// Computes the grain density from the unit weight, unless the grain density is given.
 void complete_density(Material& material, const Gravity& gravity, const std::string& path, const Places& places) {
   if (!material.slices.unit_weight || places.is_given(path + ".grain_density") || gravity.acceleration <= 0) return;
   material.grain_density = *material.slices.unit_weight / (gravity.acceleration * (1 - material.porosity));
 }
 
-/// Water that may move carries the weight first, and soil at rest under it is not in its effective stresses.
+/// In a first stage of gravity loading, keeps the pore pressures and freezes the geometry, so that the weight becomes
+/// effective stress under drained (hydrostatic) water.
 void drain_weight(Case& data, const Places& places) {
   if (data.stages.empty() || !is_wet(data)) return;
   Stage& first = data.stages.front();
@@ -92,24 +93,24 @@ void complete(Case& data, const std::string& file, const Places& places) {
   }
   complete_without_points(data, places);
   drain_weight(data, places);
-  // A ready mesh cannot be coarsened, and a second mesh of tetrahedra costs memory and time.
+  // An external mesh cannot be coarsened, and a second tetrahedral mesh costs memory and time.
   if (!places.is_given("fem.meshes") && (data.mesh.dimension == 3 || !data.mesh.file.empty())) data.fem.meshes = 1;
   if (data.initial.result.empty()) return;
   data.initial.result_folder = find_file(data.initial.result);
-  // The mesh of a result cannot be halved.
+  // The mesh of a result cannot be replaced by finer or coarser ones.
   if (!places.is_given("strength_reduction.frozen.meshes")) data.strength_reduction.frozen.meshes = 1;
 }
 
 namespace {
 
-/// Whether some soil has plastic flow that grows its volume.
+/// Returns true if the plastic flow of some soil dilates.
 bool dilates(const Case& data) {
   return std::any_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
     return entry.second.traits().has_friction && entry.second.dilatancy_angle > 0;
   });
 }
 
-/// `where`: "stage 'slide'".
+/// Replaces smoothing where it is harmful; `where` is for example "stage 'slide'".
 void replace_smoothing(const Case& data, StepSettings& step, const std::string& where,
                        std::vector<std::string>& sentences) {
   const bool flows = is_wet(data) && step.water == WaterMotion::flows && step.geometry == Geometry::moving;
@@ -131,7 +132,7 @@ void replace_smoothing(const Case& data, StepSettings& step, const std::string& 
         "slope bursts");
 }
 
-/// Pore pressures of a piezometric line or of r_u, which have no water that could move with the soil.
+/// Returns true if pore pressures are from a piezometric line or r_u, without pore water in the soil.
 bool holds_pressures(const Case& data) {
   const bool has_ratio = std::any_of(data.materials.begin(), data.materials.end(),
                                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
@@ -149,7 +150,7 @@ void replace_geometry(Case& data, std::vector<std::string>& sentences) {
   DisplacementCurve& curve = data.strength_reduction.curve;
   if (data.analysis == AnalysisKind::strength_reduction && curve.enabled) {
     freeze(curve.step_settings, "[strength_reduction.curve]");
-    curve.runout.clear();  // soil that keeps its place runs nowhere
+    curve.runout.clear();  // there is no runout on frozen geometry
   }
   if (replaced.empty()) return;
   sentences.push_back(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What follows from several keys of a case, before it is checked.
+// Completion of a case by values that follow from several keys, and replacement of harmful settings.
 
 #include <string>
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace talus::input {
 
-/// Files relative to the folder of the case file `file`, porosities, densities of soils that are given by their unit
-/// weight, and what a case without material points leaves out: box, element size, supports.
+/// Completes a case before the checks: paths relative to the folder of the case file `file`, porosities, densities of
+/// soils with a given unit weight, and defaults of a case without MPM: box, element size, supports.
 void complete(Case& data, const std::string& file, const Places& places);
 
-/// The porosities that belong to given void ratios.
+/// Sets the porosities that follow from given void ratios.
 void complete_porosities(Case& data);
 
-// Combinations of keys that are known to ruin a calculation, and what is calculated instead.
+// Combinations of keys that are known to ruin a calculation, and their replacements.
 
-/// Replaces what is known to be harmful in stages and in the trials of the displacement curve, and tells of each in a
-/// sentence: what, where, why, and what is calculated instead. The echo and all methods then see what is calculated.
+/// Replaces harmful settings of stages and of the trials of the displacement curve and returns a sentence for each:
+/// setting, place, reason and replacement. The echo and all methods use the replaced values.
 std::vector<std::string> replace_harmful(Case& data);
 
 }  // namespace talus::input

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [bounds]: the first mesh where the case does not say its size.
+// [bounds]: default size of the first mesh.
 #include "input/case/elements_and_bounds.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace talus::input {
 
 namespace {
 
-/// Of the section's height.
+/// Fractions of the section's height.
 constexpr double first_size = 1.0 / 6, first_size_with_water = 1.0 / 12;
 
 }  // namespace

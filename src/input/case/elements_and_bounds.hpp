@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [fem]: the factor of safety by quadratic finite elements.
+// [fem] and [bounds]: the factor of safety by quadratic finite elements and its bounds by limit analysis.
 
 #include <array>
 #include <optional>
@@ -10,19 +10,19 @@
 
 namespace talus::input {
 
-/// Plastic flow of the trials.
+/// Flow rule of the trials.
 enum class FlowRule { as_given, associated, both };
 
 struct FiniteElements {
-  std::optional<double> size;  ///< element size [m]; not given: that of the mesh
+  std::optional<double> size;  ///< element size [m]; not given: that of [mesh]
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
-  int meshes = 2;                        ///< 2: also one of twice the size, extrapolated linearly
-  FlowRule flow = FlowRule::as_given;    ///< both: with ψ as given and with ψ = φ
-  double from = 1.0, to = 2.0;           ///< first bracket [-]
-  double resolution = 0.005;             ///< of the last [-]
-  double force_tolerance = 1e-4;         ///< [-]
-  double displacement_tolerance = 1e-4;  ///< [-]
-  int iterations = 400;                  ///< linear systems in a load step or trial
+  int meshes = 2;                        ///< 2: also a mesh of twice the size, with linear extrapolation
+  FlowRule flow = FlowRule::as_given;    ///< both: ψ as given, and ψ = φ
+  double from = 1.0, to = 2.0;           ///< initial bracket [-]
+  double resolution = 0.005;             ///< width of the final bracket [-]
+  double force_tolerance = 1e-4;         ///< relative [-]
+  double displacement_tolerance = 1e-4;  ///< relative [-]
+  int iterations = 400;                  ///< limit of linear solutions per load step or trial
   int load_steps = 4;
 };
 
@@ -57,18 +57,18 @@ void describe(Visitor& v, FiniteElements& f) {
         "Steps in which weight and loads come on; halved where one does not converge.");
 }
 
-// [bounds]: the interval that holds the factor of safety, by limit analysis.
+// [bounds]: lower and upper bound of the factor of safety by limit analysis.
 
-/// Effective tension that the soil bears.
+/// Tensile strength in effective stresses.
 enum class BoundsTension { as_given, apex };
 
-/// Plastic flow of the soil. The theorems hold for the first alone.
+/// Flow rule of the soil. The bound theorems hold for `associated` only.
 enum class BoundsFlow { associated, davis };
 
 struct ProvenBounds {
-  std::optional<double> size;  ///< of the first mesh's triangles [m]; not given: see find_bounds_size()
-  double gap = 0.01;           ///< of the interval over its middle, at which the meshes end [-]
-  int triangles = 6000;        ///< a mesh with as many is the last
+  std::optional<double> size;  ///< triangle size of the first mesh [m]; not given: see find_bounds_size()
+  double gap = 0.01;           ///< relative width of the interval at which refinement ends [-]
+  int triangles = 6000;        ///< number of triangles at which refinement ends
   BoundsTension tension = BoundsTension::as_given;
   BoundsFlow flow = BoundsFlow::associated;
 };
@@ -103,8 +103,8 @@ void describe(Visitor& v, ProvenBounds& b) {
 
 struct Case;
 
-/// Size of the first mesh's triangles: the case's; else a sixth of the section's height, and a twelfth with pore water,
-/// whose pressure is linear in a triangle [m].
+/// Returns the triangle size of the first mesh [m]: that of the case, otherwise a sixth of the section's height, or a
+/// twelfth with pore water, since pore pressure is linear in a triangle.
 double find_bounds_size(const Case& data);
 
 }  // namespace talus::input

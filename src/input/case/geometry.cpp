@@ -27,7 +27,7 @@ std::string write_index(const char* list, std::size_t i) {
   return fmt::format("{}.{}", list, i);
 }
 
-/// Twice the signed area of the triangle abc [m²].
+/// Returns twice the signed area of the triangle abc [m²].
 double measure_turn(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -37,7 +37,7 @@ bool is_between(const Point& a, const Point& b, const Point& p) {
          p[1] <= std::max(a[1], b[1]);
 }
 
-/// Whether the segments ab and cd have a point in common.
+/// Returns true if the segments ab and cd intersect or touch.
 bool do_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double abc = measure_turn(a, b, c), abd = measure_turn(a, b, d);
   const double cda = measure_turn(c, d, a), cdb = measure_turn(c, d, b);
@@ -48,7 +48,7 @@ bool do_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
 
 void check_inside(const mesh::Plan& plan, const std::vector<Point>& points, const std::string& path,
                   const std::string& what, Findings& findings) {
-  // Coordinates that come from other units carry rounding errors; a billionth of the box is far below any element.
+  // Coordinates converted from other units have rounding errors; 1e-9 of the box is far below any element size.
   const double slack = 1e-9 * std::max(plan.box_max[0] - plan.box_min[0], plan.box_max[1] - plan.box_min[1]);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
@@ -81,7 +81,7 @@ void check_polygon(const mesh::Polygon& polygon, const std::string& path, Findin
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;  // neighbours share a corner
+      if (i == 0 && j == n - 1) continue;  // adjacent segments share a corner
       if (do_meet(p[i], p[i + 1], p[j], p[(j + 1) % n]))
         return findings.add(
             fmt::format("{}.points.{}", path, j),
@@ -214,13 +214,13 @@ double SoilOutline::find_ground(double x) const {
   return level;
 }
 
-// Whether the soil polygons fit one another: corners that nearly meet, overlaps and gaps.
+// Checks of the cover by soil polygons: corners that nearly coincide, overlaps and gaps.
 
 namespace {
 
 constexpr const char* polygons_path = "geometry.polygon";
 
-/// "0.2 m² from (0, 4.98) to (20, 5), around (10, 4.995)", of the largest piece.
+/// Writes the largest piece of a misfit: "0.2 m² from (0, 4.98) to (20, 5), around (10, 4.995)".
 std::string write_piece(const mesh::Misfit& misfit) {
   const mesh::Piece& piece = misfit.largest;
   const std::string place = fmt::format("from {} to {}, around {}", format_point(piece.low), format_point(piece.high),
@@ -255,12 +255,12 @@ bool has_sound_polygons(const Case& data, const Findings& findings) {
          findings.is_sound("geometry.box") && findings.is_sound("geometry.line");
 }
 
-/// Other programs close a polygon with its first corner.
+/// Removes a last corner that repeats the first, as some programs close polygons.
 void drop_closing_corner(mesh::Polygon& polygon) {
   if (polygon.points.size() > 3 && polygon.points.front() == polygon.points.back()) polygon.points.pop_back();
 }
 
-/// Size of the smallest elements in and around a polygon [m].
+/// Returns the size of the smallest elements in and around a polygon [m].
 double find_smallest_size(const mesh::Plan& plan, const mesh::Polygon& polygon) {
   mesh::Point2 low = polygon.points.front(), high = low;
   for (const mesh::Point2& p : polygon.points)
@@ -274,9 +274,9 @@ double find_smallest_size(const mesh::Plan& plan, const mesh::Polygon& polygon) 
   return size;
 }
 
-/// Soil that ends just short of the box: the elements in the gap set the time step.
+/// Warns of soil that ends just short of the box: the elements in the narrow gap limit the time step.
 void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
-  constexpr double narrow = 0.1;  // of an element
+  constexpr double narrow = 0.1;  // fraction of an element
   const double tolerance = mesh::get_section_tolerance(plan);
   const std::array sides{std::tuple{"left", 0, plan.box_min[0]}, std::tuple{"right", 0, plan.box_max[0]},
                          std::tuple{"bottom", 1, plan.box_min[1]}, std::tuple{"top", 1, plan.box_max[1]}};
@@ -294,7 +294,7 @@ void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
   }
 }
 
-/// Seams without room for one element.
+/// Warns of seams that are narrower than one element.
 void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
   constexpr double rounding = 1e-6;
   for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
@@ -303,7 +303,7 @@ void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
     double outline = 0;
     for (std::size_t k = 0; k < p.size(); ++k)
       outline += std::hypot(p[(k + 1) % p.size()][0] - p[k][0], p[(k + 1) % p.size()][1] - p[k][1]);
-    // The shorter side of the rectangle with this outline and area.
+    // Width of the rectangle with the same perimeter and area.
     const double quarter = outline / 4, square = quarter * quarter - std::abs(mesh::compute_area(p));
     const double width = quarter - std::sqrt(std::max(0.0, square));
     if (width < (1 - rounding) * size)
@@ -314,7 +314,7 @@ void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
   }
 }
 
-/// What the mesh generator would refuse, where there will be a mesh.
+/// Reports faults that the mesh generator would reject, if the case needs a mesh.
 void check_for_mesher(const Case& data, Findings& findings) {
   const bool has_bounds = uses(data, Method::bounds);
   if (!uses(data, Method::fem) && !uses(data, Method::mpm) && !has_bounds) return;

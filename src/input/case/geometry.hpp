@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [geometry]: the soil polygons in the background box, and lines that the mesh conforms to.
+// [geometry] and [mesh]: soil polygons in the background box, lines that the mesh conforms to, and mesh settings.
 
 #include <array>
 #include <limits>
@@ -50,7 +50,7 @@ void describe(Visitor& v, GeometryBlock& g) {
   v.tables("line", plan.lines, 0, "A named line that element sides follow.");
 }
 
-// [mesh]: the background mesh and the material points in it.
+// [mesh]: the background mesh and its material points.
 
 template <>
 inline constexpr auto choices<mesh::Algorithm> = std::array{
@@ -94,7 +94,7 @@ void describe(Visitor& v, MeshBlock& m) {
   v.tables("refine", plan.refinements, 0, "Smaller elements near a point or a polyline.");
 }
 
-// The outline of the soil in a plane section: how far it reaches, and the level of its ground.
+// The outline of the soil in a plane section: extent and ground level.
 
 class SoilOutline {
  public:
@@ -102,15 +102,15 @@ class SoilOutline {
 
   double left() const { return left_; }      ///< [m]
   double right() const { return right_; }    ///< [m]
-  double bottom() const { return bottom_; }  ///< lowest soil [m]
-  double top() const { return top_; }        ///< highest soil [m]
-  /// A billionth of the width: lengths below it are rounding errors [m].
+  double bottom() const { return bottom_; }  ///< [m]
+  double top() const { return top_; }        ///< [m]
+  /// Returns 1e-9 of the width, the tolerance for rounding errors [m].
   double slack() const { return 1e-9 * (right_ - left_); }
-  /// Whether there is ground at x.
+  /// Returns true if there is ground at x.
   bool spans(double x) const { return x >= left_ - slack() && x <= right_ + slack(); }
-  /// "which goes from x = 0 m to x = 44 m".
+  /// Writes the extent: "which goes from x = 0 m to x = 44 m".
   std::string write_span() const;
-  /// Highest soil at x [m]; minus infinity where there is none.
+  /// Returns the highest level of soil at x [m]; minus infinity if there is none.
   double find_ground(double x) const;
 
  private:

@@ -17,10 +17,10 @@ namespace {
 
 using mesh::Point2;
 
-/// What lies on the two sides of a line, sampled in many places.
+/// Materials on both sides of a line, from sampling points.
 struct Border {
-  bool meets_air = false;   ///< soil on one side, empty room of the box on the other
-  bool meets_soil = false;  ///< soil on one side at least
+  bool meets_air = false;   ///< soil on one side, empty part of the box on the other
+  bool meets_soil = false;  ///< soil on at least one side
 };
 
 class SoilPlan {
@@ -34,7 +34,7 @@ class SoilPlan {
       const Point2 &a = line[i], &b = line[i + 1];
       const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
       if (length == 0) continue;
-      // Corners may be off by the tolerance of the mesh generator, a millionth of an element.
+      // Corners may deviate by the tolerance of the mesh generator, 1e-6 of an element.
       const double step = 1e-3 * (plan_.size > 0 ? plan_.size : length);
       const Point2 across{-(b[1] - a[1]) / length * step, (b[0] - a[0]) / length * step};
       for (int k = 0; k < places; ++k) {
@@ -49,7 +49,7 @@ class SoilPlan {
     return border;
   }
 
-  /// Levels of the lowest and of the highest soil [m].
+  /// Returns the levels of the lowest and the highest soil [m].
   std::pair<double, double> find_levels() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::pair<double, double> levels{infinity, -infinity};
@@ -75,7 +75,7 @@ const char* name_condition(WaterCondition condition) {
   return condition == WaterCondition::rain ? "rain" : "a seepage face";
 }
 
-/// Rain and seepage faces need a surface.
+/// Checks that rain and seepage faces are on a free surface.
 void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
   const WaterCondition condition = hydraulic.condition;
   if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
@@ -91,7 +91,7 @@ void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std
     if (!border.meets_air) report("it lies inside the soil or along a side of the box");
     return;
   }
-  // A side of the box. Water may leave through any of them, but it rains from above only.
+  // For a side of the box: water may leave through any side, but rain enters from above only.
   if (condition != WaterCondition::rain) return;
   if (hydraulic.on != "top") return report("draw a line along the ground and name it");
   const Point2 &low = plan.box_min, &high = plan.box_max;
@@ -110,7 +110,8 @@ void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::s
     findings.add(path + ".head", fmt::format("'head' is {:.6g} m, below the lowest point of the soil, {:.6g} m; heads "
                                              "are levels in the coordinates of the section",
                                              head, bottom));
-  // Behind a side of the box there may be artesian water; a pool on the ground runs over, unless all lies under water.
+  // Behind a side of the box, artesian pressure is possible. A pool on the ground overflows, unless all soil is
+  // submerged.
   for (const mesh::Line& line : plan.lines)
     if (line.name == hydraulic.on && *most > crest && soil.look_along(line.points).meets_air)
       findings.warn(path + ".head",
@@ -123,7 +124,7 @@ bool fixes_level(const Hydraulic& hydraulic) {
          hydraulic.condition == WaterCondition::seepage_face;
 }
 
-/// Heads and water tables are levels of y.
+/// Checks that gravity acts along -y, since heads and water tables are levels of y.
 void check_gravity(const Case& data, Findings& findings) {
   if (!findings.is_sound("gravity") || !findings.is_sound("initial.pore_pressure")) return;
   const InitialPressure start = data.initial.water.pressure;
@@ -155,7 +156,7 @@ void check_steps(const Hydraulic& hydraulic, const std::string& path, Findings& 
 void check_start(const Case& data, Findings& findings) {
   const InitialWater& start = data.initial.water;
   if (!findings.is_sound("initial.pore_pressure") || start.pressure == InitialPressure::zero) return;
-  // All methods take a piezometric line in any soil.
+  // All methods accept a piezometric line in any soil.
   const bool takes_line = start.pressure == InitialPressure::water_table;
   if (!is_wet(data) && !takes_line) {
     if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))

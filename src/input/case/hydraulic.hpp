@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[hydraulic]]: hydraulic conditions at the boundary of the soil.
+// [[hydraulic]]: hydraulic boundary conditions.
 
 #include <array>
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace talus::input {
 
-// How rows of time are joined.
+// Interpolation between rows of a series in time.
 
 enum class SeriesShape { linear, steps };
 
@@ -24,21 +24,22 @@ inline constexpr auto choices<SeriesShape> = std::array{
 enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow };
 enum class RainDirection { vertical, normal };
 
-/// [[hydraulic]]: the condition on a named side or line. Values are series in time; a constant is one row.
+/// [[hydraulic]]: the condition on a named side or line. Values are series in time; a constant is a single row.
 struct Hydraulic {
   std::string on;
   WaterCondition condition = WaterCondition::no_flow;
   TimeTable head;      ///< level of the water [m]
-  TimeTable pressure;  ///< pore pressure, positive in compression as engineers write it [Pa]
-  TimeTable rate;      ///< rain or flux into the soil [m/s]; negative rain evaporates, negative flux is pumped out
+  TimeTable pressure;  ///< pore pressure, positive in compression [Pa]
+  TimeTable rate;      ///< rain or inflow [m/s]; negative: evaporation, pumping
   SeriesShape series = SeriesShape::linear;
   RainDirection rain = RainDirection::vertical;
-  double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
-  double standing_depth = 0;  ///< of rain that waits on the ground, in a season or a timeline [m]
-  bool runs_on = false;       ///< rain that cannot enter runs down the ground to where it can, likewise
+  double suction_limit = std::numeric_limits<double>::infinity();  ///< suction at which evaporation stops [Pa]
+  double standing_depth = 0;  ///< largest depth of ponded rain, in a season or a timeline [m]
+  bool runs_on =
+      false;  ///< rain that exceeds infiltration runs off along the ground and may infiltrate further down, likewise
 
-  /// The series of the condition in force, steps written out as jumps (two rows at one time); zero for conditions
-  /// without a value.
+  /// Returns the series of the selected condition, with steps written as jumps (two rows at one time); zero for
+  /// conditions without a value.
   TimeTable values() const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [lem], [[lem.surface]], [[surcharge]] and [partial_factors]: surfaces and ranges that lie on the soil.
+// Checks of [lem], [[lem.surface]], [[surcharge]] and [partial_factors]: surfaces and ranges must lie on the soil.
 #include "input/case/limit_equilibrium.hpp"
 
 #include <fmt/format.h>
@@ -123,13 +123,13 @@ void check_slices(const Case& data, Findings& findings) {
     check_surcharge(data.surcharges[i], fmt::format("surcharge.{}", i), soil, findings);
 }
 
-// What must hold between the keys of [lem.drawdown] and the rest of a case.
+// Checks of [lem.drawdown] against the rest of the case.
 
 namespace {
 
 using Line = std::vector<std::array<double, 2>>;
 
-/// Level of a water table at x, level beyond its ends [m].
+/// Returns the level of a water table at x, horizontal beyond its ends [m].
 double find_level(const Line& line, double x) {
   if (x <= line.front()[0]) return line.front()[1];
   for (std::size_t i = 1; i < line.size(); ++i)
@@ -140,9 +140,9 @@ double find_level(const Line& line, double x) {
   return line.back()[1];
 }
 
-/// Water falls, or stays.
+/// Reports a water table that rises in the drawdown.
 void check_fall(const Line& before, const Line& after, Findings& findings) {
-  constexpr double rounding = 1e-9;  // of the levels
+  constexpr double rounding = 1e-9;  // relative to the levels
   for (const Line* line : {&before, &after})
     for (const auto& [x, y] : *line) {
       const double from = find_level(before, x), to = find_level(after, x);
@@ -171,7 +171,7 @@ void check_soils(const Case& data, Findings& findings) {
                                       get_word(data.lem.drawdown->method)));
 }
 
-/// What would answer for the slope before drawdown, or would need strengths that no test gives.
+/// Reports methods and loads that would use the state before drawdown, or strengths that no test gives.
 void check_others(const Case& data, Findings& findings) {
   const std::string path = "lem.drawdown";
   if (data.methods.size() != 1)
@@ -215,21 +215,21 @@ void check_drawdown(const Case& data, Findings& findings) {
   }
   if (findings.is_sound("lem.drawdown.method")) check_soils(data, findings);
   if (!check_water_table(data.lem.drawdown->water_table, "lem.drawdown.water_table", findings)) return;
-  // Pools of [[hydraulic]] stand above this line: run::make_section() compares those.
+  // Pools of [[hydraulic]] are above this line: run::make_section() compares their levels.
   if (before.pressure == InitialPressure::water_table && data.hydraulics.empty() &&
       findings.is_sound("initial.water_table") && !before.water_table.empty())
     check_fall(before.water_table, data.lem.drawdown->water_table, findings);
 }
 
-// [[lem.surface]]: circles that cut the ground, and polylines that run from ground to ground through the soil.
+// Checks of [[lem.surface]]: circles must cut the ground, and polylines must run from ground to ground through soil.
 
 namespace {
 
 using Point = std::array<double, 2>;
 
-/// How far an end of a polyline may be off the ground, as a share of its width.
+/// Tolerated distance of an end of a polyline from the ground, as a fraction of its width.
 constexpr double end_slack = 1e-2;
-/// Places between the ends of a circle where it is looked at.
+/// Number of sampling points between the ends of a circle.
 constexpr int places = 400;
 
 void check_circle(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [lem]: slip surfaces, slices and the search for the critical surface.
+// [lem]: slip surfaces, limit equilibrium methods and the search for the critical surface.
 
 #include <array>
 #include <optional>
@@ -16,38 +16,39 @@ using talus::DrawdownMethod;
 using talus::SliceMethod;
 enum class SurfaceSearch { none, entry_exit, grid };
 
-/// A surface that the user gives: a circle or a polyline.
+/// A slip surface given by the user: a circle or a polyline.
 struct SlipSurface {
   std::string name;
   std::optional<std::array<double, 2>> centre;  ///< of a circle [m]
   std::optional<double> radius;                 ///< [m]
-  std::vector<double> ends;  ///< x where the arc leaves the ground [m]; empty: where circle and ground meet
+  std::vector<double> ends;  ///< x of the ends of the arc on the ground [m]; empty: intersections with the ground
   std::vector<std::array<double, 2>> points;  ///< of a polyline, from left to right [m]
 };
 
-/// Entries and exits on the ground, and depths between them.
+/// Search by entry and exit ranges on the ground and depths between them.
 struct EntryExit {
-  std::vector<double> exit, entry;  ///< [from, to] in x [m]; empty: all of the ground
+  std::vector<double> exit, entry;  ///< [from, to] in x [m]; empty: the whole ground
   int exits = 25, entries = 25, depths = 15;
 };
 
-/// Centres on a grid, radii between two levels.
+/// Search by a grid of centres, with radii between two tangent levels.
 struct CentreGrid {
-  std::vector<std::array<double, 2>> corners;  ///< lower left, upper right [m]; empty: chosen from the ground
+  std::vector<std::array<double, 2>> corners;  ///< lower left, upper right [m]; empty: derived from the ground
   int columns = 20, rows = 20, radii = 21;
-  std::vector<double> levels;  ///< [lowest, highest] deepest point of the circles [m]; empty: base to toe and above
+  std::vector<double>
+      levels;  ///< [lowest, highest] deepest point of the circles [m]; empty: from the base to above the toe
 };
 
 struct TensionCrack {
   double depth = 0;   ///< [m]; 0: none
   double water = 0;   ///< height of water in it [m]
-  bool limit = true;  ///< it is no deeper than tension reaches
+  bool limit = true;  ///< limit the depth to the zone in tension
 };
 
-/// The water beside the slope falls faster than its soil drains.
+/// Rapid drawdown: the water beside the slope falls faster than the soil drains.
 struct Drawdown {
   DrawdownMethod method = DrawdownMethod::three_stage;
-  std::vector<std::array<double, 2>> water_table;  ///< after it [m]; level beyond its ends
+  std::vector<std::array<double, 2>> water_table;  ///< after drawdown [m]; horizontal beyond its ends
 };
 
 struct LimitEquilibrium {
@@ -57,19 +58,19 @@ struct LimitEquilibrium {
   SurfaceSearch search = SurfaceSearch::entry_exit;
   EntryExit entry_exit;
   CentreGrid grid;
-  bool composite = false;                               ///< circles that reach the bottom of the model follow it
-  bool noncircular = true;                              ///< also optimise a polyline
-  int vertices = 12;                                    ///< of that polyline
-  int minima = 5;                                       ///< local minima that are shown
-  int seed = 0;                                         ///< of the starts of the search
-  std::optional<double> smallest_depth;                 ///< of a sliding mass [m]
-  double smallest_m_alpha = 0.2;                        ///< [-]
-  double most_tension = 0.2;                            ///< share of the base with tensile N' [-]
-  double most_thrust_outside = 0.3;                     ///< share of E whose thrust acts outside the mass [-]
-  double smallest_lambda = -0.1, largest_lambda = 1.5;  ///< λ of Spencer and Morgenstern–Price [-]
-  bool reject = true;                                   ///< surfaces that fail these checks
-  bool yield_acceleration = true;                       ///< k_y of the critical surfaces
-  bool referee = true;                                  ///< limit analysis judges the factors
+  bool composite = false;                ///< composite surfaces: circles follow the bottom of the model
+  bool noncircular = true;               ///< also search a non-circular surface
+  int vertices = 12;                     ///< of the non-circular surface
+  int minima = 5;                        ///< number of reported local minima
+  int seed = 0;                          ///< of the random starts of the search
+  std::optional<double> smallest_depth;  ///< of the sliding mass [m]
+  double smallest_m_alpha = 0.2;         ///< [-]
+  double most_tension = 0.2;             ///< limit of the fraction of the base with tensile N' [-]
+  double most_thrust_outside = 0.3;      ///< limit of the fraction of E whose line of thrust is outside the mass [-]
+  double smallest_lambda = -0.1, largest_lambda = 1.5;  ///< limits of λ in Spencer and Morgenstern–Price [-]
+  bool reject = true;                                   ///< reject surfaces that fail these checks
+  bool yield_acceleration = true;                       ///< compute k_y of the critical surfaces
+  bool referee = true;                                  ///< compare the factors with bounds by limit analysis
   TensionCrack crack;
   std::optional<Drawdown> drawdown;
   std::vector<SlipSurface> surfaces;

@@ -18,7 +18,7 @@ std::string join(const std::set<std::string>& names) {
   return text.empty() ? "there are none" : text;
 }
 
-/// "did you mean 'sand'?" or the list of what there is.
+/// Returns "did you mean 'sand'?" or the list of known names.
 std::string suggest(const std::string& word, const std::set<std::string>& names) {
   const std::string near = find_nearest(word, {names.begin(), names.end()});
   return near.empty() ? "known: " + join(names) : fmt::format("did you mean '{}'?", near);
@@ -63,15 +63,15 @@ void check_materials(const Case& data, Findings& findings) {
                    fmt::format("there is no material '{}'; {}", material, suggest(material, materials)));
   }
   for (const PointTest& test : data.tests) used.insert(test.material);
-  // Regions of a ready mesh are known only when it is read: check_against_mesh().
+  // Regions of an external mesh are known only after it is read: check_against_mesh().
   if (data.mesh.file.empty() && findings.is_sound("geometry.polygon") && !data.mesh.polygons.empty()) {
     std::set<std::string> regions;
     for (const mesh::Polygon& polygon : data.mesh.polygons) regions.insert(polygon.name);
     check_regions(data, regions, findings);
   }
-  // Where a region has a wrong material or none, the right one seems unused, which is no fault of its own.
+  // Where a region has a wrong material or none, the intended material is unused; that is not reported again.
   if (!findings.is_sound("regions")) return;
-  // Nor is it one where --set or a study gives a region another material: that is how soils are compared.
+  // An unused material is also no fault if --set or a study assigns another one to a region, to compare soils.
   for (const auto& [region, material] : data.regions)
     if (findings.places.find("regions." + region).line == 0) return;
   for (const std::string& name : materials)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [materials.NAME]: the soils. No strength has a default here: a forgotten one must not become a number.
+// [materials.NAME]: the soils. Strength parameters have no defaults, so that an omission is reported.
 
 #include <array>
 #include <optional>
@@ -12,27 +12,27 @@
 
 namespace talus::input {
 
-// [materials.NAME]: what slices and finite elements need of a soil beside its strength.
+// [materials.NAME]: parameters for LEM and FEM other than strength.
 
-/// What suction adds to the strength on a slip surface.
+/// Contribution of suction to the strength on a slip surface.
 enum class SuctionStrength { from_water, none, saturation, phi_b };
 
-/// The R envelope of isotropically consolidated undrained tests, in total stresses.
+/// The R envelope of isotropically consolidated undrained (CIU) tests, in total stresses.
 struct UndrainedEnvelope {
   double cohesion = 0;        ///< c_R [Pa]
   double friction_angle = 0;  ///< φ_R [rad]
 };
 
-/// What slices (and finite elements, where they can) need of a material beside its strength.
+/// Parameters for LEM (and, where applicable, FEM) other than strength.
 struct SliceSoil {
-  std::optional<double> unit_weight;            ///< γ above the water table, instead of grains and pores [N/m³]
-  std::optional<double> saturated_unit_weight;  ///< γ below it [N/m³]
+  std::optional<double> unit_weight;  ///< γ above the water table; replaces grain density and porosity [N/m³]
+  std::optional<double> saturated_unit_weight;  ///< γ_sat, below the water table [N/m³]
   double pore_pressure_ratio = 0;               ///< r_u [-]
-  SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
-                                                                   ///< retention curve, else none
-  double phi_b = 0;                                                ///< [rad]
-  std::optional<double> b_bar;                                     ///< B̄ of a drawdown [-]; not given: it drains
-  std::optional<UndrainedEnvelope> undrained_envelope;             ///< likewise
+  SuctionStrength suction_strength =
+      SuctionStrength::from_water;  ///< from_water: χ = S_w for soil with a retention curve, else none
+  double phi_b = 0;                 ///< [rad]
+  std::optional<double> b_bar;      ///< B̄ in drawdown [-]; not given: drained
+  std::optional<UndrainedEnvelope> undrained_envelope;  ///< for drawdown; not given: drained
 };
 
 template <>
@@ -44,7 +44,7 @@ inline constexpr auto choices<SuctionStrength> = std::array{
     Choice{SuctionStrength::phi_b, "phi_b", "s tan φᵇ, after Fredlund"},
 };
 
-/// Units in which weights of soils are often given, in kN/m³.
+/// Units in which unit weights are often given, in kN/m³.
 inline std::vector<Slip> weight_slips() {
   return {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"N/m3", 1e-3}, {"pcf", 0.1570875}};
 }
@@ -55,7 +55,7 @@ void describe(Visitor& v, UndrainedEnvelope& e) {
   v.key("friction_angle", e.friction_angle, quantity("deg").at_least(0).below(90).required().example("16"), "φ_R.");
 }
 
-/// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
+/// Declares the parameters for LEM and FEM other than strength; `unit_weight` is declared earlier.
 template <class Visitor>
 void describe_slice_soil(Visitor& v, SliceSoil& s) {
   v.key(
@@ -82,7 +82,7 @@ void describe_slice_soil(Visitor& v, SliceSoil& s) {
         "\"b_bar\". Soil without it drains.");
 }
 
-/// Blocks of the same, which stand behind all keys.
+/// Declares the blocks of SliceSoil, which follow all keys.
 template <class Visitor>
 void describe_slice_blocks(Visitor& v, SliceSoil& s) {
   v.optional_table("undrained_envelope", s.undrained_envelope,
@@ -92,7 +92,7 @@ void describe_slice_blocks(Visitor& v, SliceSoil& s) {
 
 using MaterialModel = material::Model;
 
-/// The words of the laws, in their order.
+/// The words of the constitutive laws, in their order.
 template <>
 inline constexpr auto choices<MaterialModel> = [] {
   std::array<Choice<MaterialModel>, material::Laws::traits.size()> list{};
@@ -101,22 +101,22 @@ inline constexpr auto choices<MaterialModel> = [] {
   return list;
 }();
 
-/// What every soil has, and the numbers of all laws, of which a case gives those of its model.
+/// Parameters of all soils, and those of all laws, of which a case gives those of its model.
 struct Material : material::SoilNumbers {
   MaterialModel model = material::model_of<material::LinearElastic>;
   double grain_density = 0;                ///< ρ_s [kg/m³]
   double porosity = 0;                     ///< n [-]
-  std::optional<double> given_void_ratio;  ///< e_0 where the case gives it; the porosity follows from it [-]
-  PoreWater water;                         ///< by default none
+  std::optional<double> given_void_ratio;  ///< e_0 if given; the porosity follows from it [-]
+  PoreWater water;                         ///< default: no pore water
   SliceSoil slices;
 
   const material::Traits& traits() const { return material::get_traits(model); }
-  /// e_0 = n/(1-n) [-].
+  /// Returns e_0 = n/(1-n) [-].
   double void_ratio() const { return porosity / (1 - porosity); }
-  /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
+  /// Returns the dry bulk density (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
 
-  // Compiled once, in material.cpp: the files that hold one would each compile them again.
+  // Defined in material.cpp to reduce compile time.
   Material();
   Material(const Material&);
   Material(Material&&) noexcept;
@@ -125,8 +125,7 @@ struct Material : material::SoilNumbers {
   ~Material();
 };
 
-/// The law of a material, its strength with another cohesion [Pa] and reduced by `factor`. Throws what
-/// material::make_law() throws.
+/// Returns the law of a material with another cohesion [Pa], reduced by `factor`. Throws as material::make_law().
 inline material::Law make_law(const Material& m, std::optional<double> cohesion = {}, double factor = 1) {
   return material::make_law(m.model, m, {factor, cohesion});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [analysis] methods: what each of them needs, and what it cannot take.
+// Checks of [analysis] methods: requirements and limitations of each method.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ void check_list(const Case& data, Findings& findings) {
                    fmt::format("'methods' names \"{}\" twice", get_word(data.methods[i])));
 }
 
-/// Slices, finite elements and bounds start from the section as the file has it.
+/// Checks that LEM, FEM and limit analysis start from the section of the file, not from a result.
 void check_plain_start(const Case& data, Findings& findings) {
   if (!data.initial.result.empty() && findings.is_sound("initial.result"))
     findings.add(
@@ -62,8 +62,8 @@ void check_slices_need(const Case& data, Findings& findings) {
   }
 }
 
-/// What the methods on the whole section cannot take: strengths that nobody knows, and walls that rub or move. `who`
-/// and `words`: those of them that the case asks for.
+/// Reports what the methods on the whole section cannot model: hidden strengths, and walls with friction or velocity.
+/// `who` and `words` are the titles and words of those methods that the case uses.
 void check_reduces(const Case& data, const std::string& who, const std::string& words, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
@@ -130,7 +130,7 @@ void check_has_strength(const Case& data, Findings& findings) {
     findings.add("analysis.methods", "a factor of safety needs a material with a strength");
 }
 
-/// r_u stands in the place of pore water that moves.
+/// Reports a pore pressure ratio r_u together with a pore pressure field.
 void check_pressure_ratio(const Material& m, const std::string& name, Findings& findings) {
   const std::string path = "materials." + name + ".pore_pressure_ratio";
   if (m.slices.pore_pressure_ratio != 0 && m.water.is_wet() && findings.is_sound(path))
@@ -139,7 +139,7 @@ void check_pressure_ratio(const Material& m, const std::string& name, Findings& 
                                    name, name));
 }
 
-/// Lowest level of a material's regions [m]; infinite where it has none.
+/// Returns the lowest level of a material's regions [m]; infinity if there is none.
 double find_bottom(const Case& data, const std::string& material) {
   double bottom = std::numeric_limits<double>::infinity();
   for (const mesh::Polygon& polygon : data.mesh.polygons) {
@@ -187,7 +187,7 @@ void check_weight(const Case& data, const Material& m, const std::string& name, 
                    fmt::format("material '{}' has both a unit weight and a grain density; give one of them", name));
     return;
   }
-  // Slices and elements take the weight that is given; material points carry grains and water.
+  // LEM and FEM use the given unit weight; MPM requires grain density and porosity.
   if (uses(data, Method::mpm) && !is_given(".grain_density"))
     findings.add(
         path + ".unit_weight",

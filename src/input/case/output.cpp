@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [output]: the stage that the clock starts from, and sections.
+// Checks of [output]: the stage at which times start, and sections.
 #include "input/case/output.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace talus::input {
 namespace {
 
 void check_section(const SectionLine& section, const std::string& path, Findings& findings) {
-  // The name is that of a file, of a CSV on the page, and a part of [[compare]]-like texts.
+  // The name is used as a file name, as an anchor on the page, and in texts like those of [[compare]].
   if (findings.is_sound(path + ".name")) {
     if (section.name.empty() || section.name.front() == '.' ||
         section.name.find_first_of("/\\,\"[]") != std::string::npos)

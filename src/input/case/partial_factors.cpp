@@ -4,7 +4,7 @@
 namespace talus::input {
 namespace {
 
-// Tables A.3, A.4 and A.14 of EN 1997-1:2004.
+// Values of tables A.3, A.4 and A.14 of EN 1997-1:2004.
 void take_actions_1(PartialFactorValues& v) {
   v.permanent_load = 1.35;
   v.variable_load = 1.5;

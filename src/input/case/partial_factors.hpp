@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [partial_factors]: sets of design codes for the stability of slopes, and what is divided or multiplied.
+// [partial_factors]: sets of partial factors of design codes for slope stability, and the parameters to which they
+// apply.
 
 #include <array>
 #include <optional>
@@ -10,12 +11,12 @@
 
 namespace talus::input {
 
-/// EN 1997-1 Annex A, EN 1998-5, AASHTO LRFD; or factors by hand.
+/// EN 1997-1 Annex A, EN 1998-5, AASHTO LRFD, or factors given by hand.
 enum class DesignApproach { none, da1_1, da1_2, da2, da3, en_1998_5, aashto_75, aashto_65, by_hand };
 
 struct PartialFactors {
   DesignApproach set = DesignApproach::none;
-  // Given values replace those of the set.
+  // Given values replace those of the set:
   std::optional<double> cohesion;        ///< γ_c' divides c'
   std::optional<double> friction;        ///< γ_φ' divides tanφ'
   std::optional<double> undrained;       ///< γ_cu divides c of soils with φ = 0
@@ -69,29 +70,30 @@ void describe(Visitor& v, PartialFactors& p) {
         "γ_R;e, which divides the factor of safety. R1 and R3: 1, R2: 1.1; AASHTO: one over its resistance factor.");
 }
 
-/// The factors of a set with those given by hand in their places [-].
+/// The factors of a set, replaced where given by hand [-].
 struct PartialFactorValues {
   std::string set;            ///< "DA1-2", "by hand"; empty: none
   double cohesion = 1;        ///< γ_c'
   double friction = 1;        ///< γ_φ'
   double undrained = 1;       ///< γ_cu
   double weight = 1;          ///< γ_γ
-  double permanent_load = 1;  ///< γ_G, also of the weight of soil and water
+  double permanent_load = 1;  ///< γ_G, also for the weight of soil and water
   double variable_load = 1;   ///< γ_Q
   double resistance = 1;      ///< γ_R;e
 
   bool is_active() const { return !set.empty(); }
 };
 
-/// EN 1997-1:2004, Annex A, recommended values for slopes and overall stability (tables A.3, A.4 and A.14):
-/// DA1-1: A1+M1+R1, DA1-2: A2+M2+R1, DA2: A1+M1+R2, DA3: A2+M2+R3, as all loads on a slope count as geotechnical
-/// actions (2.4.7.3.4.4, note 2). EN 1998-5:2004, 3.1(3): factors of materials in seismic design situations, whose
-/// actions have none (EN 1990, 6.4.3.4). AASHTO LRFD, 9th edition (2020), 11.6.3.7: γ_R = 1/φ with load factors of 1.
+/// Returns the factors of a set. EN 1997-1:2004, Annex A, recommended values for slopes and overall stability (tables
+/// A.3, A.4 and A.14): DA1-1: A1+M1+R1, DA1-2: A2+M2+R1, DA2: A1+M1+R2, DA3: A2+M2+R3, as all loads on a slope are
+/// geotechnical actions (2.4.7.3.4.4, note 2). EN 1998-5:2004, 3.1(3): material factors in seismic design situations,
+/// without factors on actions (EN 1990, 6.4.3.4). AASHTO LRFD, 9th edition (2020), 11.6.3.7: γ_R = 1/φ with load
+/// factors of 1.
 PartialFactorValues find_partial_factors(const PartialFactors& given);
 
-/// The same with γ_G = 1. The factor of safety is a ratio: multiplying weight, water and permanent loads by γ_G, as
-/// actions from one source (2.4.2(9)P), is the same as dividing all strengths that are not friction by it, and variable
-/// loads by it as well.
+/// Returns equivalent factors with γ_G = 1. The factor of safety is a ratio: multiplying weight, water and permanent
+/// loads by γ_G, as actions from a single source (2.4.2(9)P), is equivalent to dividing all strengths except friction,
+/// and variable loads, by γ_G.
 PartialFactorValues divide_by_permanent(const PartialFactorValues& values);
 
 }  // namespace talus::input

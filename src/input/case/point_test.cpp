@@ -13,10 +13,10 @@
 namespace talus::input {
 namespace {
 
-/// One test, and where it stands.
+/// A test and its path in the case.
 struct Subject {
   const PointTest& test;
-  std::string path;  ///< test.0
+  std::string path;  ///< "test.0"
   Findings& findings;
 
   bool is_sound(const char* key) const { return findings.is_sound(path + "." + key); }
@@ -135,7 +135,7 @@ void check_point_tests(const Case& data, Findings& findings) {
     const Subject subject{data.tests[i], fmt::format("test.{}", i), findings};
     const std::string& name = subject.test.name;
     if (subject.is_sound("name")) {
-      // A result is called test[NAME].q[0.1].
+      // Names of results have the form test[NAME].q[0.1].
       if (name.find_first_of("[]/") != std::string::npos)
         subject.report("name", fmt::format("the name '{}' must not hold any of [ ] /", name));
       else if (!names.insert(name).second)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[test]]: element tests of `talus point` and `talus calibrate`.
+// [[test]]: element tests for `talus point` and `talus calibrate`.
 
 #include <array>
 #include <optional>
@@ -24,47 +24,48 @@ enum class PointTestKind {
 enum class PointControl { strain, stress };
 enum class ShearDrainage { drained, constant_volume };
 
-/// Stresses are effective, and compression is positive as in a laboratory's report; of unsaturated soil they are net.
+/// An element test. Stresses are effective (net stresses in unsaturated soil) and positive in compression, as in
+/// laboratory reports.
 struct PointTest {
   std::string name;
   std::string material;
   PointTestKind kind = PointTestKind::drained_triaxial;
   PointControl control = PointControl::strain;
-  ShearDrainage drainage = ShearDrainage::drained;  ///< of simple shear
-  std::optional<double> confining_pressure;         ///< radial stress at the start [Pa]; or
-  std::optional<double> vertical_stress;            ///< axial stress at the start [Pa]
-  std::optional<double> k0;                         ///< radial over axial stress at the start [-]
-  // Where the test goes: from turning point to turning point. One of the four.
+  ShearDrainage drainage = ShearDrainage::drained;  ///< for simple shear
+  std::optional<double> confining_pressure;         ///< initial radial stress [Pa]; or
+  std::optional<double> vertical_stress;            ///< initial axial stress [Pa]
+  std::optional<double> k0;                         ///< initial ratio of radial to axial stress [-]
+  // Path of the test through its turning points; exactly one of the following four.
   std::vector<double> axial_strain;  ///< ε_a [-], negative in extension
   std::vector<double> shear_strain;  ///< γ of simple shear [-]
-  std::vector<double> axial_stress;  ///< effective, of undrained tests total [Pa]
-  std::vector<double> shear_stress;  ///< of simple shear [Pa]
-  std::vector<double> suction;       ///< of wetting: the first is the start; elsewhere one, which stays [Pa]
-  int steps = 2000;                  ///< of the whole test, shared out among its legs by their length
+  std::vector<double> axial_stress;  ///< effective; total in undrained tests [Pa]
+  std::vector<double> shear_stress;  ///< in simple shear [Pa]
+  std::vector<double> suction;       ///< wetting: path from the initial suction; other tests: one constant value [Pa]
+  int steps = 2000;                  ///< of the whole test, distributed among its legs by length
   std::vector<PointSetting> set;
 
-  /// What the test follows, by kind and control.
+  /// Returns the turning points of the controlled quantity.
   const std::vector<double>& goals() const;
   bool is_triaxial() const;
-  /// Whether the test starts from a confining pressure rather than a vertical stress.
+  /// Returns true if the initial stress is a confining pressure, not a vertical stress.
   bool has_cell() const;
-  /// What strains of its results are measured along: "axial" or "shear".
+  /// Returns "axial" or "shear", the strain component against which results are given.
   const char* get_strain_word() const { return kind == PointTestKind::simple_shear ? "shear" : "axial"; }
 };
 
 enum class PointQuantityKind { strain, stress, other };
 
-/// What a row of a test tells.
+/// A quantity of a test, one column of its table.
 struct PointQuantity {
-  const char* name;    ///< as in CSV files and [[compare]]: "axial_strain"
-  const char* title;   ///< for people
-  const char* symbol;  ///< for axes; empty where there is none
+  const char* name;    ///< column in CSV files and [[compare]]: "axial_strain"
+  const char* title;   ///< for reports
+  const char* symbol;  ///< for axes; may be empty
   const char* unit;    ///< SI: "Pa", or "-"
   PointQuantityKind kind = PointQuantityKind::other;
 };
-/// All of them, in the order of the tables.
+/// Returns all quantities in the order of the tables.
 const std::vector<PointQuantity>& list_point_quantities();
-/// What the quantity called `name` is.
+/// Returns the kind of the quantity `name`.
 PointQuantityKind find_point_quantity_kind(const std::string& name);
 
 template <>

@@ -22,7 +22,7 @@ constexpr const char* trial_prefix = "curve.displacement[";
 constexpr const char* runout_prefix = "runout[";
 constexpr const char* test_prefix = "test[";
 
-/// The number that stands in `text` between `prefix`, with which it begins, and the first `end`.
+/// Returns the number in `text` between `prefix`, with which it begins, and the first `end`.
 std::optional<double> read_number_between(const std::string& text, const std::string& prefix, const std::string& end) {
   const auto close = text.find(end);
   if (!text.starts_with(prefix) || close == std::string::npos) return std::nullopt;
@@ -36,7 +36,7 @@ NamedValue name_trial(const std::string& name, double factor) {
   return {name, fmt::format("largest displacement at SRF {:g}", factor), "m", ResultKind::other, "displacement", {}};
 }
 
-/// Nothing when the case has no such test, or tests have no such quantity.
+/// Returns std::nullopt if the case has no such test, or tests have no such quantity.
 std::optional<NamedValue> name_point_result(const Case& data, const std::string& name, const PointResultName& result) {
   const auto test =
       std::find_if(data.tests.begin(), data.tests.end(), [&](const PointTest& t) { return t.name == result.test; });
@@ -58,7 +58,7 @@ std::optional<NamedValue> name_point_result(const Case& data, const std::string&
   return std::nullopt;
 }
 
-/// The results that slices always have; the numbers are placeholders.
+/// Returns the results that LEM always yields, with placeholders as values.
 results::SliceResult outline_slices(const LimitEquilibrium& lem) {
   results::SliceResult slices;
   const auto add = [&](std::vector<results::CriticalSurface>& list, SliceMethod method) -> results::CriticalSurface& {
@@ -83,7 +83,7 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
   return slices;
 }
 
-/// Lines of the other methods, and what slices make of them.
+/// Returns the slip surfaces of the other methods and their factors by LEM, with placeholders as values.
 results::MethodComparison outline_methods(const Case& data) {
   results::MethodComparison methods;
   for (const auto& [method, line] :
@@ -110,7 +110,7 @@ results::ElementResult outline_elements(FlowRule asked) {
   return elements;
 }
 
-/// Of soil that moves to both sides.
+/// Returns the results for soil that moves to both sides.
 std::vector<results::RunoutSide> outline_sides() {
   std::vector<results::RunoutSide> sides(2);
   sides[0].direction = -1;
@@ -187,7 +187,7 @@ results::Timeline outline_timeline(const Case& data) {
   return timeline;
 }
 
-/// A run with a placeholder wherever a run of `data` may have a number: it tells which results there are.
+/// Returns a run with a placeholder for each number that a run of `data` may yield, which defines the result names.
 results::RunResult outline_results(const Case& data) {
   results::RunResult run;
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);

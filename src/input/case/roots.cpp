@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [[roots]]: what is given of each block, whether there are soils for it, and what rooted soils require.
+// Checks of [[roots]]: keys of each block, soils that accept roots, and requirements of rooted soils.
 #include "input/case/roots.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ bool has_soil(const Case& data, RootEffect effect) {
                      [&](const auto& entry) { return entry.second.traits().roots == effect; });
 }
 
-/// The first model that takes roots in this way.
+/// Returns the word of the first model with this effect of roots.
 const char* find_word(RootEffect effect) {
   const auto& all = material::Laws::traits;
   return std::find_if(all.begin(), all.end(), [&](const material::Traits& t) { return t.roots == effect; })->word;
@@ -29,7 +29,7 @@ bool gives_cohesion(const Roots& roots) {
   return roots.cohesion || roots.bundle;
 }
 
-/// One block of [[roots]].
+/// Check of one block of [[roots]].
 class Block {
  public:
   Block(const Case& data, const Roots& roots, const std::string& path, Findings& findings)
@@ -117,7 +117,7 @@ class Block {
   Findings& findings_;
 };
 
-/// A rooted soil must state its roots, even if there are none.
+/// Checks that a rooted soil is given roots, even if their content is zero.
 void check_rooted_soil(const Case& data, const std::string& name, const Material& material, Findings& findings) {
   const RootEffect effect = material.traits().roots;
   const bool takes_content = effect == RootEffect::content;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[roots]]: where roots are, their content or cohesion, their age, and their water uptake.
+// [[roots]]: distribution of roots, their content or cohesion, age, and water uptake.
 
 #include <array>
 #include <optional>
@@ -16,40 +16,39 @@ namespace talus::input {
 enum class RootProfile { uniform, exponential, table };
 enum class RootBundleModel { wu_waldron, fibre_bundle };
 
-/// Roots that cross a shear plane, by class of diameter; from which practice computes a cohesion.
+/// Roots that cross a shear plane, by diameter class, from which a root cohesion is computed.
 struct RootBundle {
   RootBundleModel model = RootBundleModel::wu_waldron;
   std::vector<double> diameters;    ///< [m]
-  std::vector<double> area_ratios;  ///< root area over soil area of each class at the ground [-]
+  std::vector<double> area_ratios;  ///< root area ratio of each class at the ground [-]
   std::vector<double> strengths;    ///< tensile strength of each class [Pa]
   double orientation = 1.2;         ///< k' = cosθ tanφ + sinθ [-]
 };
 
-/// Water that the plants draw from the soil where their roots are, in proportion to the roots, reduced after
-/// Feddes: none below suctions[0] (no air) and above suctions[3] (wilting), all between [1] and [2], linear
-/// between.
+/// Transpiration, distributed in proportion to the roots and reduced after Feddes: zero below suctions[0] (lack of
+/// oxygen) and above suctions[3] (wilting point), potential between [1] and [2], linear between.
 struct Transpiration {
-  TimeTable rate;  ///< potential [m/s] per horizontal area of ground, over time [s]
+  TimeTable rate;  ///< potential rate [m/s] per horizontal area of ground, over time [s]
   SeriesShape series = SeriesShape::linear;
   std::array<double, 4> suctions{1e3, 2.5e3, 40e3, 1.5e6};  ///< [Pa]
 };
 
-/// [[roots]]: root content as a function of the depth normal to the ground, and along it. Blocks add up.
+/// [[roots]]: root content as a function of the depth normal to the ground and of the position along it. Blocks add up.
 struct Roots {
-  std::string ground;  ///< named line: depth is the distance from it
-  double depth = 0;    ///< below which there are none [m]
+  std::string ground;  ///< named line from which depth is measured
+  double depth = 0;    ///< depth of the root zone [m]
   RootProfile profile = RootProfile::uniform;
-  double decay_depth = 0;                          ///< exponential: share exp(-z/this) [m]
-  std::vector<std::array<double, 2>> depth_table;  ///< table: depth [m], share [-]
-  std::vector<std::array<double, 2>> along;        ///< x [m], share [-]; empty: 1
+  double decay_depth = 0;                          ///< exponential: fraction exp(-z/decay_depth) [m]
+  std::vector<std::array<double, 2>> depth_table;  ///< table: depth [m], fraction [-]
+  std::vector<std::array<double, 2>> along;        ///< x [m], fraction [-]; empty: 1
   std::optional<double> content;                   ///< m_r at the ground [%], or
   std::optional<double> cohesion;                  ///< c_r at the ground [Pa]; or
-  std::optional<RootBundle> bundle;                ///< what c_r follows from
-  // Age: shares of the content and of the cohesion that are there now.
+  std::optional<RootBundle> bundle;                ///< model from which c_r is computed
+  // Age: the current fraction of content and cohesion.
   std::optional<double> age;                  ///< since planting [s]
-  std::vector<std::array<double, 2>> growth;  ///< age [s], share [-]
+  std::vector<std::array<double, 2>> growth;  ///< age [s], fraction [-]
   std::optional<double> felled;               ///< time since felling [s]
-  std::vector<std::array<double, 2>> decay;   ///< time since felling [s], share [-]
+  std::vector<std::array<double, 2>> decay;   ///< time since felling [s], fraction [-]
   std::optional<Transpiration> transpiration;
 };
 

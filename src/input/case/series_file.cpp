@@ -25,7 +25,7 @@ std::string_view trim(std::string_view text) {
   return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-/// Takes the part of `text` before the next separator, and the separator, from its begin.
+/// Removes the text before the next separator, and the separator, from the front of `text` and returns that text.
 std::string_view take_part(std::string_view& text, char separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
@@ -44,7 +44,7 @@ TextTable::Heading read_heading(std::string_view cell) {
           std::string(trim(cell.substr(bracket + 1, cell.size() - bracket - 2)))};
 }
 
-/// More columns than any table of measurements has.
+/// Larger than the number of columns of any table of measurements.
 constexpr std::size_t most_columns = 10000;
 
 }  // namespace
@@ -56,7 +56,7 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
   if (is_utf16(std::string_view(text_).substr(0, text_.find('\n'))))
     report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
   std::string_view rest = text_;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // as spreadsheets begin their texts
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, which spreadsheets write
   for (int number = 1; !rest.empty(); ++number) {
     const std::string_view line = take_part(rest, '\n');
     if (trim(line).empty() || trim(line)[0] == '#') continue;
@@ -90,7 +90,7 @@ std::size_t TextTable::find_column(const std::string& name) const {
   }
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    // p is near to q in letters alone.
+    // For names of one or two letters, edit distance is no measure of similarity: p is one letter from q.
     const std::string near = name.size() < 3 ? "" : find_nearest(name, names);
     report_fault(fmt::format("'{}' has no column '{}'; {}", file_, name,
                              near.empty() ? "it has " + list : fmt::format("is it '{}'?", near)));
@@ -121,7 +121,7 @@ std::string TextTable::place(std::size_t row) const {
 
 namespace {
 
-/// A longer interval is a gap where this fraction of the intervals between rows is equal; and how much longer it is.
+/// If this fraction of the intervals between rows is equal, an interval longer by the second factor is a gap.
 constexpr double regular = 0.8, longer = 1.5;
 constexpr std::size_t least_intervals = 4;
 
@@ -129,7 +129,7 @@ constexpr std::size_t least_intervals = 4;
   throw Error(ExitCode::wrong_input, sentence);
 }
 
-/// The interval of a series that has a row in each; nothing where rows are as they come.
+/// Returns the sampling interval of a regular series; std::nullopt for an irregular one.
 std::optional<double> find_interval(const std::vector<double>& times) {
   if (times.size() <= least_intervals) return std::nullopt;
   std::vector<double> intervals;
@@ -144,7 +144,7 @@ std::optional<double> find_interval(const std::vector<double>& times) {
                                                                                        : std::nullopt;
 }
 
-/// The value that fills row i; nothing where there is none to fill from.
+/// Returns the value that fills row i; std::nullopt if there is no value to fill from.
 std::optional<double> find_filling(const MeasuredColumn& column, std::size_t i, const std::string& fill) {
   if (fill == "zero") return 0.0;
   std::size_t before = i, after = i;
@@ -225,13 +225,13 @@ std::vector<double> fill_missing(const TextTable& table, const std::string& name
 
 namespace {
 
-/// A series of the case, and what its values are.
+/// A series of the case and the dimension of its values.
 struct Wanted {
   std::string path;  ///< "hydraulic.0.rate"
   TimeTable& table;
   SeriesShape& shape;
   const char* unit;    ///< SI: "m", "Pa", "m/s"
-  bool positive_only;  ///< values below zero have no meaning
+  bool positive_only;  ///< negative values are invalid
 };
 
 std::vector<Wanted> list_series(Case& data) {
@@ -252,7 +252,7 @@ std::vector<Wanted> list_series(Case& data) {
   return all;
 }
 
-/// The times of the rows [s], increasing. A column `date` needs the date of time 0.
+/// Returns the times of the rows [s], which must increase. A column `date` requires the date of time 0.
 std::vector<double> read_times(const TextTable& table, const std::optional<Date>& zero) {
   const bool dated = table.has_column("date");
   if (!dated && !table.has_column("time"))
@@ -280,8 +280,8 @@ std::vector<double> read_times(const TextTable& table, const std::optional<Date>
   return times;
 }
 
-/// The values of a column in the SI unit of its own dimension at the times of its rows, and whether they are amounts:
-/// lengths for rates.
+/// Reads a column, in the SI unit of its own dimension, at the times of its rows. `is_amount` is set if the values are
+/// amounts, i.e. lengths where rates are wanted.
 MeasuredColumn read_column(const TextTable& table, const std::vector<double>& times, const std::string& name,
                            const std::string& wanted, bool& is_amount) {
   const std::size_t column = table.find_column(name);
@@ -303,7 +303,7 @@ MeasuredColumn read_column(const TextTable& table, const std::vector<double>& ti
   return read;
 }
 
-/// Amounts become rates, which hold from row to row.
+/// Converts amounts to rates, each constant from its row to the next.
 void spread_amounts(const TextTable& table, std::vector<double>& times, std::vector<double>& values) {
   if (times.size() < 2)
     reject(fmt::format("'{}' has amounts and a single row, so that nothing says how long it lasts", table.file()));
@@ -344,7 +344,7 @@ void load(const Wanted& wanted, const std::filesystem::path& folder, const std::
   wanted.table = {std::move(times), std::move(values)};
 }
 
-/// A file that begins late or ends early would be taken as constant there.
+/// Reports a file that does not cover the whole time span: the series would be constant beyond its ends.
 void check_span(const Case& data, const Wanted& wanted, const std::string& file, Findings& findings) {
   const double from = -data.initial.water.season, to = data.timeline ? data.timeline->duration : 0;
   const auto say = [&](double t) {
@@ -358,7 +358,7 @@ void check_span(const Case& data, const Wanted& wanted, const std::string& file,
                  fmt::format("'{}' ends at {}, before {}, where the timeline ends", file, say(last), say(to)));
 }
 
-/// Moments that are given as dates, as times since time 0.
+/// Converts times that are given as dates to times relative to time 0.
 void find_moments(Case& data, Findings& findings) {
   if (!findings.is_sound("initial.date")) return;
   Timeline& timeline = *data.timeline;

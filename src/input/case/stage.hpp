@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[stage]] and [rest]: periods of time, how they are calculated, and when the soil is at rest.
+// [[stage]] and [rest]: stages of a calculation with MPM, their settings, and the criterion of rest.
 
 #include <array>
 #include <optional>
@@ -18,23 +18,23 @@ enum class Drag { implicit_at_nodes, explicit_at_nodes };
 enum class DampedForce { net, without_drag };
 enum class WaterMotion { flows, seeps, held };
 
-/// How a period of time is calculated. Shared by stages and by the trials of the strength reduction.
+/// Settings of the time steps, shared by stages and by the trials of the strength reduction.
 struct StepSettings {
   double damping = 0;       ///< α of (2.89) [-]
   double mass_scaling = 1;  ///< β of (2.91) [-]
   Integration integration = Integration::mixed;
   Smoothing smoothing = Smoothing::none;
   Geometry geometry = Geometry::moving;
-  bool objective_rate = true;  ///< rotate the stress with the soil (Hughes and Winget)
-  bool fade_unseen = true;     ///< take velocities of points away that no node sees
+  bool objective_rate = true;  ///< rotate the stress with the material (Hughes and Winget)
+  bool fade_unseen = true;     ///< filter null modes of the point velocities
   double courant = 0.9;        ///< fraction of (2.84) [-]
-  // Soil with pore water only.
+  // Only for soil with pore water:
   WaterMotion water = WaterMotion::seeps;
   Drag drag = Drag::implicit_at_nodes;
   double water_damping = 0;                     ///< α of the water (2.89) [-]
-  DampedForce damped_force = DampedForce::net;  ///< what damping takes its share of (docs/theory/14)
+  DampedForce damped_force = DampedForce::net;  ///< force to which damping applies (docs/theory/14)
   bool pressure_smoothing = false;              ///< (2.96-2.97)
-  bool water_exchange = true;                   ///< against spurious pressures (T14.9)
+  bool water_exchange = true;                   ///< stabilises the pore pressure (T14.9)
   double conductivity_factor = 1;               ///< multiplies every conductivity [-]
 };
 
@@ -42,18 +42,18 @@ struct RestCriterion {
   double force_ratio = 1e-3;   ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ [-]
   double speed_ratio = 1e-4;   ///< largest nodal speed over √(gH) [-], H: height of the soil
   double energy_ratio = 1e-2;  ///< kinetic energy over external work [-]
-  double hold = 0.5;           ///< how long all must hold [s]
+  double hold = 0.5;           ///< time over which all criteria must hold [s]
 };
 
 struct Stage {
   std::string name;
-  double duration = 0;  ///< [s]; with until = rest the longest time allowed
+  double duration = 0;  ///< [s]; with until = rest the longest time
   Until until = Until::time;
   StepSettings step;
-  double gravity_ramp = 0;         ///< gravity grows linearly from its last value over this time [s]
-  std::optional<double> cohesion;  ///< overrides the cohesion of every Mohr–Coulomb material in this stage [Pa]
+  double gravity_ramp = 0;                ///< linear ramp of gravity from its last value over this time [s]
+  std::optional<double> cohesion;         ///< replaces the cohesion of every Mohr–Coulomb material in this stage [Pa]
   std::optional<double> strength_factor;  ///< divides c and tanφ, (3.14-3.15), in this stage [-]
-  bool reset_displacement = false;        ///< count displacements from the start of this stage
+  bool reset_displacement = false;        ///< measure displacements from the start of this stage
 };
 
 template <>
@@ -78,7 +78,7 @@ inline constexpr auto choices<Geometry> = std::array{
     Choice{Geometry::frozen, "frozen", "small strains: the points keep their places"},
 };
 
-/// Whether pore pressures change.
+/// Returns true if pore pressures change.
 constexpr bool moves(WaterMotion water) {
   return water != WaterMotion::held;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [initial] result: whether there is a result to start from, what has no meaning with one, and whether it fits the
-// case.
+// Checks of [initial] result: the result must exist and fit the case, and keys that it replaces must not be given.
 #include "input/case/start.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The value at the end of a path of an echo; null where there is none.
+/// Returns the value at a path of an echo; null if there is none.
 json look_up(const json& echo, const std::vector<std::string>& path) {
   const json* at = &echo;
   for (const std::string& step : path) {
@@ -40,7 +39,7 @@ std::string join(const std::set<std::string>& names) {
   return list;
 }
 
-/// The case and the result that it starts from, as their echoes say it.
+/// Comparison of the echoes of the case and of the result that it starts from.
 class Comparison {
  public:
   Comparison(const LoadedCase& loaded, const json& before, Findings& findings)
@@ -97,13 +96,13 @@ class Comparison {
                                 name, wet ? "wet" : "dry", region, wet ? "dry" : "wet", result_));
     check_number(region, name, "grain_density", look_up(now_, {"materials", name, "grain_density"}),
                  look_up(before_, {"materials", old, "grain_density"}));
-    // One of both may give the void ratio and the other the porosity.
+    // One case may give the void ratio, the other the porosity.
     const bool by_ratio = !look_up(now_, {"materials", name, "void_ratio"}).is_null();
     check_number(region, name, by_ratio ? "void_ratio" : "porosity", find_pores(now_, name, by_ratio),
                  find_pores(before_, old, by_ratio));
   }
 
-  /// The void ratio or the porosity of a material, whichever of them its case gave.
+  /// Returns the void ratio or the porosity of a material, converted if its case gives the other.
   static json find_pores(const json& echo, const std::string& material, bool as_ratio) {
     json given = look_up(echo, {"materials", material, as_ratio ? "void_ratio" : "porosity"});
     if (!given.is_null()) return given;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [gravity] and [initial]: the weight of the soil and its state at the start.
+// [gravity] and [initial]: gravity and the initial state of the soil.
 
 #include <array>
 #include <limits>
@@ -18,52 +18,52 @@ namespace talus::input {
 
 struct Gravity {
   double acceleration = 9.81;                 ///< [m/s²]
-  std::array<double, 3> direction{0, -1, 0};  ///< unit after reading
+  std::array<double, 3> direction{0, -1, 0};  ///< unit vector after reading
 };
 
 enum class InitialPressure { zero, water_table, seepage };
 
-/// Pore water in a plane section that was found before.
+/// Pore water of a plane section from a preceding calculation.
 struct KnownWater {
   mesh::Mesh<2> mesh;                          ///< finished
-  std::vector<double> pressure;                ///< at its nodes, positive in tension [Pa]
-  std::vector<std::array<double, 2>> seepage;  ///< by element, Darcy's, of the whole area [m/s]
+  std::vector<double> pressure;                ///< nodal values, positive in tension [Pa]
+  std::vector<std::array<double, 2>> seepage;  ///< Darcy velocity per element [m/s]
 };
 
-/// Pore pressure at the start; part of [initial].
+/// Initial pore pressure; part of [initial].
 struct InitialWater {
   InitialPressure pressure = InitialPressure::zero;
   std::vector<std::array<double, 2>> water_table;  ///< polyline of zero pressure [m]; horizontal beyond its ends
-  double largest_suction = std::numeric_limits<double>::infinity();  ///< above the water table [Pa]
-  /// Weather before the run [s]: transient seepage in soil at rest from time -season, where `pressure` holds, to time
-  /// 0.
+  double largest_suction = std::numeric_limits<double>::infinity();  ///< limit above the water table [Pa]
+  /// Duration of preceding weather [s]: transient seepage in rigid soil from time -season, with initial condition
+  /// `pressure`, to time 0.
   double season = 0;
-  std::shared_ptr<const KnownWater> known{};  ///< of a moment of a timeline, in place of all the others; not a key
+  std::shared_ptr<const KnownWater> known{};  ///< from a time of a timeline; replaces the other members; not a key
 };
 
 enum class InitialStress { none, k0, elements };
 
-/// Effective stress in a plane section that finite elements found, at the integration points of its triangles.
+/// Effective stress of a plane section by FEM, at the integration points of its triangles.
 struct KnownStress {
-  static constexpr std::size_t points = 3;  ///< of a triangle, each nearest to the corner with its number
+  static constexpr std::size_t points = 3;  ///< per triangle, each nearest to the corner with its index
   mesh::Mesh<2> mesh;                       ///< finished
   struct Element {
     std::array<std::array<double, 6>, points> stress{};  ///< positive in tension [Pa]
     std::array<double, points> plastic_strain{};         ///< accumulated, deviatoric [-]
   };
-  std::vector<Element> elements;  ///< by number in the mesh
+  std::vector<Element> elements;  ///< in the order of the mesh
 };
 
 struct Initial {
   std::optional<Date> date;  ///< of time 0
   InitialStress stress = InitialStress::none;
-  std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
-  std::shared_ptr<const KnownStress> known_stress{};      ///< for `elements`, once they are calculated; not a key
+  std::optional<double> k0;                           ///< K0 [-]; default: ν/(1-ν) of each material
+  std::shared_ptr<const KnownStress> known_stress{};  ///< for stress = `elements`, after the FEM calculation; not a key
   std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
   InitialWater water;
-  std::string equilibrium;    ///< stage at whose end preconsolidation_ratio is applied; empty: the first
-  std::string result;         ///< folder of results whose end is the start, as given; empty: none
-  std::string result_folder;  ///< the same as it is found from here
+  std::string equilibrium;    ///< stage at the end of which preconsolidation_ratio is applied; empty: the first
+  std::string result;         ///< folder of a result whose end is the initial state, as given; empty: none
+  std::string result_folder;  ///< the resolved path of `result`
 };
 
 template <>

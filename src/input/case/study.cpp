@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [study] with mode = "sample": the checks that do not depend on the numbers of the case. Those are in read.cpp.
+// Checks of [study] with mode = "sample" that do not depend on numbers of the case. The others are in read.cpp.
 #include "input/case/study.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ void check_mode(const Study& study, Findings& findings) {
     findings.add("study.random.0", "[[study.random]] has a meaning only with mode = \"sample\" in [study]");
 }
 
-/// Samples use the soil without partial factors.
+/// Reports partial factors, because samples use characteristic soil parameters.
 void check_no_partial_factors(const Case& data, Findings& findings) {
   if (data.study.mode == StudyMode::sample && data.partial_factors.set != DesignApproach::none &&
       findings.is_sound("study.mode") && findings.is_sound("partial_factors"))
@@ -50,7 +50,7 @@ void check_method(const Case& data, Findings& findings) {
                                              get_word(method)));
 }
 
-/// The place of a key among the numbers; nothing and a finding when it is not one of them.
+/// Returns the index of a key among the uncertain numbers; std::nullopt and a finding if it is not one of them.
 std::optional<int> find_place(const std::string& key, const std::vector<std::string>& keys, const std::string& path,
                               Findings& findings) {
   const auto at = std::find(keys.begin(), keys.end(), key);

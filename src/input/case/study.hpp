@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [study]: which keys are varied, and how uncertain numbers are sampled.
+// [study]: keys that are varied, and the sampling of uncertain numbers.
 
 #include <array>
 #include <cstdint>
@@ -13,24 +13,24 @@
 
 namespace talus::input {
 
-// [[study.random]] and [[study.correlation]]: uncertain numbers, for `talus study` with mode = "sample".
+// [[study.random]] and [[study.correlation]]: uncertain numbers for `talus study` with mode = "sample".
 
 enum class Distribution { normal, lognormal, triangular, uniform };
 enum class SampledMethod { lem, fem, mpm };
 enum class SamplePlan { latin_hypercube, random };
 
-/// An uncertain number: values are TOML texts with units, as for --set.
+/// An uncertain number; values are TOML texts with units, as for --set.
 struct RandomNumber {
   std::string key;  ///< dotted path of the key
   Distribution distribution = Distribution::normal;
-  std::string mean, deviation;        ///< normal, lognormal: texts of values; mean empty: the case's own value
+  std::string mean, deviation;        ///< normal, lognormal: texts of values; empty mean: the value of the case
   std::optional<double> variation;    ///< coefficient of variation instead of the deviation [-]
-  std::string lowest, mode, highest;  ///< triangular, uniform: limits; normal, lognormal: cut there
+  std::string lowest, mode, highest;  ///< triangular, uniform: limits; normal, lognormal: truncation
 };
 
 struct Correlation {
-  std::vector<std::string> keys;  ///< two
-  double coefficient = 0;         ///< of the normal scores [-]
+  std::vector<std::string> keys;  ///< exactly two
+  double coefficient = 0;         ///< correlation of the standard normal variables [-]
 };
 
 struct Sampling {
@@ -40,8 +40,9 @@ struct Sampling {
   SampledMethod method = SampledMethod::lem;
   std::vector<RandomNumber> numbers;
   std::vector<Correlation> correlations;
-  std::vector<double> runout;  ///< mpm: distances whose exceedance is told [m]; empty: chosen
-  double confidence = 0.95;    ///< of the interval [-]
+  std::vector<double>
+      runout;  ///< mpm: distances whose exceedance probability is reported [m]; empty: chosen automatically
+  double confidence = 0.95;  ///< level of the confidence interval [-]
 };
 
 template <>
@@ -95,7 +96,7 @@ void describe(Visitor& v, Correlation& c) {
 struct Vary {
   std::string key;                  ///< dotted path of the key, as for --set
   std::vector<std::string> values;  ///< TOML texts of the values
-  std::vector<std::string> names;   ///< of the values for people, as TOML texts; empty: "key = value"
+  std::vector<std::string> names;   ///< labels of the values, as TOML texts; empty: "key = value"
 };
 
 enum class StudyMode { one_at_a_time, grid, together, sample };
@@ -103,11 +104,11 @@ enum class StudyMode { one_at_a_time, grid, together, sample };
 struct Study {
   StudyMode mode = StudyMode::one_at_a_time;
   std::vector<Vary> vary;
-  std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists [-]
-  std::string base_name = "base";  ///< of the case as the file has it
-  std::string reference = "base";  ///< the variant that displacements of monitors are divided by
-  std::string extrapolate;         ///< key, such as mesh.size, to whose zero the factors are extrapolated; empty: none
-  Sampling sampling;               ///< mode = sample
+  std::vector<double> factors;     ///< strength reduction factors whose displacements are tabulated [-]
+  std::string base_name = "base";  ///< name of the unchanged case
+  std::string reference = "base";  ///< variant that normalises the displacements of monitors
+  std::string extrapolate;         ///< key, such as mesh.size, in which factors are extrapolated to zero; empty: none
+  Sampling sampling;               ///< for mode = sample
 };
 
 template <>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold between the keys of [timeline] and the rest of a case.
+// Checks of [timeline] against the rest of the case.
 #include "input/case/timeline.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace talus::input {
 
 namespace {
 
-/// The key that gave some times: they may be given as dates.
+/// Returns the path of the key that gave the times, either as times or as dates.
 std::string find_path(const Findings& findings, const char* times, const char* dates) {
   const std::string table = "timeline.";
   return table + (findings.places.is_given(table + dates) ? dates : times);
@@ -22,7 +22,7 @@ std::string find_path(const Findings& findings, const char* times, const char* d
 void check_release(const Case& data, Findings& findings) {
   const Timeline& timeline = *data.timeline;
   if (!timeline.release) return;
-  // Samples are taken by slices alone.
+  // In a sampling study LEM analyses the samples.
   if (!uses(data, Method::mpm) && data.study.mode != StudyMode::sample)
     findings.add("timeline.release", "material points take over from the timeline: add \"mpm\" to [analysis] methods");
   else if (uses(data, Method::mpm) && data.analysis != AnalysisKind::run)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [timeline]: the factor of safety through storms and drawdown.
+// [timeline]: the factor of safety over time, through storms and drawdown, and the transition to MPM.
 
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace talus::input {
 
-/// What ends the slope at rest, and lets material points take over.
+/// Criterion of the transition from the timeline to MPM.
 enum class ReleaseCriterion { target, equilibrium };
 
 template <>
@@ -20,25 +20,28 @@ inline constexpr auto choices<ReleaseCriterion> = std::array{
            "finite elements with the strength as given find no equilibrium"},
 };
 
-/// [timeline.release]: material points take over.
+/// [timeline.release]: transition to MPM.
 struct Release {
   ReleaseCriterion criterion = ReleaseCriterion::target;
-  std::optional<double> time;   ///< when [s]; nothing: at the first time at which the criterion holds
-  std::optional<Date> date;     ///< the same, where it is given instead; nothing once `time` is known
-  std::optional<double> apart;  ///< about how much earlier and later as well [s]; nothing: the next times
+  std::optional<double> time;  ///< of the transition [s]; std::nullopt: the first time at which the criterion holds
+  std::optional<Date> date;    ///< the same as a date; std::nullopt after conversion to `time`
+  std::optional<double>
+      apart;  ///< offset of an earlier and a later release [s], approximate; std::nullopt: the adjacent times
 };
 
 struct Timeline {
-  double duration = 0;        ///< from time 0 on [s]
-  std::optional<Date> until;  ///< its end, where it is given instead; nothing once `duration` is known
-  std::vector<double> times;  ///< when factors are found [s]; empty: chosen
-  std::vector<Date> dates;    ///< the same, where they are given instead; empty once `times` are known
-  double target = 1;          ///< a factor below it is failure [-]
-  double tolerance = 0.003;   ///< of the factor between the times that are chosen, over it [-]
-  int most_times = 40;        ///< that are chosen
-  std::optional<std::vector<double>> element_times;  ///< of finite elements [s]; nothing: the time of the least factor
-  std::optional<std::vector<Date>> element_dates;    ///< the same, where they are given instead
-  bool pool_loading = false;  ///< saturated soil is compressed by the weight of pools that rise or fall
+  double duration = 0;        ///< from time 0 [s]
+  std::optional<Date> until;  ///< the end as a date; std::nullopt after conversion to `duration`
+  std::vector<double> times;  ///< times of the factors [s]; empty: chosen automatically
+  std::vector<Date> dates;    ///< the same as dates; empty after conversion to `times`
+  double target = 1;          ///< failure is a factor below this value [-]
+  double tolerance = 0.003;   ///< relative tolerance of the factor between automatically chosen times [-]
+  int most_times = 40;        ///< limit of automatically chosen times
+  std::optional<std::vector<double>>
+      element_times;  ///< times of FEM factors [s]; std::nullopt: time of the lowest factor
+  std::optional<std::vector<Date>> element_dates;  ///< the same as dates
+  bool pool_loading =
+      false;  ///< undrained loading: rising and falling pools change the pore pressure of saturated soil
   std::optional<Release> release;
 };
 

@@ -20,7 +20,7 @@ namespace talus::input {
 
 namespace {
 
-/// The visitor that visits every key of a material and takes its numbers.
+/// The visitor that calls `take` for each number of a material.
 template <class Take>
 class NumberVisitor {
  public:
@@ -62,7 +62,7 @@ std::vector<NumberKey> list_number_keys(const Material& material) {
   const auto take = [&](const std::string& path, const auto& member, const Spec& spec, double factor) {
     list.push_back({path, spec, factor, std::optional<double>(member), !spec.condition || spec.condition->holds()});
   };
-  Material copy = material;  // a declaration names members that could be written
+  Material copy = material;  // describe() takes mutable members
   NumberVisitor visitor(take);
   describe(visitor, copy);
   return list;
@@ -102,7 +102,7 @@ std::optional<std::size_t> read_index(const std::string& step, std::size_t size)
   return is_number && number < size ? std::optional(number) : std::nullopt;
 }
 
-/// The entry of a list of blocks that --set would mean by `step`; nullptr when there is none.
+/// Returns the entry of a list of blocks that `step` identifies in --set; nullptr if there is none.
 const json* find_block(const json& list, const std::string& step) {
   if (const auto index = read_index(step, list.size())) return &list[*index];
   for (const json& block : list)
@@ -111,7 +111,7 @@ const json* find_block(const json& list, const std::string& step) {
   return nullptr;
 }
 
-/// A TOML text in `unit`.
+/// Converts a TOML text to a number in `unit`.
 double read_value(const std::string& text, const std::string& unit, const std::string& key, const char* what) {
   const json value = json::parse(text, nullptr, false);
   if (value.is_number()) return value.get<double>();
@@ -120,7 +120,7 @@ double read_value(const std::string& text, const std::string& unit, const std::s
   return si / (unit.empty() ? 1.0 : units::get_si_factor(unit));
 }
 
-/// What the range of a material's key allows; a sample beyond it would be no case.
+/// Truncates the distribution at the allowed range of the material's key, because samples beyond it are invalid cases.
 void cut_at_range(UncertainNumber& u, const Case& data) {
   const std::vector<std::string> steps = split_path(u.key);
   if (steps.size() < 3 || steps[0] != "materials" || data.materials.count(steps[1]) == 0) return;

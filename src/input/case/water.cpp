@@ -13,10 +13,10 @@
 namespace talus::input {
 namespace {
 
-/// Water is 2.2 GPa stiff; a thousand times that only shortens the time step.
+/// Upper limit of K_w [Pa], a thousand times that of water: larger values only reduce the time step.
 constexpr double largest_bulk_modulus = 2.2e12;
 
-/// One material's water, and what is known of its keys.
+/// The water of one material and its keys.
 struct Soil {
   const std::string& name;
   const Material& material;
@@ -40,13 +40,13 @@ void check_limits(const Soil& soil) {
                   water.minimum_saturation, water.maximum_saturation));
 }
 
-/// Suctions in kPa, as the file has them and as sentences shall name them.
+/// Converts suctions to kPa, the unit of the file and of messages.
 std::vector<std::array<double, 2>> in_kilopascals(std::vector<std::array<double, 2>> pairs) {
   for (auto& pair : pairs) pair[0] /= 1e3;
   return pairs;
 }
 
-/// Reports what `make` throws.
+/// Reports an Error that `make` throws.
 void check_table(const Soil& soil, const char* key, const std::function<void()>& make) {
   if (!soil.is_sound(key)) return;
   try {
@@ -98,7 +98,7 @@ void check_porosity(const Soil& soil) {
                                            n, soil.name));
 }
 
-/// Seepage over time cannot follow an infinite slope.
+/// Warns of an infinite slope of k_r at saturation in transient seepage.
 void warn_of_air_entry(const Case& data, const Soil& soil) {
   const bool in_time = data.timeline || data.initial.water.season > 0;
   const PoreWater safe = add_air_entry(soil.material.water);
@@ -110,7 +110,8 @@ void warn_of_air_entry(const Case& data, const Soil& soil) {
                   soil.name, soil.material.water.lambda, *safe.air_entry / 1e3));
 }
 
-/// Below the water table all curves are flat, and water is stored by its own compression alone.
+/// Checks the upper limit of K_w: below the water table retention curves are flat, so that storage is due to the
+/// compressibility of water alone.
 void check_bulk_modulus(const Case& data, Findings& findings) {
   const std::string path = "water.bulk_modulus";
   if (!findings.is_sound(path) || data.water.bulk_modulus <= largest_bulk_modulus) return;
@@ -123,8 +124,8 @@ void check_bulk_modulus(const Case& data, Findings& findings) {
                             data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3));
 }
 
-/// Keys of a stage that are given, changed, and without meaning: all of pore water in dry soil, those of two velocities
-/// where water seeps.
+/// Reports keys of a stage that were changed without effect: those of pore water in dry soil, and those of the
+/// two-velocity formulation in the Darcy formulation.
 void report_meaningless(const StepSettings& step, const StepSettings& usual, const std::string& path, bool seeps,
                         Findings& findings) {
   const std::pair<const char*, bool> changes[] = {
@@ -184,7 +185,7 @@ void check_water(const Case& data, Findings& findings) {
     warn_of_air_entry(data, soil);
   }
   check_bulk_modulus(data, findings);
-  // A material whose water is wrong may only seem dry.
+  // If the water of some material is faulty, is_wet() is not reliable.
   if (!findings.is_sound("materials") && !is_wet(data)) return;
   for (std::size_t i = 0; i < data.stages.size(); ++i)
     check_step(data, data.stages[i].step, Stage().step, fmt::format("stage.{}", i), findings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [water] and [materials.NAME.water]: pore water, and the laws of soils for it.
+// [water] and [materials.NAME.water]: pore water and the hydraulic laws of soils.
 
 #include <array>
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace talus::input {
 
-/// [water]: the same water everywhere.
+/// [water]: properties of water, the same in the whole section.
 struct Water {
   double density = 1000;        ///< ρ_w at zero pressure [kg/m³]
   double bulk_modulus = 2.2e9;  ///< K_w [Pa]
-  double viscosity = 1.002e-3;  ///< μ_d [Pa s]; turns a permeability into a conductivity
-  double drag_gravity = 9.81;   ///< the g at which conductivities were measured [m/s²]
+  double viscosity = 1.002e-3;  ///< μ_d [Pa s]; converts a permeability into a conductivity
+  double drag_gravity = 9.81;   ///< gravity at which conductivities were measured [m/s²]
 };
 
 enum class RetentionCurve { dry, saturated, van_genuchten, linear, exponential, table };
@@ -25,23 +25,23 @@ enum class ConductivityCurve { constant, mualem, hillel, exponential, table };
 enum class SaturationShare { total, effective };
 enum class BishopChi { saturation, khalili_khabbaz };
 
-/// [materials.NAME.water]: the hydraulic laws of a soil. The default is a soil without pore water.
+/// [materials.NAME.water]: the hydraulic laws of a soil. The default is soil without pore water.
 struct PoreWater {
   RetentionCurve retention = RetentionCurve::dry;
   double minimum_saturation = 0;                       ///< S_min [-]
   double maximum_saturation = 1;                       ///< S_max [-]
   double reference_pressure = 0;                       ///< p_ref of van Genuchten [Pa]
-  double lambda = 0;                                   ///< λ of van Genuchten, and of Mualem [-]
-  double dry_suction = 0;                              ///< linear: suction at which S_min is reached [Pa]
-  double decay = 0;                                    ///< exponential: α [1/Pa], of retention and of conductivity
+  double lambda = 0;                                   ///< λ of van Genuchten and Mualem [-]
+  double dry_suction = 0;                              ///< linear: suction at S_min [Pa]
+  double decay = 0;                                    ///< exponential: α [1/Pa] of retention and conductivity
   std::vector<std::array<double, 2>> retention_table;  ///< suction [Pa], saturation [-]
   std::optional<double> conductivity;                  ///< saturated k [m/s]; or
   std::optional<double> permeability;                  ///< intrinsic κ [m²]
-  double compressibility = 0;                          ///< m_v of the skeleton, in soil that does not move [1/Pa]
+  double compressibility = 0;                          ///< m_v of the skeleton, for seepage in rigid soil [1/Pa]
   ConductivityCurve relative_conductivity = ConductivityCurve::constant;
   SaturationShare measure = SaturationShare::total;       ///< X of (4.16), (4.17)
   double exponent = 0;                                    ///< r of Hillel [-]
-  std::optional<double> air_entry;                        ///< Mualem: k_r = 1 up to this suction [Pa]
+  std::optional<double> air_entry;                        ///< Mualem: air-entry suction, k_r = 1 up to it [Pa]
   std::vector<std::array<double, 2>> conductivity_table;  ///< suction [Pa], k_r [-]
   BishopChi chi = BishopChi::saturation;
   double chi_air_entry = 0;  ///< s_e of Khalili and Khabbaz [Pa]

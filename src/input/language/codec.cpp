@@ -45,10 +45,10 @@ std::string write_unit(const Spec& spec) {
   return spec.unit.empty() ? "" : " [" + spec.unit + "]";
 }
 
-/// Entries of a list: points of a section, rows of a table.
+/// Limit on the entries of a list: points of a section, rows of a table.
 constexpr std::size_t most_entries = 10000;
 
-/// A list that must have from `least` to `most` entries; nullptr and a finding when it has not.
+/// Returns a list of `least` to `most` entries; nullptr and a finding otherwise.
 const toml::array* find_list(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
                              std::size_t most, const std::string& wanted) {
   const toml::array* list = node.as_array();
@@ -68,7 +68,7 @@ const toml::array* find_list(const Decoding& in, const toml::node& node, const s
 bool decode_point(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out) {
   std::vector<double> xy;
   const toml::array* list = node.as_array();
-  // [4,98, 5] is a point whose x has a decimal comma.
+  // [4,98, 5] is a point whose x was written with a decimal comma.
   if (list != nullptr && (list->size() == 3 || list->size() == 4) && list->is_homogeneous<int64_t>())
     return in.fail(node, path,
                    fmt::format("'{}' must be points [x, y], not a list of {}; decimals have a point, not a comma",
@@ -138,7 +138,7 @@ std::string write_toml(const toml::node& node) {
 bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
   const std::string& unit = in.spec.unit;
   double value = 0;
-  double shown = 0;  // in the unit of the manual, as the range
+  double shown = 0;  // in the unit of the manual, as the range is
   if (const auto number = node.value<double>(); number && !node.is_boolean()) {
     shown = *number;
     if (std::isnan(shown) || (std::isinf(shown) && !in.spec.allows_infinity))
@@ -206,7 +206,7 @@ bool decode_word(const Decoding& in, const toml::node& node, const std::string& 
 
 json encode_number(double si, const Spec& spec) {
   if (spec.unit.empty()) return si;
-  // 35° is 0.6108… rad and comes back as 35.00000000000001: fifteen digits are what the conversions keep.
+  // 35° in radians converts back to 35.00000000000001; the conversions preserve fifteen digits.
   return round_to_digits(si / units::get_si_factor(spec.unit), 15);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How each C++ type of a key is written in TOML, JSON and JSON Schema. One specialisation of Codec for each type:
-//   decode  reads a TOML node into the value (SI units, radians); false and a finding when it cannot
+// Conversion of each C++ type of a key to and from TOML, JSON and JSON Schema. Each type has a specialisation of Codec:
+//   decode  reads a TOML node into the value (SI units, radians); returns false and adds a finding if it cannot
 //   encode  writes the value as JSON in the unit of the manual
-//   name    says in words what to write: "number", "number [kPa] or text with unit"
-//   schema  is the JSON Schema of what may be written
+//   name    describes the notation: "number", "number [kPa] or text with unit"
+//   schema  is the JSON Schema of the notation
 
 #include <toml++/toml.h>
 
@@ -28,17 +28,17 @@ struct Decoding {
 
   /// Reports `sentence` at the node and returns false.
   bool fail(const toml::node& node, const std::string& path, const std::string& sentence) const;
-  /// Reports that the node is not what `wanted` says ("must be a number").
+  /// Reports that the node must be `wanted` ("a number") and returns false.
   bool fail_type(const toml::node& node, const std::string& path, const std::string& wanted) const;
   void record(const toml::node& node, const std::string& path) const;
 };
 
-/// The TOML text of a JSON value: 44, "frontal", [0, -1].
+/// Returns the TOML text of a JSON value: 44, "frontal", [0, -1].
 std::string write_toml(const nlohmann::json& value);
-/// The TOML text of a TOML node.
+/// Returns the TOML text of a TOML node.
 std::string write_toml(const toml::node& node);
 
-/// The path of the i-th item of a list.
+/// Returns the path of the i-th item of a list.
 std::string write_item_path(const std::string& path, std::size_t i);
 bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out);
 bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
@@ -47,7 +47,7 @@ bool decode_points(const Decoding& in, const toml::node& node, const std::string
                    std::vector<std::array<double, 2>>& out);
 bool decode_word(const Decoding& in, const toml::node& node, const std::string& path,
                  const std::vector<std::string>& words, std::size_t& out);
-/// `si` in the unit of `spec`, without the rounding errors of the conversion.
+/// Returns `si` in the unit of `spec`, rounded to remove conversion errors.
 nlohmann::json encode_number(double si, const Spec& spec);
 nlohmann::json write_number_schema(const Spec& spec);
 nlohmann::json write_array_schema(const nlohmann::json& items, int least, int most);
@@ -101,7 +101,7 @@ struct Codec<std::string> {
   static nlohmann::json schema(const Spec&) { return {{"type", "string"}}; }
 };
 
-/// An enumeration: one of its words.
+/// An enumeration, written as one of its words.
 template <class E>
 struct Codec {
   static_assert(std::is_enum_v<E>, "a type that can be read needs a specialisation of Codec");
@@ -121,7 +121,7 @@ struct Codec {
   static nlohmann::json schema(const Spec&) { return {{"enum", words()}}; }
 };
 
-/// A vector: two components (the third is zero) or three.
+/// A vector of two components (the third is zero) or three.
 template <>
 struct Codec<std::array<double, 3>> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 3>& out);
@@ -140,7 +140,7 @@ struct Codec<std::vector<double>> {
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 0, -1); }
 };
 
-/// Points of the plane: [[x, y], ...].
+/// Points in the plane: [[x, y], ...].
 template <>
 struct Codec<std::vector<std::array<double, 2>>> {
   using Points = std::vector<std::array<double, 2>>;
@@ -160,7 +160,7 @@ struct Codec<Corners> {
   static nlohmann::json schema(const Spec& spec);
 };
 
-/// A factor over time: [[time, factor], ...]; the unit of the key is that of the times.
+/// A factor over time: [[time, factor], ...]; the unit of the key is the unit of time.
 template <>
 struct Codec<TimeTable> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TimeTable& out);
@@ -169,7 +169,7 @@ struct Codec<TimeTable> {
   static nlohmann::json schema(const Spec& spec);
 };
 
-/// A number, or a text with a number and a unit of any dimension.
+/// A number, or a text of a number and a unit of any dimension.
 template <>
 struct Codec<Amount> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out);

@@ -101,7 +101,7 @@ using Pairs = std::vector<std::array<double, 2>>;
 const Spec seconds = quantity("s");
 const Spec share = plain().at_least(0).at_most(1);
 
-/// How missing values of a file are filled.
+/// The methods to fill missing values of a file.
 const std::vector<std::string> fillings{"zero", "previous", "linear"};
 
 constexpr const char* file_form = "{ file = \"station.csv\", column = \"rain\" }";
@@ -292,7 +292,7 @@ bool decode_per_cent(const Decoding& in, const toml::node& node, const std::stri
     return in.fail_type(node, path, "a number of per cent, or a text such as \"0.88 %\"");
   double fraction = 0;
   if (!decode_number(in, node, path, fraction)) return false;
-  // 0.88 comes back from the fraction as 0.8800000000000001: fifteen digits are what the conversions keep.
+  // The fraction of 0.88 % converts back to 0.8800000000000001; the conversions preserve fifteen digits.
   out = round_to_digits(100 * fraction, 15);
   return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How lists of words and of texts, a point, a large whole number and a single value of any unit are written in TOML.
+// Codecs of lists of words and texts, points, large integers, series, tables and single values of any unit.
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@ namespace talus::input {
 bool decode_words(const Decoding& in, const toml::node& node, const std::string& path,
                   const std::vector<std::string>& words, std::vector<std::size_t>& out);
 
-/// Words of an enumeration.
+/// A list of words of an enumeration.
 template <class E>
 requires std::is_enum_v<E>
 struct Codec<std::vector<E>> {
@@ -31,7 +31,7 @@ struct Codec<std::vector<E>> {
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(Codec<E>::schema(spec), 0, -1); }
 };
 
-/// The enumeration whose words a key of type T takes: T itself, or what a list T is of.
+/// The enumeration of a key of type T: T itself, or the element type of a list T.
 template <class T>
 struct WordType {
   using Type = T;
@@ -52,7 +52,7 @@ struct Codec<std::vector<std::string>> {
   static nlohmann::json schema(const Spec&) { return write_array_schema({{"type", "string"}}, 0, -1); }
 };
 
-/// A point of the plane: [x, y].
+/// A point in the plane: [x, y].
 template <>
 struct Codec<std::array<double, 2>> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out);
@@ -77,9 +77,9 @@ struct Codec<TomlText> {
   static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
 };
 
-// How dates, series in time and curves over suction are written in TOML: pairs whose two numbers have different units.
+// Codecs of dates, series in time and curves over suction, i.e. pairs whose two numbers have different units.
 
-/// Rows of two numbers, each with the unit and range of its column.
+/// Decodes rows of two numbers, each with the unit and range of its column.
 bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
                   const Spec& second, const std::string& wanted, std::vector<std::array<double, 2>>& out);
 nlohmann::json write_pair_schema(const Spec& first, const Spec& second);
@@ -116,7 +116,7 @@ struct Codec<SuctionCurve> {
   static nlohmann::json schema(const Spec& spec);
 };
 
-// How contents in per cent, shares over depth or age, and the four suctions of Feddes are written in TOML.
+// Codecs of contents in per cent, fractions over depth or age, and the four suctions of Feddes.
 
 bool decode_per_cent(const Decoding& in, const toml::node& node, const std::string& path, double& out);
 
@@ -153,7 +153,7 @@ struct Codec<std::array<double, 4>> {
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 4, 4); }
 };
 
-// How the path of an element test and its changes of a material are written in TOML.
+// Codecs of the path of an element test and its changes of a material.
 
 template <>
 struct Codec<Turns> {
@@ -175,4 +175,4 @@ struct Codec<std::vector<PointSetting>> {
 
 }  // namespace talus::input
 
-// How every type of a key is written: for visitors of the whole case.
+// All codecs, for visitors of the whole case.

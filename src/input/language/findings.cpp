@@ -11,13 +11,14 @@
 namespace talus::input {
 namespace {
 
-/// "a.b" is within "a.b" and "a", not within "a.bc".
+/// Returns true if `path` is `parent` or below it: "a.b" is within "a.b" and "a", not within "a.bc".
 bool is_within(const std::string& path, const std::string& parent) {
   return parent.empty() || path == parent ||
          (path.size() > parent.size() && path.compare(0, parent.size(), parent) == 0 && path[parent.size()] == '.');
 }
 
-/// Whether `holds` is true of "", of "a", of "a.b" … up to the path itself; the first such parent, or nothing.
+/// Returns the first of "", "a", "a.b" … up to the path itself for which `holds` is true; std::nullopt if there is
+/// none.
 template <class Holds>
 std::optional<std::string> find_parent(const std::string& path, Holds&& holds) {
   for (std::size_t end = 0;; end = path.find('.', end + 1)) {
@@ -50,7 +51,7 @@ Place Places::locate(const std::string& path, int line, int column) const {
 
 void Places::record(const std::string& path, int line, int column) {
   const Place place = locate(path, line, column);
-  // A table that --set had to create has no place in the file; its faults are reported at its parent.
+  // A table created by --set has no place in the file; its faults are reported at its parent.
   if (place.line > 0 || place.file != file_) places_[path] = place;
 }
 
@@ -83,7 +84,7 @@ void Findings::add_unknown_key(const Place& place, const std::string& path, cons
 }
 
 bool Findings::is_sound(const std::string& path) const {
-  // The set may hold tens of thousands, and every key asks: faults under `path` stand side by side in it.
+  // The set may have tens of thousands of paths and is queried for every key; faults below `path` are adjacent in it.
   if (path.empty()) return faulty_.empty();
   const auto under = faulty_.lower_bound(path + ".");
   if (under != faulty_.end() && is_within(*under, path)) return false;

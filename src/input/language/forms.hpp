@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a value is written where its C++ type alone does not say: a block wraps its member in one of these.
+// Types for values whose notation does not follow from the C++ type of the member; a block wraps its member in one of
+// them.
 
 #include <array>
 #include <optional>
@@ -11,13 +12,13 @@
 
 namespace talus::input {
 
-// A number with the unit that the user gave it.
+// A number with the unit given by the user.
 
-/// A number as the user writes it, with its unit: 1.58, "212 mm", "5 %".
+/// A number with its unit as in the file: 1.58, "212 mm", "5 %".
 struct Amount {
   double number = 0;
   std::string unit;  ///< empty for a plain number
-  std::string text;  ///< as in the file, for people
+  std::string text;  ///< as in the file, for messages
 };
 
 /// Two opposite corners of a box: [[x_min, y_min], [x_max, y_max]].
@@ -26,51 +27,50 @@ struct Corners {
   std::array<double, 2>& max;
 };
 
-/// Any TOML values, kept as TOML texts.
+/// A list of arbitrary TOML values, stored as TOML texts.
 struct TomlTexts {
   std::vector<std::string>& texts;
 };
 
-/// A number, or a text with a number and a unit, kept as TOML text: what another key would be set to.
+/// A number, or a text of a number and a unit, stored as TOML text: a value for another key.
 struct TomlText {
   std::string& text;
 };
 
-/// A quantity that may change with time: one value, or rows [[time, value], ...] whose times do not decrease; two rows
-/// at one time are a jump. The unit and the range of the key are those of the value. Or { file, column } of a table.
+/// A quantity that may change with time: one value, rows [[time, value], ...] with non-decreasing times (two rows at
+/// one time are a jump), or { file, column } of a table. Unit and range of the key are those of the value.
 struct Series {
   TimeTable& table;
 };
 
-/// A day of the calendar, with a time of day: a TOML date, or a text of its form.
+/// A calendar date, optionally with a time of day: a TOML date, or a text of that form.
 struct Date {
   double seconds = 0;  ///< since the start of 1970
 };
 
-/// Measured pairs [[suction, share], ...]: the unit of the key is that of the suction, the share lies from 0 to 1.
+/// Measured pairs [[suction, fraction], ...]: the unit of the key is that of the suction, fractions are from 0 to 1.
 struct SuctionCurve {
   std::vector<std::array<double, 2>>& pairs;
 };
 
-/// A content that the program keeps in per cent: a plain number is per cent, and so is "0.88 %". T is double or
-/// std::optional<double>.
+/// A content stored in per cent: a plain number is in per cent, as is "0.88 %". T is double or std::optional<double>.
 template <class T>
 struct PerCent {
   T& value;
 };
 
-/// Rows [[place, share], ...] whose first numbers increase: over a depth, a length or an age, whose unit is that of the
-/// key. Shares are at least 0.
+/// Rows [[position, fraction], ...] with increasing positions: depths, lengths or ages in the unit of the key.
+/// Fractions are at least 0.
 struct ShareTable {
   std::vector<std::array<double, 2>>& rows;
 };
 
-/// A number, or the list of numbers that a test passes one after the other.
+/// A number, or a list of turning points of a test.
 struct Turns {
   std::vector<double>& values;
 };
 
-/// A key of the test's material with another value, as --set writes it.
+/// A key of the test's material with another value, as for --set.
 struct PointSetting {
   std::string key;    ///< dotted path within the material
   std::string value;  ///< TOML text

@@ -32,7 +32,7 @@ std::string trim(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-/// The number with a decimal comma that stands last before a place of a line; empty where there is none.
+/// Returns the last number with a decimal comma before `column` of a line; empty if there is none.
 std::string find_decimal_comma(const std::string& line, toml::source_index column) {
   const auto skip_digits = [&](std::size_t i) {
     while (i < line.size() && std::isdigit(static_cast<unsigned char>(line[i])) != 0) ++i;
@@ -50,8 +50,8 @@ std::string find_decimal_comma(const std::string& line, toml::source_index colum
   return found;
 }
 
-/// The value without quotation marks around a place of a line; empty where it has some, or where nothing stands. The
-/// parser counts characters, and its place lies within the value or at the character before it.
+/// Returns the unquoted value around `column` of a line; empty if the value is quoted or missing. The parser counts
+/// characters, and its column is within the value or one before it.
 std::string find_bare_value(const std::string& line, toml::source_index column) {
   std::size_t at = 0;
   for (toml::source_index i = 1; at < line.size() && i < column; ++i) do
@@ -63,7 +63,7 @@ std::string find_bare_value(const std::string& line, toml::source_index column) 
   return value.find_first_of("\"'=[{") == std::string::npos ? value : "";
 }
 
-/// A sentence on how to write a value that misses its quotation marks; nothing for another fault.
+/// Returns a sentence on how to write a value with missing quotation marks; std::nullopt for other faults.
 std::optional<std::string> explain_bare_value(const std::string& value) {
   if (value == "True" || value == "False")
     return fmt::format("'{}' is written in small letters: {}", value, value == "True" ? "true" : "false");
@@ -88,7 +88,7 @@ std::string explain(const std::string& text, const toml::parse_error& error) {
   return fmt::format("this is not TOML: {}", error.description());
 }
 
-/// Throws InputError for a text in another encoding than UTF-8.
+/// Throws InputError if the text is not encoded in UTF-8.
 void check_encoding(const std::string& text, const std::string& name) {
   if (is_utf16(text)) throw InputError({{name, 0, 0, "the file is in UTF-16; save it as UTF-8"}});
   const auto wrong = find_wrong_utf8(text);
@@ -106,7 +106,7 @@ void check_encoding(const std::string& text, const std::string& name) {
                      "save it as UTF-8"}});
 }
 
-/// Throws InputError for a text with more values than any section has: the parser takes a hundred bytes for each.
+/// Throws InputError if the text has more values than any section: the parser needs a hundred bytes for each.
 void check_extent(const std::string& text, const std::string& name) {
   constexpr std::ptrdiff_t most_values = 1'000'000;
   const auto values = std::ranges::count_if(text, [](char c) { return c == ',' || c == '=' || c == '['; });
@@ -134,7 +134,7 @@ toml::table parse_toml(const std::string& text, const std::string& name) {
 
 namespace {
 
-/// Where the string that begins at `at` ends; a string of one line ends with its line at the latest.
+/// Returns the end of the string that begins at `at`; a single-line string ends at its line's end at the latest.
 std::size_t skip_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string_view three = text.substr(at, 3);
@@ -178,25 +178,25 @@ std::optional<TextPlace> find_deep_key(std::string_view text) {
 
 namespace {
 
-/// A change that takes a key, a table or an entry out of the file: `--set lem.drawdown=`.
+/// Returns true if the change removes a key, a table or an entry: `--set lem.drawdown=`.
 bool is_removal(const Override& change) {
   return change.value.empty();
 }
 
-/// The value as a table with the one key "v".
+/// Returns the value as a table with the single key "v".
 toml::table parse_value(const std::string& text) {
   try {
     toml::table table = find_deep_key(text) ? toml::table{} : toml::parse("v = " + text);
     if (table.size() == 1) return table;
   } catch (const toml::parse_error&) {
-    // A bare word, or a quantity without quotation marks: the shell took them away.
+    // The text is a bare word, or a quantity whose quotation marks the shell has removed.
   }
   toml::table table;
   table.insert("v", text);
   return table;
 }
 
-/// The entry of a list that `step` names: by number from 0, or by its `name`, `on` or `ground`.
+/// Returns the index of the list entry that `step` identifies: by index from 0, or by its `name`, `on` or `ground`.
 std::optional<std::size_t> find_entry(const toml::array& list, const std::string& step) {
   std::size_t number = 0;
   const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
@@ -211,10 +211,10 @@ std::optional<std::size_t> find_entry(const toml::array& list, const std::string
   return std::nullopt;
 }
 
-/// Blocks whose tables have names of the user's choice.
+/// Blocks whose tables have user-defined names.
 const std::set<std::string> blocks_of_names{"materials"};
 
-/// ", did you mean 'sand'?" of the names that a list or table has; empty where none is near.
+/// Returns ", did you mean 'sand'?" from the names in a list or table; empty if none is similar.
 std::string suggest(const std::string& step, const std::vector<std::string>& names) {
   const std::string near = find_nearest(step, names);
   return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
@@ -226,7 +226,7 @@ std::vector<std::string> list_names(const toml::table& table) {
   return names;
 }
 
-/// What entries of a list are called.
+/// Returns the labels of the entries of a list.
 std::vector<std::string> list_labels(const toml::array& list) {
   std::vector<std::string> names;
   for (const toml::node& entry : list)

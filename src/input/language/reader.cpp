@@ -52,7 +52,7 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
   std::string reason;
   if (spec.condition) {
     const Condition& condition = *spec.condition;
-    // If the other key is wrong or missing, it is unknown whether this one belongs here.
+    // If the other key is wrong or missing, it is undecided whether this key is allowed.
     for (const Alternative& other : condition.any)
       if (!findings_.is_sound(other.key.find('.') == std::string::npos ? write_path(other.key) : other.key))
         return node;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The visitor that reads a TOML table into the structs, and finds what is unknown, missing or wrong.
+// The visitor that reads a TOML table into the structs and reports unknown, missing and invalid keys.
 
 #include <toml++/toml.h>
 
@@ -27,10 +27,10 @@ class Reader {
       Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_}, *node, write_path(name), member);
   }
 
-  /// Blocks at the top of the file whose absence is no fault.
+  /// Sets the blocks at the top level that may be absent.
   void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
 
-  /// Methods of the case: a key that none of them needs is not required.
+  /// Sets the methods of the case: a key that none of them needs is not required.
   void ask_methods(const std::set<std::string>& words) { methods_ = words; }
 
   template <class T>
@@ -82,16 +82,16 @@ class Reader {
     scopes_.pop_back();
   }
 
-  /// Reports what the top of the file holds beyond the declared keys.
+  /// Reports undeclared keys at the top level.
   void finish() { leave(); }
 
  private:
   struct Scope {
     const toml::table* table;
-    std::string path;    ///< with numbers of list entries: stage.0
-    std::string name;    ///< as the file writes it: materials.sand
-    std::string header;  ///< as messages name it: [materials.sand], [[stage]]
-    bool is_broken;      ///< it is no table: that fault is reported, without a dozen that follow from it
+    std::string path;    ///< with indices of list entries: stage.0
+    std::string name;    ///< as in the file: materials.sand
+    std::string header;  ///< as in messages: [materials.sand], [[stage]]
+    bool is_broken;      ///< not a table: only that fault is reported, no consequential ones
     std::vector<std::string> known;
   };
 
@@ -100,18 +100,18 @@ class Reader {
   }
   std::string write_path(const std::string& name) const;
   std::string write_name(const std::string& name) const;
-  /// The node of a key of the current table, or nullptr when it is not given or refused.
+  /// Returns the node of a key of the current table; nullptr if it is not given or rejected.
   const toml::node* find_key(const std::string& name, const Spec& spec);
-  /// Whether the current table has a key of that name; it counts as known from here on.
+  /// Returns true if the current table has the key; marks the key as known.
   bool is_given(const std::string& name);
-  /// The table of that name; an empty one when it is not given, nullptr when it is no table.
+  /// Returns the table `name`; an empty one if it is not given, nullptr if the key is not a table.
   const toml::table* find_table(const std::string& name);
   std::vector<const toml::table*> find_tables(const std::string& name);
-  /// Returns false, and adds a fault at `path`, where a case has more tables of one kind than it may.
+  /// Returns false and adds a fault at `path` if a case has more tables of one kind than allowed.
   bool is_countable(std::size_t size, const std::string& path);
-  /// Enters a table whose keys are names of the user's choice, and returns them in the order of the file.
+  /// Enters a table with user-defined keys and returns them in the order of the file.
   std::vector<std::string> enter_names(const std::string& name);
-  /// `step` is what the block adds to the path; `name` is its whole name.
+  /// Enters a block. `step` is what the block adds to the path; `name` is its full name.
   void enter(const std::string& step, const toml::table* table, const std::string& name, bool is_list);
   void leave();
   void record(const toml::node& node, const std::string& path);

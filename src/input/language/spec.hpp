@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a declaration says about a key besides its name, place and meaning.
+// Specification of a key: unit, range, conditions, requirement and examples.
 
 #include <initializer_list>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace talus::input {
 
-/// One word of a choice and what it means.
+/// One word of a choice and its meaning.
 template <class E>
 struct Choice {
   E value;
@@ -20,13 +20,13 @@ struct Choice {
 };
 
 template <class E>
-Choice(E, const char*, const char*) -> Choice<E>;  // clang 14 does not deduce it for an aggregate
+Choice(E, const char*, const char*) -> Choice<E>;  // clang 14 does not deduce this for an aggregate
 
-/// The words of the enumeration E, in the order of the manual; specialised beside the block that uses E.
+/// The words of the enumeration E in the order of the manual; specialised beside the block that uses E.
 template <class E>
 inline constexpr auto choices = nullptr;
 
-/// The word of an enumerator in the case file.
+/// Returns the word of an enumerator in the case file.
 template <class E>
 const char* get_word(E value) {
   for (const auto& choice : choices<E>)
@@ -40,26 +40,26 @@ struct Limit {
   bool open = false;  ///< the limit itself is not allowed
 };
 
-/// What another key must be for a key to have a meaning.
+/// One condition on another key.
 struct Alternative {
-  std::string key;       ///< the other key; with a dot: a path from the top of the file
-  std::string value;     ///< the TOML text it must have; empty: the other key must not be given
-  bool holds = true;     ///< in the case that is being visited
-  bool differs = false;  ///< anything but `value`
+  std::string key;       ///< the other key; a path from the top of the file if it has a dot
+  std::string value;     ///< the TOML text that it must have; empty: the other key must not be given
+  bool holds = true;     ///< true in the case that is being visited
+  bool differs = false;  ///< any value except `value`
 };
 
-/// A unit in which a number is often meant where it was not asked for.
+/// A unit that is often used by mistake.
 struct Slip {
   const char* unit = "";
-  double factor = 1;  ///< what one of it is in the unit of the manual
+  double factor = 1;  ///< one such unit in the unit of the manual
 };
 
-/// The range of real soils, in the unit of the manual. Values beyond it are allowed, with a warning.
+/// Usual range of soils, in the unit of the manual. Values beyond it cause a warning.
 struct UsualRange {
   double low = 0, high = 0;
   std::vector<Slip> slips;
-  bool or_zero = false;      ///< zero is usual too: the soil has none of it
-  bool either_sign = false;  ///< the sign is a direction
+  bool or_zero = false;      ///< zero is usual too: the soil lacks the property
+  bool either_sign = false;  ///< the sign is a direction; the range applies to the magnitude
 
   bool holds(double value) const {
     const double size = either_sign && value < 0 ? -value : value;
@@ -67,62 +67,64 @@ struct UsualRange {
   }
 };
 
-/// A key that has a meaning only with (or without) another key of the same table.
+/// Condition of a key that applies only with (or without) another key of the same table.
 struct Condition {
-  std::vector<Alternative> any;  ///< one of them is enough
-  bool required = false;         ///< the key must be given where the condition holds
+  std::vector<Alternative> any;  ///< at least one must hold
+  bool required = false;         ///< the key is required where the condition holds
 
   bool holds() const;
-  /// Whether it asks that another key is not given.
+  /// Returns true if the condition is that another key is not given.
   bool is_absence() const { return any.front().value.empty(); }
 };
 
-/// "; with the methods fem or mpm, unless unit_weight is given": what else a required key depends on; empty for most.
+/// Writes further conditions of a requirement: "; with the methods fem or mpm, unless unit_weight is given"; usually
+/// empty.
 struct Spec;
 std::string write_waivers(const Spec& spec);
 
 /// Writes `fix = "plane"`, `curve = "a" or "b" or law = "c"`, `retention other than "dry"` or `file is not given`.
 std::string write_condition(const Condition& condition);
 
-/// Unit, range, presence and examples of a key. Built as a sentence: quantity("kPa").at_least(0).required().
+/// Unit, range, requirement and examples of a key, built by chained calls: quantity("kPa").at_least(0).required().
 struct Spec {
-  std::string unit;  ///< unit of plain numbers in the file, as UDUNITS writes it; empty: dimensionless, or no number
+  std::string unit;  ///< unit of plain numbers in the file, in UDUNITS notation; empty: dimensionless, or not a number
   std::optional<Limit> low, high;
   std::optional<UsualRange> usual_range;
   bool is_required = false;
   bool allows_infinity = false;
   std::optional<Condition> condition;
-  std::vector<std::string> methods;    ///< of [analysis]: only with one of these is the key required; empty: with any
-  std::optional<Alternative> instead;  ///< where this other key is given, the key is not required
-  std::vector<std::string> examples;   ///< TOML texts; one for each sample of a list, the last one for the rest
+  std::vector<std::string> methods;    ///< methods of [analysis] with which the key is required; empty: any
+  std::optional<Alternative> instead;  ///< the key is not required if this other key is given
+  std::vector<std::string>
+      examples;  ///< TOML texts; one for each sample of a list, the last one for all further samples
 
   Spec at_least(double value) &&;
   Spec above(double value) &&;
   Spec at_most(double value) &&;
   Spec below(double value) &&;
-  /// Numbers of real soils lie here; `slips` are units in which other numbers may have been meant.
+  /// Sets the usual range of soils; `slips` are units that may explain values beyond it.
   Spec usual(double least, double most, std::vector<Slip> slips = {}) &&;
-  /// The same, and zero.
+  /// Sets the usual range and includes zero.
   Spec usual_or_zero(double least, double most, std::vector<Slip> slips = {}) &&;
-  /// The usual range is that of the amount.
+  /// Applies the usual range to the magnitude.
   Spec of_either_sign() &&;
-  /// `inf` may be given.
+  /// Allows `inf`.
   Spec or_infinite() &&;
   Spec required() &&;
   Spec example(const char* text) &&;
-  /// One example for each sample of a list (see tables() of the visitors).
+  /// Sets one example for each sample of a list (see tables() of the visitors).
   Spec example_each(std::vector<std::string> texts) &&;
-  /// The key is required where `other` has `value`, and has no meaning elsewhere.
+  /// The key is required if `other` has `value`, and rejected otherwise.
   template <class T>
   Spec needed_with(const char* key, const T& other, const T& value) && {
     return std::move(*this).depend(key, write_value(value), other == value, true);
   }
-  /// The key may be given where `other` has `value`, and has no meaning elsewhere.
+  /// The key is allowed if `other` has `value`, and rejected otherwise.
   template <class T>
   Spec allowed_with(const char* key, const T& other, const T& value) && {
     return std::move(*this).depend(key, write_value(value), other == value, false);
   }
-  /// The same for each of several values.
+  /// The key is required if `other` has one of `values`, and rejected otherwise.
   template <class T>
   Spec needed_with(const char* key, const T& other, std::initializer_list<T> values) && {
     return std::move(*this).depend_on_any(list_values(key, other, values), true);
@@ -131,40 +133,40 @@ struct Spec {
   Spec allowed_with(const char* key, const T& other, std::initializer_list<T> values) && {
     return std::move(*this).depend_on_any(list_values(key, other, values), false);
   }
-  /// Or where `other` has `value`; after one of those above.
+  /// Adds an alternative to the preceding condition: `other` has `value`.
   template <class T>
   Spec or_with(const char* key, const T& other, const T& value) && {
     return std::move(*this).or_depend({key, write_value(value), other == value});
   }
-  /// The key may be given where `other` has another value than `value`, and has no meaning elsewhere.
+  /// The key is allowed unless `other` has `value`.
   template <class T>
   Spec allowed_unless(const char* key, const T& other, const T& value) && {
     return std::move(*this).depend_on_any({{key, write_value(value), other != value, true}}, false);
   }
-  /// The key is required where `key` is not given, and has no meaning elsewhere.
+  /// The key is required if `key` is not given, and rejected otherwise.
   Spec needed_without(const char* key, bool other_is_given) &&;
-  /// The key is not required where none of these methods is asked for, but may be given.
+  /// The key is required only with one of these methods; it is always allowed.
   Spec by_methods(std::vector<std::string> words) &&;
-  /// The key is not required where `key` is given, but may be given.
+  /// The key is required only if `key` is not given; it is always allowed.
   Spec unless_given(const char* key, bool other_is_given) &&;
-  /// The key may be given where `key` is not given, and has no meaning elsewhere.
+  /// The key is allowed if `key` is not given, and rejected otherwise.
   Spec allowed_without(const char* key, bool other_is_given) &&;
 
-  /// Whether the key must be given somewhere.
+  /// Returns true if the key is required in some cases.
   bool may_be_required() const { return is_required || (condition && condition->required); }
-  /// Whether the key is not required with these methods, or another key replaces it.
+  /// Returns true if the key is not required with these methods, or if another key replaces it.
   bool is_waived(const std::set<std::string>& asked_methods) const;
-  /// "at least 0", "above -1 and below 0.5"; empty without limits.
+  /// Writes the range: "at least 0", "above -1 and below 0.5"; empty without limits.
   std::string write_range() const;
-  /// "10 to 28 kN/m3", "5 to 50 deg, or 0"; empty without one.
+  /// Writes the usual range: "10 to 28 kN/m3", "5 to 50 deg, or 0"; empty if there is none.
   std::string write_usual_range() const;
-  /// What is odd about `value`, in the unit of the manual, of the key `path`; empty where nothing is. `is_plain`: it
-  /// was written without a unit.
+  /// Returns a sentence if `value` of the key `path`, in the unit of the manual, is unusual; empty otherwise.
+  /// `is_plain`: the value was written without a unit.
   std::string find_oddity(const std::string& path, double value, bool is_plain) const;
-  /// Whether `value`, in the unit of the manual, is within the limits.
+  /// Returns true if `value`, in the unit of the manual, is within the limits.
   bool allows(double value) const;
 
-  // Compiled once, in spec.cpp: every visitor of the case makes a Spec for each of its keys.
+  // Defined in spec.cpp to reduce compile time: every visitor makes a Spec for each key.
   Spec();
   Spec(const Spec&);
   Spec(Spec&&) noexcept;
@@ -191,10 +193,10 @@ struct Spec {
   }
 };
 
-/// A number in `unit`, or a text with a unit.
+/// Specifies a number in `unit`, or a text with a unit.
 Spec quantity(const char* unit);
 
-/// A dimensionless number, a text, a word or a truth value: whatever has no unit.
+/// Specifies a key without unit: a dimensionless number, a text, a word or a Boolean.
 Spec plain();
 
 }  // namespace talus::input

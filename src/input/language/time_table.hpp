@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A number that changes with time.
+// A number as a function of time.
 
 #include <optional>
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace talus::input {
 
-/// The columns of a file that the rows of a TimeTable are.
+/// Source of the rows of a TimeTable in a file.
 struct SeriesFile {
-  std::string file;    ///< as given: relative to the case file
-  std::string column;  ///< of the value
-  std::string minus;   ///< of what is taken off it; empty: nothing
-  std::string fill;    ///< for missing values and rows: "zero", "previous" or "linear"; empty: they are refused
+  std::string file;    ///< as given, relative to the case file
+  std::string column;  ///< column of the value
+  std::string minus;   ///< column that is subtracted; empty: none
+  std::string fill;    ///< method for missing values and rows: "zero", "previous" or "linear"; empty: they are rejected
 };
 
-/// Linear between rows, constant before the first and after the last. Two rows at one time are a jump, whose second
-/// value holds from then on.
+/// Linear between rows, constant before the first and after the last. Two rows at one time are a jump, and the second
+/// value applies from then on.
 struct TimeTable {
-  std::vector<double> time;            ///< [s], increasing
+  std::vector<double> time;            ///< [s], non-decreasing
   std::vector<double> value;           ///< same length as `time`
-  std::optional<SeriesFile> source{};  ///< where the rows are; they are not read yet
-  /// Value at time `t` [s]; 1 when the table is empty.
+  std::optional<SeriesFile> source{};  ///< source of rows that are not read yet
+  /// Returns the value at time `t` [s]; 1 if the table is empty.
   double at(double t) const;
 };
 
