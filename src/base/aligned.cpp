@@ -12,12 +12,12 @@ namespace talus {
 namespace {
 
 constexpr std::size_t line = 64;
-/// From here on [bytes] arrays are pages that the system gives where they are first written. Memory that was freed
-/// before would have to be cleared, and be there.
+/// Arrays of at least this size [bytes] are mapped pages, which the kernel allocates at the first write. Freed heap
+/// memory would need clearing, and would be resident.
 constexpr std::size_t large = std::size_t{1} << 20;
 
-/// Which pages of this process there are, as Linux tells in /proc/self/pagemap: a word for each, with two bits for one
-/// in memory and one that was swapped out. Where it is not told, all may be there.
+/// Presence of the pages of this process, from /proc/self/pagemap of Linux: one word per page, with one bit for pages
+/// in memory and one for swapped pages. If the file is not readable, all pages count as present.
 class Pages {
  public:
   Pages() : file_(open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC)) {}
@@ -31,7 +31,7 @@ class Pages {
     if (file_ < 0) return true;
     if (page < first_ || page >= first_ + words_.size()) {
       first_ = page;
-      words_.fill(anywhere);  // beyond what is read
+      words_.fill(anywhere);  // pages beyond those that were read count as present
       if (pread(file_, words_.data(), sizeof words_, static_cast<off_t>(first_ * sizeof(std::uint64_t))) <= 0)
         return true;
     }
@@ -75,7 +75,7 @@ void copy_to_zeros(void* to, const void* from, std::size_t bytes) {
   const auto start = reinterpret_cast<std::uintptr_t>(from);
   Pages pages;
   for (std::size_t at = 0; at < bytes;) {
-    const std::size_t count = std::min(bytes - at, size - (start + at) % size);  // to the end of the page
+    const std::size_t count = std::min(bytes - at, size - (start + at) % size);  // up to the end of the page
     if (pages.is_there((start + at) / size) && !is_zero(source + at, count))
       std::memcpy(static_cast<std::byte*>(to) + at, source + at, count);
     at += count;

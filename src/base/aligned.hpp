@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Arrays that start on a cache line, so that packs and node rows can be loaded and stored whole. Of a large array only
-// what was written takes memory, and only that is copied. So an array may have room for a whole body where one rank has
-// a part of it.
+// Arrays aligned to a cache line, for loads and stores of whole packs and node rows. Only those pages of a large array
+// that were written use memory and are copied, so a rank may allocate arrays of the whole body for its part of it.
 
 #include <algorithm>
 #include <array>
@@ -15,13 +14,13 @@
 
 namespace talus {
 
-/// Bytes that are all zero, from a cache line on. Throws std::bad_alloc.
+/// Allocates zeroed bytes at a cache line. Throws std::bad_alloc.
 void* allocate_zeros(std::size_t bytes);
 void free_zeros(void* start, std::size_t bytes);
-/// Copies to fresh zeros what is not zero.
+/// Copies the non-zero pages to memory that is zero.
 void copy_to_zeros(void* to, const void* from, std::size_t bytes);
 
-/// As far as it goes a std::vector.
+/// A subset of std::vector for trivially copyable types.
 template <class T>
 class AlignedVector {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -38,7 +37,7 @@ class AlignedVector {
   AlignedVector(AlignedVector&& other) noexcept { swap(other); }
   AlignedVector& operator=(const AlignedVector& other) {
     if (this == &other) return *this;
-    AlignedVector().swap(*this);  // its memory, before there is another
+    AlignedVector().swap(*this);  // releases the old memory before new memory is allocated
     append_copy(other);
     return *this;
   }
@@ -75,7 +74,7 @@ class AlignedVector {
   bool operator==(const AlignedVector& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
 
   void clear() { size_ = 0; }
-  /// What comes is zero, and is not touched where it never was anything else.
+  /// New values are zero; pages that were never written are not touched.
   void resize(std::size_t size) {
     grow(size);
     if (size > size_) std::fill(data_ + size_, data_ + std::max(size_, std::min(size, written_)), T{});
@@ -85,7 +84,7 @@ class AlignedVector {
   void resize(std::size_t size, const T& value) {
     const std::size_t before = size_;
     resize(size);
-    using Image = std::array<std::byte, sizeof(T)>;  // -0.0 is no zero here
+    using Image = std::array<std::byte, sizeof(T)>;  // compares bytes, since -0.0 must be written
     if (size > before && std::bit_cast<Image>(value) != Image{}) std::fill(data_ + before, data_ + size, value);
   }
   void assign(std::size_t size, const T& value) {
@@ -113,7 +112,7 @@ class AlignedVector {
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t written_ = 0;  ///< from here on all is zero
+  std::size_t written_ = 0;  ///< all values from here on are zero
   std::size_t capacity_ = 0;
 };
 

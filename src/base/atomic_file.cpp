@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file descriptor that is closed on every way out.
+/// A file descriptor that is closed in the destructor.
 struct Descriptor {
   int fd;
   explicit Descriptor(int f) : fd(f) {}
@@ -40,7 +40,7 @@ int write_all(int fd, std::span<const std::byte> bytes) {
   return 0;
 }
 
-/// The rename itself must survive a loss of power too. Some file systems cannot flush a folder; that is no error.
+/// Makes the rename durable. Some file systems do not support flushing a folder, which is not an error.
 void flush_folder(const fs::path& folder) {
   const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.fd >= 0) ::fsync(directory.fd);
@@ -51,7 +51,7 @@ void flush_folder(const fs::path& folder) {
   throw_cannot_write(path, reason, safe);
 }
 
-/// Gives the finished temporary file of `path` its name.
+/// Renames the completed temporary file to `path`.
 void flush_and_rename(const fs::path& path, const std::string& safe) {
   const fs::path temporary = temporary_name(path);
   {
@@ -75,7 +75,7 @@ fs::path temporary_name(const fs::path& path) {
 }
 
 void clear_temporary(const fs::path& path) {
-  static_cast<void>(::unlink(temporary_name(path).c_str()));  // opening it says why it is still there
+  static_cast<void>(::unlink(temporary_name(path).c_str()));  // a failure is reported when the file is opened
 }
 
 void make_folder(const fs::path& folder, const std::string& safe) {
@@ -118,7 +118,7 @@ void write_atomically(const fs::path& path, std::span<const std::byte> bytes, co
     Descriptor file(::open(temporary_name(path).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (file.fd < 0) throw_cannot_write(path, errno, safe);
     if (const int reason = write_all(file.fd, bytes)) give_up(path, reason, safe);
-    // A full disk may be reported only here (network file systems).
+    // Network file systems may report a full disk only on close().
     const int closed = ::close(file.fd);
     file.fd = -1;
     if (closed != 0) give_up(path, errno, safe);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Automatic differentiation forwards: a number and its derivatives by N variables, used like a double. A law that is
-// written for lanes gives its consistent tangent when it runs on these numbers; comparisons look at the value only.
+// Forward-mode automatic differentiation: a value with its derivatives by N variables, used like a double. A
+// constitutive law written for lanes yields its consistent tangent in these numbers. Comparisons use the value only.
 
 #include <cmath>
 #include <type_traits>
@@ -28,7 +28,7 @@ struct Dual {
   TALUS_KERNEL Dual(double v) : value(v), slope(Vector{}) {}
   TALUS_KERNEL Dual(double v, Vector s) : value(v), slope(s) {}
 
-  /// The variable number i.
+  /// Returns the independent variable i with value v.
   static Dual variable(double v, int i) {
     Dual r(v);
     r.slope[i] = 1;
@@ -78,7 +78,7 @@ template <int N>
 TALUS_KERNEL Dual<N> lane_abs(Dual<N> a) {
   return a.value < 0 ? -a : a;
 }
-/// At 0 its slope is taken as 0: roots of sums of squares have a corner there, and 0 is the mean of its slopes.
+/// The derivative at 0 is set to 0: roots of sums of squares have a kink there, with mean slope 0.
 template <int N>
 TALUS_KERNEL Dual<N> lane_sqrt(Dual<N> a) {
   const double root = std::sqrt(a.value);

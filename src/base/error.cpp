@@ -22,7 +22,7 @@ std::string join(const std::vector<Diagnostic>& diagnostics) {
   return text;
 }
 
-/// A refusal of the system to look at, make or remove a file; errno tells whether the disk is to blame.
+/// Describes a failed file operation; errno distinguishes failures of the disk from wrong paths.
 Failure describe_files(const std::filesystem::filesystem_error& error) {
   const std::error_code& reason = error.code();
   const bool is_disk = reason == std::errc::no_space_on_device || reason == std::errc::read_only_file_system ||
@@ -65,7 +65,7 @@ InputError::InputError(std::vector<Diagnostic> diagnostics)
     : Error(ExitCode::wrong_input, join(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
 std::string to_string(const Diagnostic& d) {
-  const std::string sentence = make_printable(d.sentence, true);  // a zero byte would end it
+  const std::string sentence = make_printable(d.sentence, true);  // a zero byte would end the sentence
   if (d.line > 0) return fmt::format("{}:{}:{}: error: {}", d.file, d.line, d.column, sentence);
   if (!d.file.empty()) return fmt::format("{}: error: {}", d.file, sentence);
   return fmt::format("error: {}", sentence);

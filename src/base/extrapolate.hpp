@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A result on meshes of several sizes, extrapolated to elements of no size.
+// Extrapolation of a result on meshes of several element sizes to size zero.
 
 #include <vector>
 
 namespace talus {
 
-/// What the finer of two values at sizes `coarse` > `fine` still lacks, over their difference, where the error falls
-/// with the size (Richardson).
+/// Returns the remaining error of the value at size `fine`, over the difference of the values at `coarse` and `fine`,
+/// for an error proportional to the size (Richardson extrapolation).
 inline double find_rest(double coarse, double fine) {
   return fine / (coarse - fine);
 }
 
-/// Two values at sizes `coarse` > `fine`, extrapolated to size 0.
+/// Returns the extrapolation to size 0 of two values at sizes `coarse` > `fine`.
 inline double extrapolate_to_zero(double coarse, double value_coarse, double fine, double value_fine) {
   return value_fine - (value_coarse - value_fine) * find_rest(coarse, fine);
 }
 
-/// Where a straight line through values at `sizes`, by least squares with weights 1/size, is at size 0: the share of
-/// each value. They sum up to 1. Of two sizes these are those of extrapolate_to_zero().
+/// Returns the weight of each value in the intercept at size 0 of a straight line through values at `sizes`, by least
+/// squares with weights 1/size. The weights sum to 1. For two sizes they are those of extrapolate_to_zero().
 inline std::vector<double> find_line_shares(const std::vector<double>& sizes) {
   double weight = 0, mean = 0, spread = 0;  // Σ w, Σ w h/Σ w, Σ w (h − mean)²
   for (const double h : sizes) {

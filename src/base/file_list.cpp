@@ -25,7 +25,7 @@ namespace talus {
 
 namespace fs = std::filesystem;
 
-/// A list to which this process appends.
+/// An open list file to which this process appends.
 struct OpenList {
   fs::path folder;
   int file = -1;
@@ -48,7 +48,7 @@ struct OpenList {
   OpenList& operator=(const OpenList&) = delete;
   ~OpenList() { ::close(file); }
 
-  /// Appends lines in one go; with `flushes` they survive a loss of power before anything that follows.
+  /// Appends lines in one write; with `flushes` they are on the disk before any later write.
   void append(const std::vector<std::string>& lines, bool flushes) {
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
@@ -67,7 +67,7 @@ struct OpenList {
       done += static_cast<std::size_t>(n);
     }
     listed.is_cut_off = false;
-    // Some file systems cannot flush a file; that is no error.
+    // Some file systems do not support flushing a file, which is not an error.
     if (flushes && ::fdatasync(file) != 0 && errno != EINVAL && errno != ENOSYS)
       throw_cannot_write(folder / list_file, errno);
   }
@@ -75,7 +75,7 @@ struct OpenList {
 
 namespace {
 
-/// The lists that this process continues.
+/// The open lists of this process.
 struct OpenLists {
   std::mutex mutex;
   std::vector<std::shared_ptr<OpenList>> lists;
@@ -86,13 +86,13 @@ struct OpenLists {
   }
 };
 
-/// A file in the folder of an open list.
+/// A file name relative to the folder of an open list.
 struct Place {
   std::shared_ptr<OpenList> list;
   std::string name;
 };
 
-/// The innermost open list whose folder holds `path`.
+/// Returns the innermost open list whose folder contains `path`.
 std::optional<Place> find_place(const fs::path& path) {
   OpenLists& open = OpenLists::get();
   const std::lock_guard lock(open.mutex);
@@ -109,7 +109,7 @@ std::optional<Place> find_place(const fs::path& path) {
   return best;
 }
 
-/// Appends lines on a file, where a list is open for it.
+/// Appends one line per word about a file, if it belongs to an open list.
 void append(const std::optional<Place>& place, const std::vector<std::string>& words, bool flushes) {
   if (!place) return;
   std::vector<std::string> lines;
@@ -118,7 +118,7 @@ void append(const std::optional<Place>& place, const std::vector<std::string>& w
   place->list->append(lines, flushes);
 }
 
-/// A file that no run wrote is not replaced.
+/// Throws Error (folder_exists) if a file that no run wrote would be replaced.
 void refuse_foreign(const std::optional<Place>& place, const fs::path& path) {
   if (!place) return;
   const std::lock_guard lock(place->list->mutex);
@@ -232,7 +232,7 @@ std::string read_name(const std::string& text) {
   return name;
 }
 
-/// Returns true where the file has the listed size and content; a file that grows may be longer.
+/// Returns true if the file has the listed size and content; a growing file may be longer.
 bool is_as_listed(const fs::path& path, const ListedFile& listed, Compared compared) {
   std::error_code none;
   if (!fs::is_regular_file(fs::symlink_status(path, none))) return false;
@@ -244,7 +244,7 @@ bool is_as_listed(const fs::path& path, const ListedFile& listed, Compared compa
   return false;
 }
 
-/// Sorts what lies in a folder, list by list.
+/// Classifies the files below a folder, one list at a time.
 class Sorting {
  public:
   Sorting(const fs::path& folder, Compared compared) : compared_(compared) {
@@ -255,7 +255,7 @@ class Sorting {
   SortedFiles take() { return std::move(found_); }
 
  private:
-  /// `inside` is a folder of the one that has the list, `list`; both are relative to the folder that is sorted.
+  /// `inside` is a folder below `list`, the folder whose list applies; both are relative to the sorted folder.
   void walk(const fs::path& inside, const fs::path& list, const Listed& listed) {
     std::vector<fs::directory_entry> entries;
     for (const auto& entry : fs::directory_iterator(found_.folder / inside)) entries.push_back(entry);
@@ -418,7 +418,7 @@ SortedFiles sort_files(const fs::path& folder, Compared compared) {
 }
 
 void remove_own(const SortedFiles& files) {
-  std::vector<std::unique_ptr<FolderLock>> locks;  // the caller has that of the folder itself
+  std::vector<std::unique_ptr<FolderLock>> locks;  // the caller holds the lock of the folder itself
   for (std::size_t i = 1; i < files.lists.size(); ++i) {
     locks.push_back(std::make_unique<FolderLock>(files.folder / files.lists[i]));
     locks.back()->take_existing();

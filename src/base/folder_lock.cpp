@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands in a lock's file, a line each. All is empty in a file that its process could not fill.
+/// Content of a lock file, one member per line. All members are empty if the process could not write the file.
 struct Holder {
   std::string machine, process, since;
 };
@@ -49,11 +49,11 @@ Holder read_holder(int file) {
 void write_holder(int file) {
   const std::string text =
       fmt::format("{}\n{}\n{:%Y-%m-%d %H:%M:%S} UTC\n", get_machine(), ::getpid(), fmt::gmtime(std::time(nullptr)));
-  // A full disk is told by the first result; the lock holds all the same.
+  // A full disk is reported by the first write of results; the lock is valid nevertheless.
   if (::ftruncate(file, 0) == 0) static_cast<void>(::pwrite(file, text.data(), text.size(), 0) < 0);
 }
 
-/// Whether the process of a lock may still run, on a file system that does not say.
+/// Returns true if the process that holds a lock may still run, on a file system without locks.
 bool may_run(const Holder& holder) {
   if (holder.process.empty()) return false;
   if (holder.machine != get_machine()) return true;
@@ -73,8 +73,8 @@ bool may_run(const Holder& holder) {
   throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is in use by {}: {}", folder.string(), who, then));
 }
 
-/// The lock's file, made where `flags` say so; -1 where there is none that can be read. A link to another file, or a
-/// device, is not written to.
+/// Opens the lock file, created if `flags` contain O_CREAT; returns -1 if there is none that can be read. Throws Error
+/// (cannot_write) for a symbolic link or a device.
 int open_lock(const fs::path& path, int flags) {
   const auto refuse = [&](const char* what) {
     throw Error(
@@ -97,7 +97,7 @@ bool is_writable(const fs::path& folder) {
   return fs::is_directory(folder, unknown) && ::access(folder.c_str(), W_OK) == 0;
 }
 
-/// Whether the path still names the open file: its holder may have removed it before this process had its turn.
+/// Returns true if the path still refers to the open file: the previous holder may have removed it in the meantime.
 bool is_same(int file, const fs::path& path) {
   struct stat open {
   }, named{};
@@ -144,14 +144,14 @@ void FolderLock::share() {
 
 FolderLock::~FolderLock() {
   if (file_ < 0) return;
-  // While nobody else holds it, so that nobody else's is removed.
+  // Removes the file only if no other process holds the lock.
   std::error_code ignored;
   if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) fs::remove(folder_ / lock_file, ignored);
   ::close(file_);
 }
 
 ResultsLock::ResultsLock(const fs::path& folder) {
-  // Parts of a run, such as its trials, are held with the run; a run of its own has a summary.
+  // Parts of a run, such as its trials, are locked together with the run, which is the folder with a summary.
   constexpr int deepest_part = 3;
   std::error_code unknown;
   fs::path above = fs::canonical(folder, unknown);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One run at a time in a folder of results.
+// Locks that admit one run at a time to a folder of results.
 
 #include <deque>
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace talus {
 
-/// Holds a folder for this process from take() to its own end, by a lock (flock) on the file `talus.lock` in it, which
-/// also says who holds it. The lock ends with the process, however that ends. Linux hands it on to network file
-/// systems. On one that has no locks the file itself is the lock: it is taken over when its process was of this machine
-/// and has ended.
+/// Locks a folder for this process from take() to the destructor, by flock() on the file `talus.lock` in it, which also
+/// contains the holder. The lock ends with the process in any case. Linux forwards it to network file systems. On file
+/// systems without locks the existence of the file is the lock: it is taken over if its process ran on this machine and
+/// has ended.
 class FolderLock {
  public:
   explicit FolderLock(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -20,13 +20,13 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock();
 
-  /// Makes the folder where it is missing and takes it; nothing when it is held already. Throws Error (folder_exists)
-  /// when another process holds it, with its machine, number and time, and Error (cannot_write) when the machine
+  /// Makes the folder if it is missing and locks it; no effect if it is already locked by this object. Throws Error
+  /// (folder_exists) with machine, process and time if another process holds it, and Error (cannot_write) if the system
   /// refuses.
   void take();
-  /// The same for a folder that is there and may be written to; nothing else can harm what is in it.
+  /// Locks an existing, writable folder; other folders are not at risk and are not locked.
   void take_existing();
-  /// Holds a folder that is there for reading, beside others that read it; errors as take().
+  /// Takes a shared lock of an existing folder for reading; errors as take().
   void share();
 
  private:
@@ -36,23 +36,23 @@ class FolderLock {
   int file_ = -1;
 };
 
-/// Holds a folder of results for a command beside the run: while it is held no run begins in it, and what runs in it,
-/// or in the run that it is a part of, is refused as by FolderLock.
+/// Locks a folder of results for a command other than a run: while it is held, no run can start in the folder; a run in
+/// it, or in the run of which it is a part, is reported as by FolderLock.
 class ResultsLock {
  public:
-  /// For reading.
+  /// Locks for reading.
   explicit ResultsLock(const std::filesystem::path& folder);
-  /// For writing to `parts`, which are folders in it.
+  /// Locks for writing to `parts`, which are folders in it.
   ResultsLock(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& parts);
 
  private:
   std::deque<FolderLock> locks_;
 };
 
-/// The lock's file in a folder, which belongs to no result.
+/// Name of the lock file, which is not a result.
 inline constexpr const char* lock_file = "talus.lock";
 
-/// Whether nothing but a lock's file is in a folder that exists.
+/// Returns true if an existing folder has no entry but a lock file.
 bool holds_nothing(const std::filesystem::path& folder);
 
 }  // namespace talus

@@ -41,21 +41,21 @@
 namespace talus {
 namespace {
 
-/// How long a signal may wait [ms].
+/// Longest delay of the reaction to a signal [ms].
 constexpr int look = 50;
 constexpr std::size_t portion = 1 << 16;
 
-/// How the work ended; the first byte of an answer.
+/// How the work ended; first byte of the message to the parent.
 enum class End : char { done, error, no_memory, other };
 
-/// The child's end of the pipe. Nothing is thrown here: nobody would catch it.
+/// Writes the result to the pipe in the child. It does not throw, because no caller could catch.
 void send(int pipe, End end, const std::vector<std::byte>& bytes) {
   const auto write_all = [pipe](const void* data, std::size_t size) {
     const char* rest = static_cast<const char*>(data);
     while (size > 0) {
       const ssize_t n = ::write(pipe, rest, size);
       if (n < 0 && errno == EINTR) continue;
-      if (n < 0) _exit(1);  // nobody reads any more
+      if (n < 0) _exit(1);  // the parent has closed the pipe
       rest += n;
       size -= static_cast<std::size_t>(n);
     }
@@ -64,30 +64,29 @@ void send(int pipe, End end, const std::vector<std::byte>& bytes) {
   write_all(bytes.data(), bytes.size());
 }
 
-/// What a library does to this process must harm nobody else: no memory dump, no more memory than there is, and no life
-/// of its own after the program's end.
+/// Isolates the child from the system: no core dump, no more memory than is free, and termination with the parent.
 void become_harmless([[maybe_unused]] pid_t parent) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // it ended before that
+  if (getppid() != parent) _exit(1);  // the parent ended before prctl()
 #endif
-  // The parent decides when it ends, also where a terminal sends the signal to both.
+  // The parent terminates the child, even if a terminal sends the signal to both.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(crash, SIG_DFL);
-  std::set_terminate([] { std::abort(); });  // says nothing on stderr
+  std::set_terminate([] { std::abort(); });  // without a message on stderr
 #ifndef __SANITIZE_ADDRESS__
-  // What a library or the system says of a crash is not for the user, who gets our sentence.
+  // Messages of a library or of the system about a crash are suppressed; the user gets the message of this program.
   if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 #endif
   const rlimit no_dump{0, 0};
   setrlimit(RLIMIT_CORE, &no_dump);
   rlimit memory{};
   if (const std::optional<double> room = find_address_room(); room && getrlimit(RLIMIT_AS, &memory) == 0) {
-    memory.rlim_cur = std::min(memory.rlim_cur, static_cast<rlim_t>(*room));  // never more than the user allows
+    memory.rlim_cur = std::min(memory.rlim_cur, static_cast<rlim_t>(*room));  // the user's limit still applies
     setrlimit(RLIMIT_AS, &memory);
   }
-  // The threads of this program's pool are not in the child.
+  // The threads of the parent's pool do not exist in the child.
   omp_set_num_threads(1);
 }
 
@@ -114,7 +113,7 @@ void become_harmless([[maybe_unused]] pid_t parent) {
   _exit(0);
 }
 
-/// A child that is waited for on every way out.
+/// A child process that is waited for in the destructor.
 class Child {
  public:
   explicit Child(pid_t id) : id_(id) {}
@@ -125,7 +124,7 @@ class Child {
     ::kill(id_, SIGKILL);
     wait();
   }
-  /// Its status as waitpid() gives it; 0 where the host of this library takes the ends of all children.
+  /// Returns the status of waitpid(); 0 if the host program of this library reaps all children.
   int wait() {
     int status = 0;
     while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
@@ -152,8 +151,8 @@ struct Pipe {
   }
 };
 
-/// All that the child sends. Throws Error (interrupted) when a signal arrives; `was_interrupted`: it came before the
-/// child was started.
+/// Returns all bytes from the child. Throws Error (interrupted) if a signal arrives, unless `was_interrupted`: it was
+/// pending before the child was started.
 std::vector<std::byte> receive(int pipe, const std::string& doing, bool was_interrupted) {
   std::vector<std::byte> bytes;
   for (;;) {
@@ -183,19 +182,19 @@ std::string describe_end(int status) {
   throw Error(ExitCode::no_memory, fmt::format("cannot start a process: {}", std::strerror(errno)));
 }
 
-/// Forks. One thread after the other: a child that another thread starts meanwhile would keep the end open that this
-/// child writes to, and its answer would have no end before that other child's.
+/// Forks, one thread at a time: a child started meanwhile by another thread would inherit the write end of this pipe,
+/// so that end-of-file would be delayed until that other child ends.
 pid_t start_child(Pipe& pipe, const std::function<void(ByteWriter&)>& work) {
   static std::mutex one_at_a_time;
   std::unique_lock lock(one_at_a_time);
   if (::pipe(pipe.ends.data()) != 0) cannot_start();
   for (const int end : pipe.ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   const pid_t parent = ::getpid();
-  const PlainNumbers plain;  // for Gmsh, which reads numbers by the locale
+  const PlainNumbers plain;  // Gmsh reads numbers by the locale
   const pid_t id = ::fork();
   if (id < 0) cannot_start();
   if (id == 0) {
-    lock.unlock();  // its own children
+    lock.unlock();  // `work` may start children of its own
     Pipe::close(pipe.ends[0]);
     be_child(pipe.ends[1], parent, work);
   }
@@ -222,7 +221,7 @@ void limit_memory(double bytes) {
 }
 
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {
-  // Who calls with an interruption pending wants this work done, and looks for it afterwards.
+  // With an interruption pending already, the work is completed; the caller checks for the interruption afterwards.
   const bool was_interrupted = is_interrupted();
   Pipe pipe;
   Child child(start_child(pipe, work));
@@ -246,19 +245,19 @@ namespace talus {
 
 namespace {
 
-/// A call that has not returned is looked at so often. A process that is stopped does not look, so that a pause does
-/// not count.
+/// Number of checks until a call counts as one that never returns. A stopped process does not check, so a pause of the
+/// process does not count.
 constexpr int most_looks = 12;
 constexpr double usual_limit = 60;  ///< [s]
 std::atomic<double> limit{usual_limit};
 
 constexpr std::array crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-/// What the watch sends to the thread of a call that does not return.
+/// Returns the signal that the watch thread sends to the thread of a call that does not return.
 int get_watch_signal() {
   return SIGRTMAX - 1;
 }
 
-/// The call that runs; handlers and the watch look at it.
+/// State of the running call, shared by the signal handlers and the watch thread.
 struct Running {
   sigjmp_buf back;
   std::atomic<bool> is_on{false};
@@ -276,14 +275,14 @@ bool is_ours() {
 
 void handle(int signal) {
   if (is_ours()) siglongjmp(running.back, signal);
-  if (signal == get_watch_signal()) return;  // the call returned meanwhile
-  // Somebody else's crash: as it would have been without this.
+  if (signal == get_watch_signal()) return;  // the call has returned meanwhile
+  // The crash is not in foreign code: restore the previous handler.
   for (std::size_t i = 0; i < crashes.size(); ++i)
     if (crashes[i] == signal) sigaction(signal, &before[i], nullptr);
   if (signal == SIGABRT) std::raise(signal);
 }
 
-/// exit() is in progress and cannot be left, so only the sentence is ours.
+/// Runs inside exit(), which cannot be cancelled; only the message is replaced.
 void handle_exit() {
   if (!is_ours()) return;
   const auto say = [](const char* text) { static_cast<void>(::write(STDERR_FILENO, text, std::strlen(text)) < 0); };
@@ -309,7 +308,7 @@ void watch() {
 bool prepare_process() {
   struct sigaction action {};
   action.sa_handler = handle;
-  action.sa_flags = SA_ONSTACK | SA_NODEFER;  // no signal stays blocked after the way back
+  action.sa_flags = SA_ONSTACK | SA_NODEFER;  // the signal is not blocked after siglongjmp()
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < crashes.size(); ++i) sigaction(crashes[i], &action, &before[i]);
   sigaction(get_watch_signal(), &action, nullptr);
@@ -318,7 +317,7 @@ bool prepare_process() {
   return true;
 }
 
-/// A stack of its own for the handler, where the call has used up this thread's.
+/// An alternate signal stack, for calls that overflow the stack of the thread.
 struct HandlerStack {
   HandlerStack() {
     stack_t stack{};
@@ -331,7 +330,7 @@ struct HandlerStack {
     none.ss_flags = SS_DISABLE;
     sigaltstack(&none, nullptr);
   }
-  alignas(16) std::array<char, 1 << 16> bytes;  // the address sanitizer marks it by words
+  alignas(16) std::array<char, 1 << 16> bytes;  // the address sanitizer poisons it by words
 };
 
 }  // namespace
@@ -380,15 +379,15 @@ GuardedArray::~GuardedArray() {
 
 namespace {
 
-/// Where modules may stand: beside the program or where it is installed; for the library that Python has loaded, where
-/// its package is installed, in the folder above that of a processor's level, and in a build.
+/// Returns the folders in which modules are searched: for the program, its own folder and that of the installation; for
+/// the library loaded by Python, the package (above the folder of the instruction-set level) and the build tree.
 std::vector<std::string> list_folders() {
   Dl_info own{};
   std::error_code ignored;
   const bool known = dladdr(reinterpret_cast<void*>(&list_folders), &own) != 0 && own.dli_fname != nullptr;
   std::filesystem::path file = known ? std::filesystem::canonical(own.dli_fname, ignored) : "";
   const bool is_library = file.extension() == ".so";
-  // A program says the word with which it was called, which may be none of a file.
+  // For a program dladdr() returns argv[0], which need not be a path.
   if (!is_library) file = std::filesystem::read_symlink("/proc/self/exe", ignored);
   const std::string folder = file.parent_path().string();
   if (is_library) return {folder + "/../../../talus/", folder + "/../", folder + "/../../bin/"};

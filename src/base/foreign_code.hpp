@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Work of libraries that may crash, never end or take all memory: done by a child process, which cannot harm this one.
+// Isolation of third-party code that may crash, never return or exhaust memory, in a child process or in this one, and
+// loading of optional modules.
 
 #include <cstddef>
 #include <functional>
@@ -11,45 +12,44 @@
 
 namespace talus {
 
-/// The child ended before its work did. what() says how, as the end of a sentence: "it crashed (Segmentation fault)".
+/// The child ended before its work was complete. what() is the end of a sentence: "it crashed (Segmentation fault)".
 struct ChildCrash : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Forks, does `work` in the child and returns the bytes that it wrote. The child sees all memory as it is now, and
-/// what it changes there is lost; it has one thread and the memory that is free. An Error that `work` throws is thrown
-/// here. When SIGINT or SIGTERM arrives meanwhile (base/progress.hpp), the child is killed and Error (interrupted)
-/// thrown within a tenth of a second: "interrupted while `doing`". Throws ChildCrash when the child crashes, and Error
-/// (no_memory) when it finds no memory or cannot be started.
+/// Forks, runs `work` in the child and returns the bytes that it wrote. The child has a copy of the memory, one thread,
+/// and at most the memory that is free. An Error of `work` is thrown here. If SIGINT or SIGTERM arrives
+/// (base/progress.hpp), the child is killed and Error (interrupted) "interrupted while `doing`" is thrown within a
+/// tenth of a second. Throws ChildCrash if the child crashes, and Error (no_memory) if it runs out of memory or cannot
+/// be started.
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work);
 
-/// For such work: ends its process as a crash does after so many seconds of the processor's time, where a library may
-/// never return. A busy machine does not shorten them.
+/// Limits the processor time of the child [s], for libraries that may never return; it ends as by a crash. Other load
+/// on the machine does not count.
 void limit_processor_time(double seconds);
 
-/// The same for memory: its process gets so many bytes beside what it has, or what is free if that is less.
+/// Limits the memory of the child to `bytes` beyond its current use, or to the free memory if that is less.
 void limit_memory(double bytes);
 
-// Calls of compiled code that is not ours and runs in this process: a crash, a call that never returns and an end of
-// the program are caught and named.
+// Calls of third-party compiled code in this process, which may crash, never return or end the program.
 
 /// How a call ended.
 enum class ForeignEnd { returned, crashed, never_returned };
 
-/// Calls `function(data)`. A crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) is caught, and so is a call that has not
-/// returned after a minute in which this process ran; what the code did until then stays done. Where it ends the
-/// program (exit(), STOP of Fortran), the program says so with `name` on standard error and ends with code 4.
-/// `function` must hold nothing that a destructor frees. One call at a time in the process: callers hold a lock.
+/// Calls `function(data)`. Catches a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) and a call that has not returned
+/// after one minute of this process's running time; effects of the code until then remain. If the code ends the program
+/// (exit(), STOP in Fortran), a message with `name` is written to standard error and the exit code is 4. `function`
+/// must own nothing that a destructor releases. Calls must be serialised in the process by a lock of the callers.
 ForeignEnd call_foreign(const std::string& name, void (*function)(void*), void* data);
 
-/// Another limit than a minute [s], for tests.
+/// Replaces the limit of one minute [s], for tests.
 void set_foreign_limit(double seconds);
 
-/// The signal of the last call that crashed, as the system names it: "Segmentation fault".
+/// Returns the signal of the last crash by its system name: "Segmentation fault".
 std::string get_crash_name();
 
-/// Memory for `count` numbers that ends where memory of this process ends: who writes or reads behind it crashes, and
-/// call_foreign() tells. Zero at first.
+/// Memory for `count` numbers that ends at a guard page: accesses beyond it crash, and call_foreign() reports them.
+/// Initially zero.
 class GuardedArray {
  public:
   explicit GuardedArray(std::size_t count);
@@ -67,12 +67,12 @@ class GuardedArray {
   std::size_t count_ = 0;
 };
 
-// Parts of the program that are loaded where they are asked for, because what they need is not everywhere: MPI, CUDA.
+// Modules that are loaded at run time, because their dependencies (MPI, CUDA) are optional.
 
-/// Loads a module such as "libtalus_ranks.so", which stands beside the program or in the folder lib/talus of where it
-/// or Python's package is installed, and returns its function `maker`. nullptr where there is no such module, and `why`
-/// says what was the matter. Throws Error (wrong_input) where it is of another version. `global`: its symbols serve
-/// what it loads itself.
+/// Loads a module such as "libtalus_ranks.so" from the program's folder or from lib/talus of the installation or of the
+/// Python package, and returns its function `maker`. Returns nullptr with the reason in `why` if there is no such
+/// module. Throws Error (wrong_input) if it is of another version. `global`: its symbols are visible to libraries that
+/// it loads.
 void* load_module(const std::string& name, const char* maker, bool global, std::string& why);
 
 }  // namespace talus

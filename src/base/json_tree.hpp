@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A JSON tree that is carried along and written out, such as the echo of a case. Code that reads it includes json.hpp.
+// A JSON tree without the header of the JSON library, for code that only stores or writes it, such as the echo of a
+// case. Code that reads it includes json.hpp.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -10,17 +11,17 @@ namespace talus {
 
 class JsonTree {
  public:
-  /// Nothing.
+  /// Makes an empty tree.
   JsonTree() = default;
   explicit JsonTree(nlohmann::json tree);
 
-  /// From a text that was written by write(). Throws Error (wrong_input) when it is no JSON.
+  /// Parses a text written by write(). Throws Error (wrong_input) if it is not JSON.
   static JsonTree parse(const std::string& text);
 
   bool is_empty() const { return tree_ == nullptr; }
-  /// The tree; an empty object where there is none.
+  /// Returns the tree; an empty object if there is none.
   const nlohmann::json& get() const;
-  /// On one line.
+  /// Writes the tree on one line.
   std::string write() const;
 
  private:

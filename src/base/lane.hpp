@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One kernel source for the CPU's vectors and for a GPU's threads: kernels are templates on T, which is either
-// Pack (lane_width doubles, one element of the mesh per lane) or the plain double of one thread. This file is the only
-// place that knows the instruction set. std::experimental::simd is not used: under clang with AVX-512 its masked
-// assignment was silently wrong (docs/decisions/0004).
+// One kernel source for SIMD on the CPU and threads on a GPU: kernels are templates on T, either Pack (lane_width
+// doubles, one element of the mesh per lane) or the double of one thread. Only this file depends on the instruction
+// set. std::experimental::simd is not used: under clang with AVX-512 its masked assignment gave wrong results silently
+// (docs/decisions/0004).
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@
 #include <immintrin.h>
 #endif
 
-#if defined(__SANITIZE_ADDRESS__)  // such loops are not unrolled
+#if defined(__SANITIZE_ADDRESS__)  // the address sanitizer prevents unrolling
 #define TALUS_KERNEL inline __attribute__((always_inline))
 #define TALUS_UNROLL
 #elif defined(__CUDACC__)
@@ -31,8 +31,7 @@
 
 namespace talus {
 
-/// The level of the instruction set that this code was compiled for, by its name in the x86-64 psABI; "aarch64" for
-/// 64-bit ARM.
+/// The instruction-set level of this build by its name in the x86-64 psABI; "aarch64" for 64-bit ARM.
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && \
     defined(__AVX512VL__)
 inline constexpr const char* instruction_level = "x86-64-v4";
@@ -54,10 +53,10 @@ inline constexpr int lane_width = 4;
 inline constexpr int lane_width = 2;
 #endif
 
-#if defined(__CUDACC__)  // nvcc knows no vector types
+#if defined(__CUDACC__)  // nvcc has no vector types
 struct Pack;
 #else
-/// One truth value per lane.
+/// One Boolean per lane.
 struct Mask {
   typedef std::int64_t Vector __attribute__((vector_size(8 * lane_width)));
   Vector bits;  ///< -1 where true, 0 where false
@@ -71,7 +70,7 @@ struct Mask {
   TALUS_KERNEL bool operator[](int lane) const { return bits[lane] != 0; }
 };
 
-/// lane_width doubles, used like one.
+/// lane_width doubles with the operators of a double.
 struct Pack {
   typedef double Vector __attribute__((vector_size(8 * lane_width)));
   Vector value;
@@ -146,7 +145,7 @@ TALUS_KERNEL bool any(bool m) {
 TALUS_KERNEL bool all(bool m) {
   return m;
 }
-/// One bit per lane, lane 0 lowest.
+/// Returns one bit per lane, lane 0 lowest.
 TALUS_KERNEL unsigned to_bits(bool m) {
   return m ? 1 : 0;
 }
@@ -175,7 +174,7 @@ TALUS_KERNEL Pack lane_abs(Pack a) {
 }
 TALUS_KERNEL Pack lane_sqrt(Pack a) {
 #if defined(__AVX512F__)
-  // the zero-masked form: GCC 12 warns of an uninitialised value inside the plain one
+  // The zero-masked form avoids a warning of GCC 12 about an uninitialised value in the unmasked one.
   return static_cast<Pack::Vector>(_mm512_maskz_sqrt_pd(0xff, static_cast<__m512d>(a.value)));
 #elif defined(__AVX__)
   return static_cast<Pack::Vector>(_mm256_sqrt_pd(static_cast<__m256d>(a.value)));
@@ -220,7 +219,7 @@ TALUS_KERNEL void store(double* p, Pack a) {
 }
 #endif
 
-/// Loads a pack from memory that is aligned to it, or the double of a thread.
+/// Loads a pack from memory aligned to its size, or the double of a thread.
 template <class T>
 TALUS_KERNEL T load(const double* p) {
   if constexpr (LaneTraits<T>::width == 1)
@@ -233,13 +232,13 @@ TALUS_KERNEL T load(const double* p) {
 
 namespace talus {
 
-// Logarithm, exponential and power for a double and for a Pack: the laws of soil water need them in every lane. Both
-// are the same arithmetic, so a lane gives what a double gives. Errors: 2 units in the last place of log and exp; a
-// power adds |y ln x| of them.
+// Logarithm, exponential and power for a double and for a Pack, which the laws of soil water evaluate in every lane. A
+// lane and a double give bitwise identical results. Errors: 2 ulp for log and exp; |y ln x| ulp in addition for a
+// power.
 
 namespace detail {
 
-/// The bits of a double as an integer, and back.
+/// Reinterprets a double as an integer, and back.
 TALUS_KERNEL std::int64_t to_integer(double a) {
   std::int64_t r;
   std::memcpy(&r, &a, sizeof r);
@@ -259,11 +258,11 @@ TALUS_KERNEL Pack to_lanes(Mask::Vector a) {
 }
 #endif
 
-inline constexpr double ln2_high = 0x1.62e42fefa38p-1;  ///< short, so that its product with an exponent is exact
+inline constexpr double ln2_high = 0x1.62e42fefa38p-1;  ///< truncated, so that its product with an exponent is exact
 inline constexpr double ln2_low = 0x1.ef35793c7673p-45;
-inline constexpr double round_shift = 0x1.8p52;  ///< adding it leaves the nearest integer in the low bits
+inline constexpr double round_shift = 0x1.8p52;  ///< after adding it, the low bits are the nearest integer
 
-/// Σ c_i x^i by Estrin's scheme: a short chain of dependent operations, so that a core works on several at once.
+/// Evaluates Σ c_i x^i by Estrin's scheme, whose dependency chain is short.
 template <std::size_t N, class T>
 TALUS_KERNEL T find_polynomial(const double (&c)[N], T x) {
   T sum[(N + 1) / 2];
@@ -284,7 +283,7 @@ TALUS_KERNEL T find_polynomial(const double (&c)[N], T x) {
 
 }  // namespace detail
 
-/// Natural logarithm of normal positive numbers; anything for others.
+/// Returns the natural logarithm of a positive normal number; undefined for other arguments.
 template <class T>
 TALUS_KERNEL T lane_log(T x) {
   constexpr double artanh[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
@@ -297,7 +296,7 @@ TALUS_KERNEL T lane_log(T x) {
   return k * detail::ln2_high + (2.0 * s + (s * z * detail::find_polynomial(artanh, z) + k * detail::ln2_low));
 }
 
-/// Exponential; below -708 and above 709 that of the limit.
+/// Returns the exponential; the argument is limited to [-708, 709].
 template <class T>
 TALUS_KERNEL T lane_exp(T x) {
   constexpr double inverse_factorial[] = {
@@ -312,7 +311,7 @@ TALUS_KERNEL T lane_exp(T x) {
   return p * detail::to_lanes((whole + 1023) << 52);
 }
 
-/// x^y for positive x.
+/// Returns x^y for positive x.
 template <class T>
 TALUS_KERNEL T lane_power(T x, double y) {
   return lane_exp(lane_log(x) * y);

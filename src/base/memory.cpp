@@ -22,7 +22,7 @@ std::string read(const char* path) {
   return text.str();
 }
 
-/// The number that a text begins with.
+/// Returns the number at the beginning of a text.
 std::optional<double> parse(const std::string& text) {
   const double value = read_number(text);
   return std::isnan(value) ? std::nullopt : std::optional(value);
@@ -40,14 +40,14 @@ std::optional<double> find_free_memory(const std::string& meminfo, const std::st
   constexpr const char* word = "MemAvailable:";
   if (const auto at = meminfo.find(word); at != std::string::npos)
     if (const auto kilobytes = parse(meminfo.substr(at + std::string(word).size()))) free = 1024 * *kilobytes;
-  // A group without a limit says "max".
+  // A control group without a limit has the text "max".
   const auto most = parse(limit), taken = parse(used);
   if (most && taken) free = std::min(free.value_or(*most - *taken), std::max(0.0, *most - *taken));
   return free;
 }
 
 std::optional<double> find_address_size() {
-  const auto pages = parse(read("/proc/self/statm"));  // its first number
+  const auto pages = parse(read("/proc/self/statm"));  // reads the first number
   return pages ? std::optional(*pages * static_cast<double>(sysconf(_SC_PAGESIZE))) : std::nullopt;
 }
 

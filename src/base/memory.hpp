@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How much memory is free, and giving some back.
+// Queries of free memory, and return of freed memory to the system.
 
 #include <optional>
 #include <string>
 
 namespace talus {
 
-/// Bytes that can be taken without swapping: the kernel's MemAvailable, or what a container's limit leaves if that is
-/// less. Nothing where the system does not say.
+/// Returns the bytes that can be allocated without swapping: MemAvailable of the kernel, or the rest of a container's
+/// limit if that is less; std::nullopt if unknown.
 std::optional<double> find_free_memory();
 
-/// The same from the texts of /proc/meminfo and of the control group's memory.max and memory.current; texts may be
-/// empty.
+/// Returns the same from the texts of /proc/meminfo and of memory.max and memory.current of the control group; texts
+/// may be empty.
 std::optional<double> find_free_memory(const std::string& meminfo, const std::string& limit, const std::string& used);
 
-/// The size [bytes] of this process's address space; nothing where it is not known.
+/// Returns the size of this process's address space [bytes]; std::nullopt if unknown.
 std::optional<double> find_address_size();
 
-/// The size [bytes] that this process's address space would have with all that memory; nothing where it is not known.
+/// Returns the size of this process's address space including all free memory [bytes]; std::nullopt if unknown.
 std::optional<double> find_address_room();
 
-/// Gives memory that was freed back to the system, which the C library would keep: after work that needed much for a
-/// while.
+/// Returns freed memory to the system, which the C library would keep, after work that temporarily needed much memory.
 void return_freed_memory();
 
-/// "1.2 GB", "340 MB".
+/// Formats bytes as "1.2 GB" or "340 MB".
 std::string write_bytes(double bytes);
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What goes from one process to another of the same program.
+// Serialisation of messages between processes of this program.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace talus {
 
-// Plain values, texts and arrays one after the other in memory: what one process of this program hands to another.
+// Byte streams of plain values, texts and arrays, for processes on the same machine.
 
-/// Writes values in order. The reader must ask for the same types in the same order.
+/// Writes values in order. The reader must read the same types in the same order.
 class ByteWriter {
  public:
   template <class T>
@@ -44,7 +44,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what a ByteWriter wrote. Throws std::out_of_range where the bytes end too early.
+/// Reads the bytes of a ByteWriter. Throws std::out_of_range if there are too few.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -82,7 +82,7 @@ class ByteReader {
 
 using Bytes = std::vector<std::byte>;
 
-/// What a message is put together of, and taken apart into in the same order.
+/// A message between ranks; values are read in the order in which they were written.
 class Message {
  public:
   Message() = default;
@@ -139,9 +139,10 @@ class Message {
   std::size_t read_ = 0;
 };
 
-// Structs are put into messages and taken out of them by one list of their members:
+// Structs are serialised by one list of their members for both directions:
 //   template <class Visit> void visit_members(Visit&& visit, Like<MyStruct> auto& s) { visit(s.a, s.b); }
-// which is found beside the struct. Putting and Taking are such visitors; what has no pointers in it needs no list.
+// visit_members() is declared beside the struct. Putting and Taking are visitors; trivially copyable types need no
+// list.
 
 template <class T, class Struct>
 concept Like = std::is_same_v<std::remove_const_t<T>, Struct>;

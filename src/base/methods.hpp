@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The four methods, the methods of slices, and those of rapid drawdown. Each has one word, from the case to the page.
+// The four methods of stability analysis, the methods of slices and those of rapid drawdown, with their words in case
+// files and their titles.
 
 #include <array>
 
 namespace talus {
 
-/// Slices, finite elements, proven bounds, material points.
+/// Limit equilibrium, finite elements, limit analysis, material point method.
 enum class Method { lem, fem, bounds, mpm };
 
-/// As people call them.
+/// Returns the title of a method in reports.
 constexpr const char* get_title(Method method) {
   constexpr std::array titles{"slices", "finite elements", "proven bounds", "material points"};
   return titles[static_cast<std::size_t>(method)];
 }
 
 enum class SliceMethod {
-  fellenius,                   ///< ordinary method; with water N' = W cosα - u l (the classical form)
-  bishop,                      ///< simplified; polylines: moments about the centre of the fitted circle, with a warning
+  fellenius,                   ///< ordinary method of slices; N' = W cosα - u l (classical form)
+  bishop,                      ///< simplified; polylines: moments about the centre of a fitted circle, with a warning
   janbu,                       ///< simplified, f_0 = 1
-  janbu_corrected,             ///< simplified times f_0
+  janbu_corrected,             ///< simplified, multiplied by f_0
   spencer,                     ///< parallel interslice forces
   morgenstern_price,           ///< half-sine interslice function
-  morgenstern_price_constant,  ///< constant interslice function: Spencer's forces by the other formulation
-  corps_1,                     ///< force equilibrium; interslice forces parallel to the line between the ends
-  corps_2,                     ///< the same; parallel to the ground above them
-  lowe_karafiath,              ///< the same; inclined as the mean of ground and base
-  modified_swedish             ///< the same; parallel to the face, from the lower end to the crest of the mass
+  morgenstern_price_constant,  ///< constant interslice function: Spencer's method in another formulation
+  corps_1,          ///< force equilibrium; interslice forces parallel to the line between the ends of the surface
+  corps_2,          ///< force equilibrium; interslice forces parallel to the ground above them
+  lowe_karafiath,   ///< force equilibrium; inclination is the mean of ground and base
+  modified_swedish  ///< force equilibrium; parallel to the face, from the lower end to the crest of the mass
 };
 
-/// A method of slices as files and as people call it.
+/// A method of slices with its word in files and its title.
 struct SliceMethodName {
   SliceMethod method;
   const char *word, *title;
@@ -56,12 +57,12 @@ constexpr const char* get_title(SliceMethod method) {
   return slice_methods[static_cast<std::size_t>(method)].title;
 }
 
-/// Rapid drawdown of the water beside a slope: where the strength after it comes from.
+/// Method of rapid drawdown: the source of the strength after drawdown.
 enum class DrawdownMethod {
-  corps_1970,      ///< two stages; the lower of the R envelope and the effective one
-  lowe_karafiath,  ///< two stages; between the strengths by the ratio of the principal stresses before
-  three_stage,     ///< the same, and the drained strength where it is lower (Duncan, Wright and Wong 1990)
-  b_bar            ///< effective stress; pore pressures fall by B̄ times the water that is gone
+  corps_1970,      ///< two stages; the lower of the R envelope and the effective envelope
+  lowe_karafiath,  ///< two stages; interpolation between the envelopes by the principal stress ratio before drawdown
+  three_stage,     ///< as lowe_karafiath, and the drained strength where it is lower (Duncan, Wright and Wong 1990)
+  b_bar            ///< effective stress; pore pressure changes by B̄ times the removed water load
 };
 
 struct DrawdownMethodName {
@@ -78,8 +79,8 @@ constexpr const char* get_title(DrawdownMethod method) {
   return drawdown_methods[static_cast<std::size_t>(method)].title;
 }
 
-/// How much of the equilibrium a method leaves out: 0, none; 1, a part that hardly matters on most slopes; 2, more. The
-/// factor of a slope is taken from those with the lowest rank that a run has.
+/// Returns how much of the equilibrium a method neglects: 0 none, 1 a part with minor effect on most slopes, 2 more.
+/// The factor of a slope is taken from the methods of a run with the lowest rank.
 constexpr int rank_equilibrium(SliceMethod method) {
   switch (method) {
     case SliceMethod::spencer:
@@ -93,18 +94,18 @@ constexpr int rank_equilibrium(SliceMethod method) {
       return 2;
   }
 }
-/// Whether it satisfies all equilibrium of forces and moments.
+/// Returns true if the method satisfies force and moment equilibrium.
 constexpr bool is_rigorous(SliceMethod method) {
   return rank_equilibrium(method) == 0;
 }
 
-/// Whether it satisfies equilibrium of forces alone, with interslice forces of given inclinations.
+/// Returns true if the method satisfies force equilibrium only, with prescribed inclinations of interslice forces.
 constexpr bool has_given_inclinations(SliceMethod method) {
   return method == SliceMethod::corps_1 || method == SliceMethod::corps_2 || method == SliceMethod::lowe_karafiath ||
          method == SliceMethod::modified_swedish;
 }
 
-/// Whether it takes non-circular surfaces.
+/// Returns true if the method applies to non-circular surfaces.
 constexpr bool suits_polylines(SliceMethod method) {
   return method != SliceMethod::fellenius && method != SliceMethod::bishop;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Numbers and texts: coordinates with all digits, so that those of a map name a place; others with as many digits as
-// their uncertainty leaves. None depends on the locale, which may have a decimal comma.
+// Conversion between numbers and texts, independent of the locale and its decimal sign: coordinates with all digits,
+// results with the digits that their uncertainty allows.
 
 #include <fmt/format.h>
 #include <locale.h>
@@ -16,8 +16,8 @@
 
 namespace talus {
 
-/// While it exists, libraries that this thread calls read and write numbers with a point, also where the process has
-/// set a locale with a decimal comma.
+/// Sets the decimal point for libraries called in this thread, for the lifetime of the object, even if the locale of
+/// the process has a decimal comma.
 class PlainNumbers {
  public:
   PlainNumbers() : before_(uselocale(get())) {}
@@ -33,7 +33,7 @@ class PlainNumbers {
   locale_t before_;
 };
 
-/// The number that `text` begins with, after blanks; NaN where it begins with none.
+/// Returns the number at the beginning of `text`, after blanks; NaN if there is none.
 inline double read_number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -41,17 +41,17 @@ inline double read_number(std::string_view text) {
   return value;
 }
 
-/// `value` rounded to so many digits: 30° comes back from radians as 29.999999999999996.
+/// Returns `value` rounded to `digits` significant digits, which removes conversion errors such as 29.999999999999996°.
 inline double round_to_digits(double value, int digits) {
   return std::isfinite(value) ? read_number(fmt::format("{:.{}g}", value, digits)) : value;
 }
 
-/// "12.345", "4000012.5": `x` [m] rounded to 1e-5 m.
+/// Writes `x` [m] rounded to 1e-5 m: "12.345", "4000012.5".
 inline std::string format_coordinate(double x) {
   return fmt::format("{:.15g}", std::round(x * 1e5) / 1e5 + 0.0);
 }
 
-/// "(12.345, 4000012.5)" of two or three coordinates [m].
+/// Writes two or three coordinates [m]: "(12.345, 4000012.5)".
 template <class Point>
 std::string format_point(const Point& point) {
   std::string text;
@@ -59,9 +59,9 @@ std::string format_point(const Point& point) {
   return text + ")";
 }
 
-/// "1.3 ± 0.4", "130 ± 20", "1.31 ± 0.12": the uncertainty has one digit, or two that begin with 1, and the value ends
-/// where it does. Without an uncertainty "1.3", with two digits; with one below a thousandth of the value, three.
-/// Numbers below `least` are rounding, and zero. "–" for a value that is not finite.
+/// Writes "1.3 ± 0.4", "130 ± 20" or "1.31 ± 0.12": the uncertainty has one digit, or two if the first is 1, and the
+/// value ends at the same digit. Without an uncertainty the value has two digits; with an uncertainty below 1/1000 of
+/// the value it has three. Numbers below `least` are written as zero, non-finite values as "–".
 inline std::string format_uncertain(double value, std::optional<double> uncertainty) {
   constexpr double least = 1e-9;
   const auto round_at = [](double x, double last) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The only place that knows threads. Work is cut into pieces that do not depend on the number of threads, each piece
-// writes to its own memory, and sums over pieces are taken in the order of the pieces: results are bitwise the same
+// Parallel loops; the only place that uses threads. The division into pieces does not depend on the number of threads,
+// each piece writes to its own memory, and sums over pieces are taken in their order, so results are bitwise identical
 // for any number of threads.
 
 #include <omp.h>
@@ -13,7 +13,7 @@ namespace talus {
 
 namespace detail {
 
-/// Runs pieces and keeps the first exception by piece number, since none may leave a parallel region.
+/// Runs pieces and stores the exception of the lowest piece, since exceptions must not leave a parallel region.
 template <class Work>
 class GuardedWork {
  public:
@@ -41,9 +41,9 @@ class GuardedWork {
 
 }  // namespace detail
 
-/// Calls work(0) … work(pieces-1), each once, on at most `threads` threads; waits for all. For many pieces of equal
-/// size: a thread gets the same ones every time, so what it has in its cache stays useful. The first exception (by
-/// piece number) is thrown again here.
+/// Calls work(0) … work(pieces-1) once each on at most `threads` threads and waits for all. It suits many pieces of
+/// equal cost: the static schedule assigns the same pieces to a thread every time, which reuses its cache. Rethrows the
+/// exception of the lowest piece.
 template <class Work>
 void parallel_for(int pieces, int threads, Work&& work) {
   if (threads <= 1 || pieces <= 1) {
@@ -56,7 +56,7 @@ void parallel_for(int pieces, int threads, Work&& work) {
   guarded.rethrow();
 }
 
-/// The same for a few long pieces of unequal size, such as trials: a thread takes the next one when it is done.
+/// As parallel_for() for few pieces of unequal cost, such as trials, with a dynamic schedule.
 template <class Work>
 void parallel_tasks(int pieces, int threads, Work&& work) {
   if (threads <= 1 || pieces <= 1) {
@@ -69,7 +69,7 @@ void parallel_tasks(int pieces, int threads, Work&& work) {
   guarded.rethrow();
 }
 
-/// Threads of this machine that a run uses when the user names no number.
+/// Returns the default number of threads.
 inline int default_threads() {
   return omp_get_max_threads();
 }

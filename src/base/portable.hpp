@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+// Helpers for code that is compiled for the CPU and for a GPU: the function attribute, flags that several threads may
+// raise, and a visitor of variants.
 
 #include <cstddef>
 #include <variant>
 
-/// Before a function that a GPU calls too.
+/// Marks a function that is also compiled for a GPU.
 #if defined(__CUDACC__)
 #define TALUS_PORTABLE __host__ __device__
 #else
@@ -13,9 +15,9 @@
 
 namespace talus {
 
-// Flags that several threads may raise together, here and on a GPU.
+// Flags that several threads may raise concurrently, on the CPU and on a GPU.
 
-/// Several threads may raise a flag together, and others look at it meanwhile; which of them see it must not matter.
+/// Raises a flag. Other threads may read it concurrently; results must not depend on which of them already see it.
 template <class Flag>
 TALUS_PORTABLE void raise_flag(Flag& flag) {
 #ifdef __CUDA_ARCH__
@@ -33,10 +35,8 @@ TALUS_PORTABLE bool is_raised(const Flag& flag) {
 #endif
 }
 
-// What a variant holds, where std::visit() is not to be had: on a GPU.
-
-/// work() of what a variant holds, as std::visit() of one variant, which a GPU does not know. All kinds give the same
-/// type.
+/// Returns work() of the active alternative of a variant, in place of std::visit(), which is not available on a GPU.
+/// The return type must be the same for all alternatives.
 template <std::size_t Kind = 0, class Work, class Variant>
 TALUS_PORTABLE auto visit_kind(const Work& work, const Variant& variant) {
   if constexpr (Kind + 1 == std::variant_size_v<Variant>) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One line on the terminal that is written over as work goes on; nothing when standard error is no terminal. A program
-// that embeds this one receives the progress instead.
+// Handling of SIGINT and SIGTERM, and progress on the terminal: one line that is overwritten, or calls of a listener in
+// a program that embeds this one.
 
 #include <atomic>
 #include <chrono>
@@ -11,52 +11,53 @@
 
 namespace talus {
 
-// SIGINT and SIGTERM ask for an orderly end: the calculation looks here between steps, saves itself and stops.
+// SIGINT and SIGTERM request an orderly end: the calculation checks for them between steps, writes a checkpoint and
+// stops.
 
-/// From now on both signals set the flag instead of ending the program; a second one ends it at once.
+/// Installs handlers that set a flag; a second signal ends the program at once.
 void catch_interrupts();
 
-/// Whether one of them has arrived.
+/// Returns true if one of the signals has arrived.
 bool is_interrupted();
 
-/// Throws Error (interrupted) when one has arrived, for work that keeps its results as it goes on.
+/// Throws Error (interrupted) if one has arrived, for work whose results so far are already written.
 void throw_if_interrupted();
 
-/// Sets the flag as the signal does, for tests and for programs that embed this one; false clears it.
+/// Sets the flag as the signal does, for tests and for embedding programs; false clears it.
 void request_interrupt(bool wanted = true);
 
-/// Calls `look` wherever the calculation looks for signals, for tests of how often it does; nullptr ends it.
+/// Calls `look` at every check for signals, for tests of their frequency; nullptr ends it.
 void watch_interrupts(void (*look)());
 
-/// How far a calculation is: the line for a person, and the same as values.
+/// Progress of a calculation, as a line for the terminal and as values.
 struct ProgressReport {
   std::string line;
-  std::string label;    ///< which of several, "[3 of 24] "; empty for the stages of a case
-  std::string stage;    ///< name of the stage or trial; empty where there is only a line
+  std::string label;    ///< position among several calculations, "[3 of 24] "; empty for the stages of a case
+  std::string stage;    ///< name of the stage or trial; empty if there is only a line
   double time = 0;      ///< simulated time since its start [s]
-  double duration = 0;  ///< its whole time, or the longest that it may take to rest [s]; 0: not known
+  double duration = 0;  ///< total time, or the longest time to rest [s]; 0: unknown
 };
 
 class Progress {
  public:
   using Listener = std::function<void(const ProgressReport&)>;
 
-  /// Shows something only when standard error is a terminal and `wanted`.
+  /// Writes only if standard error is a terminal and `wanted`.
   explicit Progress(bool wanted = true);
-  /// Tells `listener` instead, from the threads that calculate, one at a time; it must be quick and must not throw.
+  /// Calls `listener` instead, from the calculating threads, one at a time; it must be fast and must not throw.
   explicit Progress(Listener listener);
   ~Progress();
 
   using Clock = std::chrono::steady_clock;
-  /// Whether a new line would be shown at `now`; lines come at most five times a second. Cheap, so ask before
-  /// composing.
+  /// Returns true if a new line would be written at `now`, at most five times per second. This is cheap; call it before
+  /// composing a line.
   bool is_due(Clock::time_point now = Clock::now()) const;
-  /// Replaces the line. Safe to call from several threads.
+  /// Replaces the line. Thread-safe.
   void show(const std::string& line);
   void show(const ProgressReport& report);
-  /// Prints a sentence that stays, wherever standard error goes.
+  /// Writes a permanent sentence to standard error, also if it is not a terminal.
   void note(const std::string& sentence);
-  /// Removes the line, so that other output starts on a clean one.
+  /// Erases the line before other output.
   void clear();
 
  private:
@@ -67,7 +68,7 @@ class Progress {
   std::mutex mutex_;
 };
 
-/// 75 s as "1 min 15 s".
+/// Formats 75 s as "1 min 15 s".
 std::string format_duration(double seconds);
 
 }  // namespace talus

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-/// A process alone.
+/// A single process.
 class OneRank : public Ranks {
  public:
   int rank() const override { return 0; }
@@ -63,7 +63,7 @@ void join_ranks() {
   const int count = count_started();
   if (count <= 1) return;
   std::string why;
-  // Symbols of MPI are looked up by plugins that it loads itself.
+  // Plugins that MPI loads need its symbols, so the module is loaded with global symbols.
   void* maker = load_module("libtalus_ranks.so", "talus_make_ranks", true, why);
   if (maker == nullptr)
     throw Error(ExitCode::wrong_input,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Processes that calculate one case together, started by mpiexec. The program itself knows no MPI: what sends and
-// receives is a module of its own (src/ranks/), which is loaded where a run has more than one rank.
+// Interface to the ranks (MPI processes) that calculate one case together. The program itself does not link MPI:
+// communication is in a module (src/ranks/) that is loaded if a run has more than one rank.
 
 #include <functional>
 #include <memory>
@@ -18,12 +18,12 @@ struct HaloArray {
   int stride = 1;
 };
 
-/// Items that other ranks own, brought up to date by theirs.
+/// Halo exchange: updates copies of items from the ranks that own them.
 class Halo {
  public:
   virtual ~Halo() = default;
-  /// All arrays at once: none waits for another's messages. Between begin() and end() what goes must stay, and what
-  /// comes is not there.
+  /// Starts the exchange of all arrays together. Until end(), data to send must not change and data to receive are not
+  /// valid.
   virtual void begin(std::vector<HaloArray> arrays) = 0;
   virtual void end() = 0;
   void update(std::vector<HaloArray> arrays) {
@@ -32,70 +32,70 @@ class Halo {
   }
 };
 
-/// An item that another rank owns, under the number that it has on all ranks.
+/// A halo item: its index on this and all ranks, and the rank that owns it.
 struct Guest {
   int item = 0;
   int rank = 0;
 };
 
-/// What a rank has sent, and the time that it spent with it.
+/// Bytes sent by a rank, and the time spent in communication.
 struct Traffic {
   double bytes = 0;
-  double seconds = 0;  ///< waiting for the others too
-  int hand_overs = 0;  ///< of work to other ranks, because some had more of it; counted by those who do it
+  double seconds = 0;  ///< including waiting for other ranks
+  int hand_overs = 0;  ///< number of rebalances of work between ranks, counted on the sending rank
 };
 
-/// What goes between rank 0 and the others in pieces, so that no more than one is in memory beside what it is made of.
+/// Data sent between rank 0 and the other ranks in pieces, to limit the memory to one piece beside the source.
 struct Pieces {
   int count = 0;
-  std::function<int(int)> find_rank;  ///< of a piece
+  std::function<int(int)> find_rank;  ///< rank of a piece
   std::function<Bytes(int)> make;
   std::function<void(int, Bytes)> take;
 };
 
-/// To be raised with the functions of Ranks, so that a module of another build is refused.
+/// Must be increased when the functions of Ranks change, so that a module of another build is rejected.
 inline constexpr int ranks_interface = 1;
 
-/// All calls but rank() and size() are made by all ranks in the same order.
+/// Collective operations: all calls but rank() and size() must be made by all ranks in the same order.
 class Ranks {
  public:
   virtual ~Ranks() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// The bytes of each rank: on all ranks, or on rank 0 alone (elsewhere empty).
+  /// Gathers the bytes of each rank, on all ranks or on rank 0 only (empty elsewhere).
   virtual std::vector<Bytes> gather(const Bytes& mine, bool to_all) = 0;
-  /// Pieces that rank 0 makes, one after the other: take(piece, bytes) gets each on its rank.
+  /// Scatters pieces from rank 0 one after the other; take(piece, bytes) is called on the rank of each.
   virtual void deal(const Pieces& pieces) = 0;
-  /// Pieces that their ranks make: take(piece, bytes) gets all on rank 0, one after the other.
+  /// Gathers pieces on rank 0 one after the other; take(piece, bytes) is called there for each.
   virtual void collect(const Pieces& pieces) = 0;
-  /// to[r] goes to rank r; returns what each has sent here.
+  /// Sends to[r] to each rank r; returns the bytes from each rank.
   virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
-  /// Those of rank 0, on all ranks.
+  /// Copies the bytes of rank 0 to all ranks.
   virtual void broadcast(Bytes& bytes) = 0;
-  /// `guests`: the items of an array of `items` that are needed here and belong to others.
+  /// `guests` lists the items of an array of `items` that are needed here and owned by other ranks.
   virtual std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) = 0;
   virtual Traffic& traffic() = 0;
-  /// Those ranks that name the same group, in their order. Its traffic is counted here too.
+  /// Returns a communicator of the ranks with the same `group`, in their order. Its traffic is also counted here.
   virtual std::unique_ptr<Ranks> split(int group) = 0;
-  /// Waits for the others. False where not all came in `seconds`.
+  /// Barrier with a time limit; returns false if not all ranks arrived within `seconds`.
   virtual bool meet(double seconds) = 0;
-  /// Ends all ranks at once.
+  /// Terminates all ranks at once.
   [[noreturn]] virtual void abort(int code) = 0;
 };
 
-/// The ranks of this process; one of its own where nobody started more.
+/// Returns the ranks of this run; a single rank if mpiexec did not start more.
 Ranks& get_ranks();
 
-/// How many processes mpiexec, or srun, has started together with this one: 1 where it is alone.
+/// Returns the number of processes that mpiexec or srun started together with this one; 1 for a single process.
 int count_started();
 
-/// To be called first: finds out whether mpiexec, or srun, started this process beside others, and joins them. Throws
-/// Error (wrong_input) where it did and this program was built without MPI.
+/// Initialises MPI if mpiexec or srun started more than one process; must be called first. Throws Error (wrong_input)
+/// in that case if this program was built without MPI.
 void join_ranks();
-/// Leaves the others; nothing is sent any more.
+/// Finalises MPI; no communication may follow.
 void leave_ranks();
 
-/// While it lives, get_ranks() are those of one of `groups` groups of consecutive ranks.
+/// Restricts get_ranks() to one of `groups` groups of consecutive ranks, for the lifetime of the object.
 class RankGroup {
  public:
   explicit RankGroup(int groups);
@@ -109,7 +109,7 @@ class RankGroup {
   std::unique_ptr<Ranks> all_;
 };
 
-/// What rank 0 has, on all ranks: all that a message can hold.
+/// Copies a value of rank 0 to all ranks, for all types that a Message supports.
 template <class T>
 void broadcast(T& value) {
   Message message;
@@ -120,7 +120,7 @@ void broadcast(T& value) {
   Taking{message}(value);
 }
 
-/// Runs `work` on rank 0. The others wait until it is done, and throw an Error with the words of what it threw.
+/// Runs `work` on rank 0. The other ranks wait for its end; if it throws, they throw an Error with the same message.
 void lead_ranks(const std::function<void()>& work);
 
 }  // namespace talus

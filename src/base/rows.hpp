@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Between node rows in memory and packs over elements: whole rows are moved and transposed in registers, which is
-// faster than one gather per component (docs/performance.md).
+// Transfer between node rows in memory and packs of elements: whole rows are loaded and transposed in registers, which
+// is faster than one gather per component (docs/performance.md).
 
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 
 namespace talus {
 
-// A thread's element has one row per node, and no others add to the sums of its rows.
+// Overload for a GPU thread: its element has one row per node, and no other thread adds to the sums of these rows.
 
 template <int N, int Stride, int First = 0>
 TALUS_KERNEL void load_rows(const double* base, const int* rows, double* out) {
@@ -49,7 +49,7 @@ inline __attribute__((always_inline)) void transpose(V8* r) {
 
 }  // namespace detail
 
-/// out[c] = base[rows[lane] * Stride + First + c], c < N. Rows are aligned to Stride doubles.
+/// Loads out[c] = base[rows[lane] * Stride + First + c], c < N. Rows are aligned to Stride doubles.
 template <int N, int Stride, int First = 0>
 inline __attribute__((always_inline)) void load_rows(const double* base, const int* rows, Pack* out) {
   if constexpr (lane_width == 8 && Stride % 8 == 0) {
@@ -95,7 +95,7 @@ inline __attribute__((always_inline)) void load_rows(const double* base, const i
   }
 }
 
-/// base[rows[lane] * Stride + c] = values[c], c < 8.
+/// Stores base[rows[lane] * Stride + c] = values[c], c < 8.
 template <int Stride>
 inline __attribute__((always_inline)) void store_rows(double* base, const int* rows, const Pack* values) {
   if constexpr (lane_width == 8) {
@@ -114,7 +114,7 @@ inline __attribute__((always_inline)) void store_rows(double* base, const int* r
   }
 }
 
-/// base[rows[lane] * Stride + First + c] += values[c], lane after lane.
+/// Adds base[rows[lane] * Stride + First + c] += values[c], in the order of the lanes.
 template <int N, int First = 0, int Stride = 8>
 inline __attribute__((always_inline)) void add_rows(double* base, const int* rows, const Pack* values) {
   if constexpr (lane_width == 8) {

@@ -10,12 +10,12 @@ namespace talus {
 
 namespace {
 
-/// Smallest character of 2, 3 and 4 bytes: a smaller one has a shorter form.
+/// Smallest code point of 2, 3 and 4 bytes; smaller ones are overlong encodings.
 constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
 
 constexpr unsigned no_character = 0xFFFFFFFF;
 
-/// Bytes of the character that begins with `first`; 0: none does.
+/// Returns the length in bytes of a character whose first byte is `first`; 0 if it is not a first byte.
 std::size_t count_bytes(unsigned char first) {
   if (first < 0x80) return 1;
   if ((first & 0xE0U) == 0xC0) return 2;
@@ -38,11 +38,12 @@ unsigned decode_character(std::string_view bytes) {
 struct CodeRange {
   unsigned first, last;
 };
-/// Controls, marks and embeddings of direction, ends of lines and paragraphs, and what is no character of XML.
+/// Control characters, directional marks and embeddings, line and paragraph separators, and characters that XML
+/// excludes.
 constexpr CodeRange not_printable[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x200E, 0x200F},
                                        {0x2028, 0x202E}, {0x2066, 0x2069}, {0xFFFE, 0xFFFF}};
 
-/// The character that `text` begins with and its bytes; of a wrong one no_character and one byte.
+/// Returns the first character of `text` and its length; no_character and one byte if it is not valid.
 std::pair<unsigned, std::size_t> take_character(std::string_view text) {
   const std::size_t count = count_bytes(static_cast<unsigned char>(text[0]));
   const unsigned code = count == 0 || count > text.size() ? no_character : decode_character(text.substr(0, count));
@@ -98,7 +99,7 @@ void print(std::FILE* stream, std::string_view text) {
 int measure_edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = a.size(), m = b.size();
   const std::string lower_a = to_lower(a), lower_b = to_lower(b);
-  // Counted in halves, so that a letter of the wrong case is cheaper than a wrong letter.
+  // Costs are in halves, so that a wrong case costs less than a wrong letter.
   std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
   for (std::size_t i = 0; i <= n; ++i) d[i][0] = static_cast<int>(2 * i);
   for (std::size_t j = 0; j <= m; ++j) d[0][j] = static_cast<int>(2 * j);

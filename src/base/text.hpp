@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Encodings of text files, and what of a text may reach a terminal or a file of another format.
+// Encodings of text files, sanitised output to terminals and other formats, and suggestions for mistyped words.
 
 #include <cstddef>
 #include <cstdio>
@@ -11,29 +11,29 @@
 
 namespace talus {
 
-/// True for UTF-16: the text begins with a byte order mark, or with a zero byte beside its first character.
+/// Returns true for UTF-16: the text begins with a byte order mark, or its first character has a zero byte.
 bool is_utf16(std::string_view text);
 
-/// The first byte that is not UTF-8 (RFC 3629): its place from the start of the text. Nothing where all are.
+/// Returns the offset of the first byte that is not valid UTF-8 (RFC 3629); std::nullopt if there is none.
 std::optional<std::size_t> find_wrong_utf8(std::string_view text);
 
-/// The letters A to Z in lower case, whatever the locale is: a Turkish one has no i for I.
+/// Converts the letters A to Z to lower case, independent of the locale (a Turkish one maps I to a dotless i).
 std::string to_lower(std::string_view text);
 
-/// `text` with "\x1b" for each control character, "\u202e" for each that changes the direction of the text or that XML
-/// does not allow, and "\xff" for each byte that is no UTF-8. Line breaks stay with `keeps_lines`.
+/// Returns `text` with escapes: "\x1b" for control characters, "\u202e" for characters that change the text direction
+/// or that XML excludes, and "\xff" for bytes that are not valid UTF-8. `keeps_lines` keeps line breaks.
 std::string make_printable(std::string_view text, bool keeps_lines = false);
 
-/// Prints lines that may hold names of a case or of a file.
+/// Prints lines that may contain names from a case or a file, with make_printable().
 void print(std::FILE* stream, std::string_view text);
 
-// Which of the known words a mistyped one was meant to be.
+// Suggestions for mistyped words.
 
-/// The smallest number of letters to insert, delete, replace or swap with their neighbour to turn `a` into `b`
-/// (optimal string alignment distance); upper and lower case count as half different, rounded up over the word.
+/// Returns the optimal string alignment distance: the smallest number of insertions, deletions, replacements and swaps
+/// of adjacent letters that turn `a` into `b`. A wrong case counts half, rounded up over the word.
 int measure_edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `word`, or an empty string when none is near: more than a third of its letters differ.
+/// Returns the candidate nearest to `word`; empty if more than a third of the letters differ for all of them.
 std::string find_nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace talus

@@ -31,7 +31,7 @@ struct FreeUnit {
 };
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
-/// A dimension that engineers have a word for, shown by its SI unit and by a value that one might write.
+/// A physical dimension with a common name, its SI unit and an example value.
 struct Dimension {
   const char* unit;
   const char* name;
@@ -60,7 +60,7 @@ constexpr std::array dimensions{
 constexpr Dimension angle{"rad", "an angle", "30 deg"};
 constexpr Dimension number{"1", "a number", "0.3"};
 
-/// Units of practice that the database lacks. A ton is one of 2000 pounds.
+/// Units of practice that are missing in the database. A ton is 2000 pounds.
 constexpr std::array<std::array<const char*, 2>, 7> practice_units{{{"psf", "pound_force/foot2"},
                                                                     {"ksf", "1000 pound_force/foot2"},
                                                                     {"tsf", "2000 pound_force/foot2"},
@@ -69,15 +69,15 @@ constexpr std::array<std::array<const char*, 2>, 7> practice_units{{{"psf", "pou
                                                                     {"plf", "pound_force/foot"},
                                                                     {"klf", "1000 pound_force/foot"}}};
 
-/// Units whose mistyped names ("kpa", "Kg") are recognised.
+/// Units for suggestions on mistyped names ("kpa", "Kg").
 const std::vector<std::string> common_units{
     "m",    "mm",    "cm",   "km",    "s",     "min", "h",     "day",  "kg",     "t",      "N",
     "kN",   "MN",    "Pa",   "kPa",   "MPa",   "GPa", "bar",   "deg",  "rad",    "degree", "m/s",
     "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ",
     "psf",  "ksf",   "tsf",  "pcf",   "psi",   "ft",  "in",    "ft/s", "ft/day"};
 
-/// The unit database, and what every use of it holds: a lock, and numbers with a point in this thread, whatever the
-/// locale of the process is.
+/// The unit database. Each use holds a lock and sets the decimal point in this thread, independent of the process's
+/// locale.
 class Database {
  public:
   struct Held {
@@ -91,11 +91,11 @@ class Database {
     return database;
   }
 
-  /// Throws Error for a text that is no unit.
+  /// Throws Error if the text is not a unit.
   Unit parse(const std::string& text) const {
     const bool is_scaled = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '.' ||
                                              text[0] == '-' || text[0] == '+');
-    // UDUNITS trims nothing itself, and would take "3 kPa" for a unit: "2 3 kPa" is a slip, not six kilopascals.
+    // UDUNITS accepts "3 kPa" as a unit, but "2 3 kPa" is a typing error, not six kilopascals.
     Unit unit(is_scaled && text != "1" ? nullptr : ut_parse(system_, text.c_str(), UT_UTF8));
     if (unit == nullptr) {
       const std::string near = find_nearest(text, common_units);
@@ -106,7 +106,7 @@ class Database {
     return unit;
   }
 
-  /// The named dimension of a unit, if it has a name.
+  /// Returns the named dimension of a unit, if there is one.
   std::optional<Dimension> find_dimension(const ut_unit* unit) const {
     if (ut_are_convertible(unit, ut_get_dimensionless_unit_one(system_)) != 0) return is_angle(unit) ? angle : number;
     for (const Dimension& d : dimensions)
@@ -114,13 +114,13 @@ class Database {
     return std::nullopt;
   }
 
-  /// Whether numbers in `from` can be turned into numbers in `to`. UDUNITS also converts between angles and plain
-  /// numbers, which would make a porosity out of "30 deg".
+  /// Returns true if `from` converts to `to`. UDUNITS also converts between angles and plain numbers, which is excluded
+  /// here: "30 deg" is not a porosity.
   bool are_alike(const ut_unit* from, const ut_unit* to) const {
     return ut_are_convertible(from, to) != 0 && is_angle(from) == is_angle(to);
   }
 
-  /// `value` of `from` in the SI unit of its dimension.
+  /// Converts `value` in `from` to the SI unit of its dimension.
   double convert_to_si(double value, ut_unit* from) const {
     Unit si(ut_parse(system_, strip_scale(from).c_str(), UT_ASCII));
     const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, si.get()), cv_free);
@@ -155,7 +155,7 @@ class Database {
 
   static bool is_angle(const ut_unit* unit) { return write_definition(unit).find("rad") != std::string::npos; }
 
-  /// The definition "1000 m-1.kg.s-2" without its factor, and "K @ 273.15" without its offset.
+  /// Removes the factor from a definition such as "1000 m-1.kg.s-2" and the offset from "K @ 273.15".
   static std::string strip_scale(const ut_unit* unit) {
     std::string text = write_definition(unit);
     text = text.substr(0, text.find(" @"));
@@ -166,7 +166,7 @@ class Database {
   ut_system* system_ = nullptr;
 };
 
-/// Whether a comma and a digit follow the whole part of a number.
+/// Returns true if a comma and a digit follow the integer part of a number.
 bool has_decimal_comma(const char* rest, const char* end) {
   return end - rest > 1 && *rest == ',' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0;
 }
@@ -204,7 +204,7 @@ Quantity parse_quantity(const std::string& text) {
 double get_si_factor(const std::string& unit) {
   Database::Held held;
   const Database& database = Database::lock(held);
-  static std::map<std::string, double> cache;  // every number of a case file passes here
+  static std::map<std::string, double> cache;  // called for every number of a case file
   if (const auto found = cache.find(unit); found != cache.end()) return found->second;
   const double factor = database.convert_to_si(1, database.parse(unit).get());
   return cache[unit] = factor;

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is open for reading.
+/// A file opened for reading.
 class OpenFile {
  public:
   OpenFile() = default;
@@ -60,7 +60,8 @@ std::optional<FileFault> find_kind_fault(const struct stat& file) {
   return FileFault{"it is a device, not a file"};
 }
 
-/// Entries of /proc and /sys are regular files to stat(), without a size and maybe without an end.
+/// Returns true for entries of /proc and /sys: stat() reports them as regular files, but without a size, and some are
+/// endless.
 bool is_of_kernel([[maybe_unused]] int file) {
 #ifdef __linux__
   constexpr std::array<long, 4> kernel{0x9fa0, 0x62656572, 0x64626720, 0x74726163};  // proc, sysfs, debugfs, tracefs
@@ -84,7 +85,8 @@ std::optional<FileFault> OpenFile::open(const fs::path& path, std::uint64_t most
   if (path.native().find('\0') != std::string::npos) return FileFault{"its name holds a zero byte"};
   struct stat file {};
   if (::stat(path.c_str(), &file) != 0) return describe_reason(errno);
-  if (auto fault = find_kind_fault(file)) return fault;  // opening a device may already do something
+  if (auto fault = find_kind_fault(file))
+    return fault;  // before open(), because opening a device may have side effects
   file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (file_ < 0 || ::fstat(file_, &file) != 0) return describe_reason(errno);
   if (auto fault = find_kind_fault(file)) return fault;
@@ -150,7 +152,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Endings of files that the program writes, and folders that it makes, beside those that cases name.
+/// File endings and folder names that the program uses, beside names from cases.
 constexpr std::array<std::string_view, 15> own_endings{".csv",   ".files", ".gp",     ".h5",   ".html",
                                                        ".json",  ".lock",  ".md",     ".part", ".png",
                                                        ".slurm", ".svg",   ".vtkhdf", ".vtu",  ".xdmf"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Small fixed vectors of coordinates.
+// Small fixed-size vectors of coordinates, and the Cholesky factorisation of a small matrix.
 
 #include <array>
 #include <cmath>
@@ -26,10 +26,10 @@ TALUS_PORTABLE double norm(const std::array<double, D>& a) {
   return std::sqrt(dot(a, a));
 }
 
-// Cholesky's factorisation of a small matrix, for files that need nothing else of Eigen: its templates cost seconds
-// each.
+// The Cholesky factorisation has its own translation unit, because including Eigen costs seconds of compile time per
+// file.
 
-/// The lower triangle L of L Lᵀ = C, both row by row; nothing where C is not positive definite.
+/// Returns the lower triangle L of L Lᵀ = C, row by row as C is given; std::nullopt if C is not positive definite.
 std::optional<std::vector<double>> factorise(const std::vector<double>& symmetric, int size);
 
 }  // namespace talus
