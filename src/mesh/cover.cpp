@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overlaps and gaps by Boost.Polygon, whose operations on whole numbers are exact (docs/decisions/0027).
+// Overlaps and gaps of polygons by Boost.Polygon, which is exact in integer arithmetic (docs/decisions/0027).
 #include "mesh/cover.hpp"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ using HoledRing = bp::polygon_with_holes_data<int>;
 using Area = bp::polygon_set_data<int>;
 using namespace boost::polygon::operators;
 
-/// Half the largest whole number that a coordinate becomes is 2^29: sums and differences stay within an int.
+/// Integer coordinates are below 2^29 in magnitude, so sums and differences fit in an int.
 constexpr int grid_bits = 29;
 
-/// The rectangle around all polygons.
+/// The bounding rectangle of all polygons.
 struct Extent {
   Point2 low, high;
   explicit Extent(const Plan& plan) {
@@ -47,7 +47,7 @@ struct Extent {
   }
 };
 
-/// Coordinates as whole numbers of a step that is a power of two, so that turning them back adds no error.
+/// Conversion to integer coordinates. The step is a power of two, so that conversion back is exact.
 class Grid {
  public:
   explicit Grid(const Extent& extent) {
@@ -98,7 +98,7 @@ double measure_outline(const Polyline& corners) {
   return length;
 }
 
-/// The middle of the longest part of the upright through the middle of the outline that lies inside.
+/// Returns a point inside: the middle of the longest interior part of the vertical through the middle of the outline.
 Point2 find_inside(const std::vector<Polyline>& rings) {
   const Extent extent(rings.front());
   const double x = (extent.low[0] + extent.high[0]) / 2;
@@ -119,7 +119,7 @@ Point2 find_inside(const std::vector<Polyline>& rings) {
   return place;
 }
 
-/// The pieces of an area that are wider than `least`.
+/// Returns the pieces of an area that are wider than `least`.
 std::vector<Piece> list_pieces(const Area& area, const Grid& grid, double least) {
   std::vector<HoledRing> found;
   area.get(found);
@@ -163,21 +163,21 @@ std::vector<Misfit> find_overlaps(const Plan& plan, const std::vector<Area>& are
       const std::vector<Piece> shared = list_pieces(areas[i] & areas[j], grid, least);
       if (shared.empty()) continue;
       const bool first_within = is_within(areas[i], areas[j]), second_within = is_within(areas[j], areas[i]);
-      if (first_within != second_within) continue;  // one lies inside the other and replaces it there
+      if (first_within != second_within) continue;  // a polygon inside another replaces it there
       overlaps.push_back(gather(first_within ? Misfit::Kind::same : Misfit::Kind::overlap,
                                 {static_cast<int>(i), static_cast<int>(j)}, shared));
     }
   return overlaps;
 }
 
-/// All that lies between the soil and the level y, above or below it.
+/// Returns the area between the soil and the level y, above or below it.
 Area cast_shadow(const Plan& plan, const Grid& grid, double y) {
   Area shadow;
   for (const Polygon& polygon : plan.polygons)
     for (std::size_t i = 0; i < polygon.points.size(); ++i) {
       const Point2 &a = polygon.points[i], &b = polygon.points[(i + 1) % polygon.points.size()];
       if (a[0] == b[0] || (a[1] == y && b[1] == y)) continue;
-      shadow.insert(grid.enter_ring({a, b, {b[0], y}, {a[0], y}}));  // united once, when it is used
+      shadow.insert(grid.enter_ring({a, b, {b[0], y}, {a[0], y}}));  // the union is computed on first use
     }
   return shadow;
 }
@@ -190,7 +190,7 @@ std::vector<Misfit> find_gaps(const Plan& plan, const std::vector<Area>& areas, 
   std::vector<Misfit> gaps;
   for (const Piece& piece : list_pieces(between - covered, grid, least)) {
     Misfit gap = gather(Misfit::Kind::gap, {}, {piece});
-    // The soil straight above and straight below the place.
+    // Find the soil vertically above and below the point.
     double above = std::numeric_limits<double>::infinity(), below = above;
     std::array<int, 2> beside{-1, -1};
     for (std::size_t p = 0; p < plan.polygons.size(); ++p)
@@ -209,7 +209,7 @@ std::vector<Misfit> find_gaps(const Plan& plan, const std::vector<Area>& areas, 
   return gaps;
 }
 
-/// Where a corner belongs: a side of the box, a corner of `known`, or nothing.
+/// Returns the target of a corner: a side of the box or a corner of `known`; std::nullopt if there is none.
 std::optional<Point2> find_corner(const Point2& x, const Plan& plan, const Polyline& known, double least, double most) {
   Point2 moved = x;
   for (std::size_t d = 0; d < 2; ++d)
@@ -223,7 +223,7 @@ std::optional<Point2> find_corner(const Point2& x, const Plan& plan, const Polyl
   return moved == x ? std::nullopt : std::optional(moved);
 }
 
-/// The foot of `x` on an edge of another polygon that it misses by more than `least` and at most `most`.
+/// Returns the foot of `x` on an edge of another polygon at a distance above `least` and up to `most`.
 std::optional<Point2> find_foot(const Point2& x, const Plan& plan, const Polyline* own, double least, double most) {
   std::optional<Point2> foot;
   for (const Polygon& polygon : plan.polygons) {
@@ -231,7 +231,7 @@ std::optional<Point2> find_foot(const Point2& x, const Plan& plan, const Polylin
     for (std::size_t i = 0; i < polygon.points.size(); ++i) {
       const Point2 &a = polygon.points[i], &b = polygon.points[(i + 1) % polygon.points.size()];
       const double gap = compute_distance(x, a, b);
-      if (gap <= least) return std::nullopt;  // it lies on one already
+      if (gap <= least) return std::nullopt;  // already on an edge
       if (gap > most || foot) continue;
       const double dx = b[0] - a[0], dy = b[1] - a[1];
       const double share = std::clamp(((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
@@ -271,7 +271,7 @@ std::vector<Joined> join_corners(Plan& plan) {
     joined.push_back({name, x, *place});
     x = *place;
   };
-  // Corners of one polygon stay apart.
+  // Corners of the same polygon are not joined.
   const auto join_all = [&](const std::string& name, Polyline& points) {
     for (Point2& x : points) join(name, x, find_corner(x, plan, known, least, most));
     known.insert(known.end(), points.begin(), points.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How the polygons of a plan cover the section: where two of them lie over one another, and where soil misses a piece.
+// Cover of a section by the polygons of a plan: overlaps, gaps, and the joining of corners that nearly coincide.
 
 #include <vector>
 
@@ -9,44 +9,43 @@
 
 namespace talus::mesh {
 
-/// A connected piece of the plane.
+/// A connected part of the plane.
 struct Piece {
   double area = 0;       ///< [m²]
-  double width = 0;      ///< its area over half the length of its outline [m]
+  double width = 0;      ///< area over half the length of the outline [m]
   Point2 place{};        ///< a point inside [m]
-  Point2 low{}, high{};  ///< corners of the rectangle around it [m]
+  Point2 low{}, high{};  ///< corners of the bounding rectangle [m]
 };
 
-/// A place where the polygons do not fit one another.
+/// An overlap or a gap of polygons.
 struct Misfit {
   enum class Kind {
-    same,     ///< two polygons cover the same
-    overlap,  ///< two polygons overlap, and neither lies inside the other
-    gap,      ///< no polygon covers a piece that has soil above and below it
+    same,     ///< two polygons cover the same area
+    overlap,  ///< two polygons overlap partly
+    gap,      ///< an area without polygon that has soil above and below
   };
   Kind kind = Kind::overlap;
-  std::vector<int> polygons;  ///< the two of an overlap; those that a gap touches
-  double area = 0;            ///< of all pieces [m²]
+  std::vector<int> polygons;  ///< the two of an overlap; those adjacent to a gap
+  double area = 0;            ///< sum over all pieces [m²]
   int pieces = 0;
   Piece largest;
 };
 
-/// Lengths below this are taken as zero where polygons meet: a millionth of the larger side of the box [m].
+/// Returns the length below which distances between polygons count as zero, 1e-6 of the larger side of the box [m].
 double get_section_tolerance(const Plan& plan);
 
-/// Overlaps in the order of the polygons, then gaps from the largest to the smallest. The polygons must be simple.
-/// Areas are exact for corners on a grid of a billionth of the section; pieces that are narrower than a tenth of the
-/// tolerance are none.
+/// Returns overlaps in the order of the polygons, then gaps by decreasing size. The polygons must be simple. Areas are
+/// exact for corners on a grid of 1e-9 of the section; pieces narrower than a tenth of the tolerance are ignored.
 std::vector<Misfit> find_misfits(const Plan& plan);
 
-/// A corner that was moved onto one or an edge of another polygon.
+/// A corner that was moved onto a corner or an edge of another polygon.
 struct Joined {
-  std::string name;  ///< of the polygon or line
+  std::string name;  ///< name of the polygon or line
   Point2 from{}, to{};
 };
 
-/// Moves corners of polygons and points of lines that miss a corner, an edge or a side of the box by less than
-/// get_section_tolerance() onto it, and tells which. Distances that are rounding errors (a billionth of the box) stay.
+/// Moves corners of polygons and points of lines that are within get_section_tolerance() of a corner, an edge or a side
+/// of the box onto it, and returns them. Distances within rounding errors (1e-9 of the box) are ignored.
 std::vector<Joined> join_corners(Plan& plan);
 
 }  // namespace talus::mesh

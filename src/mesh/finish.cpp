@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every element needs once: orientation, volume, gradients of its local coordinates, smallest altitude.
+// Derived data of a mesh: orientation, volume, gradients of local coordinates, smallest altitude; renumbering along a
+// space-filling curve; improvement of flat elements.
 #include "mesh/finish.hpp"
 
 #include <fmt/format.h>
@@ -19,11 +20,11 @@ namespace talus::mesh {
 
 namespace {
 
-/// An element whose volume is below this fraction of (longest edge)^D is taken as flat: its altitude is then below
-/// about 1e-10 of its edges, where coordinates of 16 digits no longer tell its orientation.
+/// Volume over (longest edge)^D below which an element is flat: its altitude is then below about 1e-10 of its edges,
+/// and its orientation is within the rounding error of the coordinates.
 constexpr double flat_fraction = 1e-10;
 
-/// edges[k*D+d] = (x_{k+1} - x_0)_d [m]
+/// Returns edges[k*D+d] = (x_{k+1} - x_0)_d [m].
 template <int D>
 std::array<double, D * D> compute_edges(const Mesh<D>& mesh, const typename Mesh<D>::Element& element) {
   std::array<double, D * D> edges;
@@ -40,7 +41,7 @@ double compute_determinant(const std::array<double, D * D>& m) {
     return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// ∂ξ_k/∂x_d: x - x_0 = Σ_k ξ_k edge_k, so the gradients are the columns of the inverse of the edge matrix.
+/// Returns ∂ξ_k/∂x_d: x - x_0 = Σ_k ξ_k edge_k, so the gradients are the columns of the inverse of the edge matrix.
 template <int D>
 std::array<double, D * D> compute_gradients(const std::array<double, D * D>& m, double det) {
   if constexpr (D == 2) {
@@ -57,7 +58,7 @@ std::array<double, D * D> compute_gradients(const std::array<double, D * D>& m, 
   }
 }
 
-/// The altitude over the side opposite node k is 1/|∇N_k|; N_0 = 1 - Σ ξ_k.
+/// The altitude over the side opposite node k is 1/|∇N_k|, with N_0 = 1 - Σ ξ_k.
 template <int D>
 double compute_altitude(const std::array<double, D * D>& gradients) {
   std::array<double, D> first{};
@@ -98,7 +99,7 @@ template <int D>
                                                  D == 2 ? "area" : "volume", place));
 }
 
-/// Positive orientation for every element.
+/// Gives every element positive orientation.
 template <int D>
 void orient(Mesh<D>& mesh) {
   for (int e = 0; e < mesh.element_count(); ++e) {
@@ -109,7 +110,7 @@ void orient(Mesh<D>& mesh) {
   }
 }
 
-/// The arrays of the mesh fit each other and every node number exists.
+/// Checks the sizes of the arrays against each other, and that every node number exists.
 template <int D>
 void check_numbers(const Mesh<D>& mesh) {
   const auto check = [&](int node) {
@@ -190,10 +191,10 @@ std::uint64_t interleave(std::array<std::uint64_t, D> cell, int bits) {
   return code;
 }
 
-/// Morton code of every element's centroid on a grid of cubes that covers the mesh.
+/// Returns the Morton code of every element's centroid on a grid of cubes that covers the mesh.
 template <int D>
 std::vector<std::pair<std::uint64_t, int>> compute_codes(const Mesh<D>& mesh) {
-  constexpr int bits = D == 2 ? 24 : 20;  // far finer than any mesh; the doubles below stay exact
+  constexpr int bits = D == 2 ? 24 : 20;  // far finer than any mesh; the doubles below remain exact
   std::array<double, D> low, high;
   low.fill(std::numeric_limits<double>::max());
   high.fill(std::numeric_limits<double>::lowest());
@@ -222,7 +223,7 @@ std::vector<std::pair<std::uint64_t, int>> compute_codes(const Mesh<D>& mesh) {
 template <int D>
 void reorder_elements(Mesh<D>& mesh) {
   auto codes = compute_codes(mesh);
-  std::sort(codes.begin(), codes.end());  // the element's number breaks ties, so the sort is stable
+  std::sort(codes.begin(), codes.end());  // ties are broken by the element number, so the order is unique
   std::vector<typename Mesh<D>::Element> elements(codes.size());
   std::vector<int> regions(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -269,14 +270,14 @@ template void renumber<3>(Mesh<3>&);
 
 namespace {
 
-/// Elements are worked on below this ratio of altitude to size. The regular simplex has 0.866 (2D) and 0.816 (3D).
+/// Elements with a lower ratio of altitude to size are improved. The regular simplex has 0.866 (2D) and 0.816 (3D).
 template <int D>
 constexpr double target = D == 2 ? 0.7 : 0.5;
 constexpr int most_sweeps = 30;
-constexpr double first_step = 0.2, last_step = 0.01;  ///< of the element size
-constexpr double least_gain = 1e-3;                   ///< smaller gains are not worth a step
+constexpr double first_step = 0.2, last_step = 0.01;  ///< fractions of the element size
+constexpr double least_gain = 1e-3;                   ///< smaller gains are ignored
 
-/// Smallest altitude of a simplex, D V / (largest side) [m]; negative when it is turned inside out.
+/// Returns the smallest altitude of a simplex, D V / (largest side) [m]; negative if it is inverted.
 template <int D>
 double measure_altitude(const std::array<std::array<double, D>, D + 1>& x, double orientation) {
   const auto subtract = [](const std::array<double, D>& a, const std::array<double, D>& b) {
@@ -331,7 +332,7 @@ class Smoother {
   }
 
  private:
-  /// Altitude over the mean size wanted at the element's nodes.
+  /// Returns the altitude over the mean target size at the element's nodes.
   double measure(int e) const {
     std::array<Point, D + 1> x;
     double size = 0;
@@ -348,7 +349,7 @@ class Smoother {
     return worst;
   }
 
-  /// Compass search: the best of the directions, or a shorter step when none is better.
+  /// Compass search: moves to the best of the directions, or reduces the step if none is better.
   bool improve(int node) {
     Point& x = mesh_.nodes[node];
     const Freedom<D>& freedom = freedoms_[node];
@@ -388,9 +389,9 @@ class Smoother {
 
   Mesh<D>& mesh_;
   const std::vector<Freedom<D>>& freedoms_;
-  std::vector<double> orientations_;  ///< 1 or -1
-  std::vector<double> sizes_;         ///< wanted at each node [m]
-  std::vector<int> start_, star_;     ///< the elements around each node
+  std::vector<double> orientations_;  ///< 1 or -1, per element
+  std::vector<double> sizes_;         ///< target size at each node [m]
+  std::vector<int> start_, star_;     ///< elements around each node
 };
 
 }  // namespace

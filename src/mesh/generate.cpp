@@ -20,7 +20,7 @@
 namespace talus::mesh {
 namespace {
 
-/// The innermost polygon around a place: a lens replaces what it lies in.
+/// Returns the innermost polygon around a point: a lens replaces the polygon that contains it.
 int find_region(const Plan& plan, const Point2& x) {
   int region = empty_region;
   double smallest = 0;
@@ -55,7 +55,7 @@ std::vector<std::string> find_sides(const Plan& plan, const std::array<double, 3
   return names;
 }
 
-/// The geometry kernel keeps points to 1e-7 m only: nodes on a side or at a corner are put there exactly.
+/// Moves nodes at sides and corners exactly onto them, because the geometry kernel is accurate to 1e-7 m only.
 template <int D>
 void put_in_place(Mesh<D>& mesh, const Plan& plan) {
   const double near = get_tolerance(plan);
@@ -74,24 +74,24 @@ void put_in_place(Mesh<D>& mesh, const Plan& plan) {
   }
 }
 
-/// The decimal next to x with `digits` behind the point.
+/// Rounds x to `digits` decimals.
 double round_decimal(double x, int digits) {
   const double unit = std::pow(10.0, digits);
   return std::round(x * unit) / unit;
 }
 
-/// Digits behind the point that give a number as large as `size` ten digits.
+/// Returns the decimals for ten significant digits of a number as large as `size`.
 int count_digits(double size) {
   return 9 - static_cast<int>(std::floor(std::log10(size)));
 }
 
-/// The plan with the lower left corner of its box at the origin, and its numbers as decimals: the same section has the
-/// same mesh wherever it lies, and in every unit of length. Differences of map coordinates, and feet, differ from them
-/// in their last digits, with which Gmsh makes another mesh.
+/// Returns the plan with the lower left corner of its box at the origin and rounded coordinates: the same section then
+/// has the same mesh at any position and in any unit of length. Without rounding, differences of map coordinates, or
+/// feet, differ in the last digits, and Gmsh makes another mesh.
 Plan make_local(const Plan& given) {
   Plan plan = given;
   const Point2 origin = given.box_min;
-  // The geometry kernel takes points within 1e-7 m for one.
+  // The geometry kernel merges points within 1e-7 m.
   const int digits = std::max(7, count_digits(std::max(given.box_max[0] - origin[0], given.box_max[1] - origin[1])));
   const auto shift = [&](Point2& x) {
     x = {round_decimal(x[0] - origin[0], digits), round_decimal(x[1] - origin[1], digits)};
@@ -112,8 +112,8 @@ Plan make_local(const Plan& given) {
   return plan;
 }
 
-/// The plan as Gmsh meshes it: counter-clockwise polygons from their leftmost corner on, lines from left to right, both
-/// in the order of these points. Gmsh's mesh depends on the order of its input, and the section does not.
+/// Returns the plan in canonical order: counter-clockwise polygons from their leftmost corner, lines from left to
+/// right, both sorted by these points. Gmsh's mesh depends on the order of its input.
 Plan put_in_order(Plan plan) {
   for (Polygon& p : plan.polygons) {
     if (compute_area(p.points) < 0) std::reverse(p.points.begin(), p.points.end());
@@ -164,7 +164,7 @@ void write_mesh(const Mesh<D>& mesh, ByteWriter& bytes) {
   }
 }
 
-/// What write_mesh() wrote. What a library made is not believed; finish() looks at the nodes' numbers.
+/// Reads the output of write_mesh(). The output of the child process is validated; finish() checks the node numbers.
 template <int D>
 Mesh<D> read_mesh(std::span<const std::byte> bytes) {
   ByteReader reader(bytes);
@@ -183,7 +183,7 @@ Mesh<D> read_mesh(std::span<const std::byte> bytes) {
   return mesh;
 }
 
-/// Gmsh does not always say when it leaves a part out.
+/// Checks that the whole box was meshed, because Gmsh does not always report a part that it leaves out.
 template <int D>
 void check_whole(const Mesh<D>& mesh, const Plan& plan) {
   const double box =
@@ -196,7 +196,8 @@ void check_whole(const Mesh<D>& mesh, const Plan& plan) {
                             meshed, box, D == 2 ? "m²" : "m³"));
 }
 
-/// Gmsh believes the numbers at the begin of a binary file. No mesh takes more memory and time for its file's size.
+/// Limits memory and time in proportion to the file size, because Gmsh allocates by the counts in a binary file's
+/// header.
 void limit_reading(const std::string& file) {
   constexpr double least_memory = 1e8, memory_per_byte = 40, least_seconds = 10, seconds_per_byte = 1e-6;
   const auto size = static_cast<double>(std::filesystem::file_size(file));

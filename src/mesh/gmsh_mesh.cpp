@@ -29,7 +29,7 @@ GmshSession::~GmshSession() {
   try {
     gmsh::model::mesh::removeSizeCallback();
     gmsh::finalize();
-  } catch (...) {  // nothing to save and nobody to tell
+  } catch (...) {  // destructors must not throw
   }
 }
 
@@ -40,13 +40,13 @@ std::string GmshSession::get_last_error() {
   return text.empty() ? "no reason given" : text;
 }
 
-// The polygons, lines and element sizes of a plan as Gmsh's geometry, and the mesh that Gmsh makes of it.
+// Geometry of a plan in Gmsh (polygons, lines and element sizes) and its meshing.
 
 namespace {
 
 namespace occ = gmsh::model::occ;
 
-/// A mesh whose number of triangles is this near to the wanted one is not made again.
+/// Relative deviation of the number of triangles from the target up to which a mesh is accepted.
 constexpr double count_tolerance = 0.01;
 
 std::vector<int> add_polyline(const Polyline& line) {
@@ -64,7 +64,7 @@ int add_surface(const Polyline& corners) {
   return occ::addPlaneSurface({occ::addCurveLoop(curves)});
 }
 
-/// `entities` drawn along z over `thickness`; only what has one dimension more is kept of the result.
+/// Extrudes `entities` along z over `thickness` and returns only the entities of one dimension more.
 gmsh::vectorpair extrude(const gmsh::vectorpair& entities, double thickness) {
   gmsh::vectorpair drawn, kept;
   for (const auto& entity : entities) {
@@ -75,7 +75,7 @@ gmsh::vectorpair extrude(const gmsh::vectorpair& entities, double thickness) {
   return kept;
 }
 
-/// Cuts box, polygons and lines at each other, so that the mesh conforms to all of them.
+/// Intersects box, polygons and lines, so that the mesh conforms to all of them.
 void build_geometry(const Plan& plan) {
   const auto [x0, y0] = plan.box_min;
   const auto [x1, y1] = plan.box_max;
@@ -108,9 +108,9 @@ int get_algorithm(Algorithm algorithm) {
   return 6;
 }
 
-/// The number of triangles over that of equilateral triangles of the wanted size on the same area. Gmsh divides every
-/// edge into parts no longer than the size, so coarse meshes come out finer than asked for (3 % on a slope of 60
-/// elements' length, 15 % with the Delaunay algorithm).
+/// Returns the number of triangles over that of equilateral triangles of the target size on the same area. Gmsh divides
+/// every edge into parts no longer than the target size, so coarse meshes are finer than requested (3 % on a slope 60
+/// elements long, 15 % with the Delaunay algorithm).
 double measure_surplus(const Plan& plan) {
   std::vector<std::size_t> tags, corners;
   gmsh::model::mesh::getElementsByType(2, tags, corners);
@@ -142,7 +142,7 @@ double compute_size(const Plan& plan, const Point2& x) {
 void mesh_with_gmsh(const Plan& plan) {
   gmsh::model::add("plan");
   build_geometry(plan);
-  // The size comes from the plan alone: nothing spreads from short edges or from CAD points.
+  // The size follows from the plan alone, not from short edges or CAD points.
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 0);
@@ -166,11 +166,11 @@ void mesh_with_gmsh(const Plan& plan) {
   if (!uniform) gmsh::model::mesh::removeSizeCallback();
 }
 
-// Gmsh's nodes, elements and named sides as a mesh, and how its nodes may move.
+// Extraction of Gmsh's nodes, elements and named sides, and of the freedom of its nodes to move.
 
 namespace {
 
-/// Gmsh's numbers of the linear simplices: line, triangle, tetrahedron.
+/// Gmsh's element types of the linear simplices: point, line, triangle, tetrahedron.
 constexpr std::array<int, 4> simplex_type{15, 1, 2, 4};
 
 /// Gmsh's nodes by tag.
@@ -192,7 +192,7 @@ Nodes get_nodes() {
   return nodes;
 }
 
-/// The simplices of dimension `N-1` on one geometric entity. Anything else there is an error.
+/// Returns the simplices of dimension `N-1` on one geometric entity. Throws Error for other elements.
 template <int N>
 std::vector<std::array<int, N>> get_simplices(int entity, const Nodes& nodes) {
   constexpr int dimension = N - 1;
@@ -228,7 +228,7 @@ std::array<double, 3> compute_centroid(const std::array<int, N>& simplex, const 
   return centroid;
 }
 
-/// A 2D case lies in the x-y plane; dropping a z that varies would fold the mesh.
+/// Checks that a 2D mesh lies in a plane of constant z, because z is dropped.
 void check_plane(const Mesh<2>& mesh, const Nodes& nodes) {
   const auto& first = nodes.places[mesh.elements[0][0]];
   for (const auto& element : mesh.elements)
@@ -241,7 +241,7 @@ void check_plane(const Mesh<2>& mesh, const Nodes& nodes) {
                                 format_coordinate(first[2])));
 }
 
-/// How far the nodes inside one geometric entity, flat as all of a plan's are, may move.
+/// Returns the directions in which nodes inside one geometric entity may move; all entities of a plan are flat.
 template <int D>
 Freedom<D> find_freedom(int dimension, int entity, const Nodes& nodes) {
   Freedom<D> freedom;
@@ -250,7 +250,7 @@ Freedom<D> find_freedom(int dimension, int entity, const Nodes& nodes) {
     for (int d = 0; d < D; ++d) freedom.directions[d][d] = 1;
     return freedom;
   }
-  const auto span = [&](const auto& simplex) {  // Gram and Schmidt on its edges
+  const auto span = [&](const auto& simplex) {  // by Gram–Schmidt orthogonalisation of its edges
     for (int i = 0; i < dimension; ++i) {
       auto& v = freedom.directions[i];
       for (int d = 0; d < D; ++d) v[d] = nodes.places[simplex[i + 1]][d] - nodes.places[simplex[0]][d];
@@ -321,7 +321,7 @@ Mesh<D> extract_mesh(const Naming& naming) {
       side.insert(side.end(), simplices.begin(), simplices.end());
     }
   }
-  for (auto& [name, side] : mesh.sides) {  // two entities of one group may hold the same side
+  for (auto& [name, side] : mesh.sides) {  // two entities of one group may share a side
     for (auto& s : side) std::sort(s.begin(), s.end());
     std::sort(side.begin(), side.end());
     side.erase(std::unique(side.begin(), side.end()), side.end());

@@ -15,15 +15,15 @@ namespace talus::mesh {
 
 namespace {
 
-/// One side seen from one element.
+/// One side as part of one element.
 template <int D>
 struct HalfSide {
-  std::array<int, D - 1> others;  ///< its nodes but the lowest, ascending
+  std::array<int, D - 1> others;  ///< nodes of the side except the lowest, ascending
   int element;
-  int opposite;  ///< the local node that the side does not hold
+  int opposite;  ///< local node opposite the side
 };
 
-/// The nodes of the side of `element` opposite local node `k`, ascending.
+/// Returns the nodes of the side of `element` opposite local node `k`, ascending.
 template <int D>
 std::array<int, D> sort_side(const typename Mesh<D>::Element& element, int k) {
   std::array<int, D> side;
@@ -37,7 +37,7 @@ std::array<int, D> sort_side(const typename Mesh<D>::Element& element, int k) {
 
 template <int D>
 std::vector<typename Mesh<D>::Element> find_neighbours(const Mesh<D>& mesh) {
-  // Counting sort by the lowest node: about two dozen half sides a node in 3D, four in 2D.
+  // Counting sort by the lowest node: about two dozen half sides per node in 3D, four in 2D.
   std::vector<int> start(mesh.nodes.size() + 1, 0);
   for (const auto& element : mesh.elements)
     for (int k = 0; k <= D; ++k) ++start[sort_side<D>(element, k)[0] + 1];
@@ -82,7 +82,7 @@ template std::vector<Mesh<3>::Element> find_neighbours<3>(const Mesh<3>&);
 
 namespace {
 
-/// The local node whose shape function is lowest at `x`, and that value.
+/// The local node with the smallest shape function at a point, and its value.
 template <int D>
 struct Lowest {
   int node = 0;
@@ -122,14 +122,14 @@ template int find_element<3>(const Mesh<3>&, const std::array<double, 3>&, int);
 
 namespace {
 
-/// Two sides met within this fraction of an element count as met at once: the line hits an edge or a node.
+/// Two sides crossed within this fraction of an element count as crossed together: the line hits an edge or a node.
 constexpr double tie_tolerance = 1e-11;
-/// How far a doubtful line is moved, as a fraction of the way to the element's centroid.
+/// Shift of a degenerate line as a fraction of the distance to the element's centroid.
 constexpr double nudge = 1e-9;
 constexpr int most_nudges = 6;
 constexpr std::size_t points_per_piece = 4096;
 
-/// Walks lines of one direction through one mesh.
+/// Integrates along lines of one direction through a mesh.
 template <int D>
 class Walker {
  public:
@@ -148,7 +148,7 @@ class Walker {
       for (int node : mesh.elements[e]) top = std::max(top, height(mesh.nodes[node]));
       mesh_top_ = std::max(mesh_top_, top);
       if (weight[e] != 0) weight_top_ = std::max(weight_top_, top);
-      for (int k = 0; k <= D; ++k)  // the line comes in where N_k grows along it
+      for (int k = 0; k <= D; ++k)  // the line enters where N_k increases along it
         if (mesh.neighbours[e][k] < 0 && rates_[e][k] > parallel(e)) entries_.push_back({e, k});
     }
   }
@@ -159,15 +159,15 @@ class Walker {
     centroid_xi.fill(1.0 / (D + 1));
     const Point centroid = to_global(mesh_, point.element, centroid_xi);
     for (int attempt = 0; attempt <= most_nudges; ++attempt) {
-      // Different shares of the axes, so that no second edge lies on the way by symmetry.
+      // Different factors per axis, so that symmetry does not lead to another edge.
       Point from = start;
       for (int d = 0; d < D; ++d) from[d] += attempt * nudge * (1 + 0.37 * d) * (centroid[d] - start[d]);
-      if (attempt > 1)  // the centroid lies right above: sideways, within the element
+      if (attempt > 1)  // the centroid is straight above: shift sideways within the element
         for (int d = 0; d < D; ++d)
           from[d] += attempt * nudge * (mesh_.nodes[mesh_.elements[point.element][attempt % (D + 1)]][d] - start[d]);
       if (const auto sum = walk(point.element, from, attempt == most_nudges)) return *sum;
     }
-    return 0;  // not reached: the last attempt always answers
+    return 0;  // not reached: the last attempt always returns a value
   }
 
  private:
@@ -182,10 +182,11 @@ class Walker {
     return h;
   }
 
-  /// Rates below this belong to sides parallel to the line.
+  /// Rates below this value belong to sides parallel to the line.
   double parallel(int e) const { return 1e-12 / mesh_.altitudes[e]; }
 
-  /// The integral, or nothing when the line meets a node or an edge. With `accept` such places are passed as they come.
+  /// Returns the integral; std::nullopt if the line meets a node or an edge. With `accept` the line continues
+  /// through such points.
   std::optional<double> walk(int e, const Point& from, bool accept) const {
     const double start_height = height(from), end = weight_top_ - start_height;
     double sum = 0, s = 0;
@@ -208,12 +209,13 @@ class Walker {
   }
 
   struct Exit {
-    int node = -1;  ///< opposite the side through which the line leaves
+    int node = -1;  ///< opposite the side through which the line exits
     double distance = std::numeric_limits<double>::infinity();
     bool tied = false;
   };
 
-  /// Where the line through `from` leaves element `e`: N_k(s) = N_k + s ∇N_k·up falls to zero first.
+  /// Returns the exit of the line through `from` from element `e`: the side whose N_k(s) = N_k + s ∇N_k·up reaches zero
+  /// first.
   Exit find_exit(int e, const Point& from) const {
     const auto xi = to_local(mesh_, e, from);
     double value[D + 1];
@@ -226,7 +228,7 @@ class Walker {
     double second = exit.distance;
     for (int k = 0; k <= D; ++k) {
       if (rates_[e][k] >= -parallel(e)) {
-        // A line that slides along this side: on which element it counts is a matter of rounding.
+        // The line lies in this side, so rounding decides to which element it belongs.
         if (rates_[e][k] <= parallel(e) && std::abs(value[k]) < tie_tolerance) exit.tied = true;
         continue;
       }
@@ -243,7 +245,7 @@ class Walker {
     return exit;
   }
 
-  /// Continues a line that left the mesh with the nearest element above; false when there is none.
+  /// Continues a line that left the mesh in the nearest element above; returns false if there is none.
   bool enter_again(const Point& from, int& e, double& s) const {
     int best = -1;
     double nearest = std::numeric_limits<double>::infinity();
@@ -274,9 +276,9 @@ class Walker {
   const Mesh<D>& mesh_;
   const std::vector<double>& weight_;
   const Point up_;
-  std::vector<std::array<double, D + 1>> rates_;             ///< ∇N_k·up [1/m]
-  std::vector<Entry> entries_;                               ///< border sides through which a line comes into the mesh
-  double mesh_top_ = std::numeric_limits<double>::lowest();  ///< greatest height of the mesh [m]
+  std::vector<std::array<double, D + 1>> rates_;               ///< ∇N_k·up [1/m]
+  std::vector<Entry> entries_;                                 ///< boundary sides through which lines enter the mesh
+  double mesh_top_ = std::numeric_limits<double>::lowest();    ///< greatest height of the mesh [m]
   double weight_top_ = std::numeric_limits<double>::lowest();  ///< greatest height of an element with weight [m]
 };
 

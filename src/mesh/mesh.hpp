@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The background mesh: linear triangles (D = 2) or tetrahedra (D = 3), as plain arrays.
+// The background mesh of linear triangles (D = 2) or tetrahedra (D = 3), as plain arrays, and its finishing.
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace talus::mesh {
 
-/// Number of an element's region when no soil fills it at the start.
+/// Region number of an element without soil in the initial state.
 inline constexpr int empty_region = -1;
 
 /// A mesh of linear simplices. Local node 0 is the origin of the local coordinates; ξ_k = N_k for k = 1..D.
@@ -20,24 +20,24 @@ template <int D>
 struct Mesh {
   using Point = std::array<double, D>;
   using Element = std::array<int, D + 1>;
-  using Side = std::array<int, D>;  ///< the nodes of an edge (2D) or a triangle (3D)
+  using Side = std::array<int, D>;  ///< nodes of an edge (2D) or a triangle (3D)
 
   std::vector<Point> nodes;                        ///< coordinates [m]
   std::vector<Element> elements;                   ///< node numbers; positive orientation
   std::vector<int> element_region;                 ///< index into region_names, or empty_region
-  std::vector<std::string> region_names;           ///< the soil polygons or physical groups
+  std::vector<std::string> region_names;           ///< names of the soil polygons or physical groups
   std::map<std::string, std::vector<Side>> sides;  ///< named boundary sides and lines
 
   // Derived by finish().
-  std::vector<Element> neighbours;                   ///< element across the side opposite local node k; -1 outside
-  std::vector<double> volumes;                       ///< area [m²] per metre of thickness (2D) or volume [m³]
+  std::vector<Element> neighbours;  ///< element across the side opposite local node k; -1 at the boundary
+  std::vector<double> volumes;      ///< area [m²] per metre of thickness (2D) or volume [m³]
   std::vector<std::array<double, D * D>> gradients;  ///< [k*D+d] = ∂ξ_{k+1}/∂x_d [1/m]
   std::vector<double> altitudes;                     ///< smallest altitude of each element [m], L_min of (2.84)
 
   int node_count() const { return static_cast<int>(nodes.size()); }
   int element_count() const { return static_cast<int>(elements.size()); }
 
-  // Compiled once, in finish.cpp: the files that hold one would each compile them again.
+  // Defined in finish.cpp to reduce compile time.
   Mesh();
   Mesh(const Mesh&);
   Mesh(Mesh&&) noexcept;
@@ -46,26 +46,26 @@ struct Mesh {
   ~Mesh();
 };
 
-/// How finish() numbers elements and nodes.
+/// Numbering of elements and nodes by finish().
 enum class Order {
-  space_filling,  ///< elements along a Morton curve, nodes as the elements meet them; nodes of no element are dropped
-  as_given        ///< numbers stay; only two nodes of a wrongly oriented element are exchanged
+  space_filling,  ///< elements along a Morton curve, nodes by first use; unused nodes are removed
+  as_given        ///< numbers are kept; two nodes of an inverted element are exchanged
 };
 
-/// Orients the elements, renumbers elements, nodes and sides (as `order` says) and derives the rest.
-/// Throws Error (wrong_input) when an element has no volume, elements overlap, or a number does not exist.
+/// Orients the elements, renumbers elements, nodes and sides (according to `order`) and computes the derived data.
+/// Throws Error (wrong_input) if an element has no volume, elements overlap, or a node number does not exist.
 template <int D>
 void finish(Mesh<D>& mesh, Order order = Order::space_filling);
 
-/// Coordinates [m] of the point with local coordinates `xi` in element `e`.
+/// Returns the coordinates [m] of the point with local coordinates `xi` in element `e`.
 template <int D>
 std::array<double, D> to_global(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& xi);
 
-/// Local coordinates of the global point `x` [m] in element `e` (outside the element some N are negative).
+/// Returns the local coordinates of the global point `x` [m] in element `e` (outside the element some N are negative).
 template <int D>
 std::array<double, D> to_local(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& x);
 
-// The same for any mesh M: this one, or that on a GPU.
+// The same for any mesh type M, this one or that on a GPU.
 
 template <class M, std::size_t D>
 TALUS_PORTABLE std::array<double, D> find_place(const M& mesh, int e, const std::array<double, D>& xi) {
@@ -84,9 +84,9 @@ TALUS_PORTABLE std::array<double, D> find_local(const M& mesh, int e, const std:
   return xi;
 }
 
-// The gradient of a linear shape function: minus the normal of the side opposite its node, over the altitude.
+// The gradient of a linear shape function is minus the normal of the side opposite its node, divided by the altitude.
 
-/// ∇N_k [1/m] of local node `k` in element `e` of a finished mesh, this one or that on a GPU.
+/// Returns ∇N_k [1/m] of local node `k` in element `e` of a finished mesh, this one or that on a GPU.
 template <template <int> class M, int D>
 TALUS_PORTABLE std::array<double, D> find_shape_gradient(const M<D>& mesh, int e, int k) {
   const std::array<double, D* D>& g = mesh.gradients[static_cast<std::size_t>(e)];

@@ -59,7 +59,7 @@ void check_names(const Plan& plan) {
   }
 }
 
-/// Moves `x` onto the box's sides and onto earlier points where it nearly lies there.
+/// Moves `x` onto the box's sides and onto earlier points within the tolerance.
 Point2 snap(Point2 x, const Plan& plan, Polyline& known, double tolerance) {
   for (int d = 0; d < 2; ++d)
     for (double wall : {plan.box_min[d], plan.box_max[d]})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the mesh generator is asked for: the geometry of a case as plain data, in metres.
+// Input of the mesh generator: the geometry of a case as plain data, in metres.
 
 #include <array>
 #include <string>
@@ -13,34 +13,35 @@ struct Polygon {
   std::vector<std::array<double, 2>> points;  ///< corners in order, not repeated [m]
 };
 
-/// A line that the mesh conforms to and that boundary conditions may name. In 3D it is the trace of an extruded wall.
+/// A line that the mesh conforms to and to which boundary conditions may refer. In 3D it is the trace of an extruded
+/// wall.
 struct Line {
   std::string name;
   std::vector<std::array<double, 2>> points;  ///< polyline [m]
 };
 
-/// Smaller elements within `distance` of a point or polyline.
+/// Local refinement within `distance` of a point or polyline.
 struct Refinement {
   std::vector<std::array<double, 2>> near;  ///< one point, or a polyline [m]
-  double size = 0;                          ///< element size on it [m]
-  double distance = 0;                      ///< where the general size is reached again [m]
+  double size = 0;                          ///< element size at the point or line [m]
+  double distance = 0;                      ///< distance at which the general size is reached [m]
 };
 
 enum class Algorithm { frontal, delaunay, meshadapt };
 
 struct Plan {
-  std::string file;  ///< a ready Gmsh mesh (.msh, version 4); then nothing below but `dimension` is used
+  std::string file;  ///< external Gmsh mesh (.msh, version 4), which replaces all following members but `dimension`
   int dimension = 2;
   std::array<double, 2> box_min{};  ///< background box [m]
   std::array<double, 2> box_max{};  ///< [m]
-  double thickness = 0;             ///< 3D only: extrusion along z, from 0 to thickness [m]
+  double thickness = 0;             ///< 3D only: extrusion along z from 0 to thickness [m]
   std::vector<Polygon> polygons;
   std::vector<Line> lines;
   double size = 0;  ///< general element size [m]
   Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
 
-  // Compiled once, in check_plan.cpp: the files that hold one would each compile them again.
+  // Defined in plan.cpp to reduce compile time.
   Plan();
   Plan(const Plan&);
   Plan(Plan&&) noexcept;
@@ -49,17 +50,17 @@ struct Plan {
   ~Plan();
 };
 
-/// The plan with another general element size: finer places stay as much finer as they are.
+/// Returns the plan with another general element size; local sizes are scaled in proportion.
 Plan resize(Plan plan, double size);
 
-// Checks a plan before the mesh generator sees it, whose own messages would tell a user little.
+// Validation of a plan before meshing, because the messages of the mesh generator are not meant for users.
 
-/// Lengths below this are taken as zero: a millionth of the element size [m].
+/// Returns the length below which distances count as zero, 1e-6 of the element size [m].
 double get_tolerance(const Plan& plan);
 
-/// The plan with points that nearly coincide (within the tolerance) made the same: on the sides and corners of the box
-/// and on one another. Throws Error (wrong_input) with one sentence when a size is not positive, a name is missing,
-/// used twice or reserved, a polygon crosses itself or leaves the box, two polygons overlap partly, or a line leaves
+/// Returns the plan with points that coincide within the tolerance made identical: with sides and corners of the box
+/// and with one another. Throws Error (wrong_input) with one sentence if a size is not positive, a name is missing,
+/// used twice or reserved, a polygon intersects itself or leaves the box, two polygons overlap partly, or a line leaves
 /// the box.
 Plan check_plan(const Plan& plan);
 

@@ -20,21 +20,21 @@ Point2 interpolate(const Point2& a, const Point2& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
 
-/// Place of the projection of `x` on a-b, 0 at a and 1 at b, kept within.
+/// Returns the position of the projection of `x` on a-b, from 0 at a to 1 at b, limited to that range.
 double project(const Point2& x, const Point2& a, const Point2& b) {
   const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
   return square > 0 ? std::clamp(((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / square, 0.0, 1.0) : 0;
 }
 
-/// Where a-b crosses c-d, as the place on a-b; nothing when they are parallel or do not meet.
+/// Returns the position on a-b of its intersection with c-d; std::nullopt if they are parallel or do not intersect.
 std::optional<double> find_crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const double ca = cross(c, d, a), cb = cross(c, d, b), ac = cross(a, b, c), ad = cross(a, b, d);
   if ((ca > 0) == (cb > 0) || (ac > 0) == (ad > 0)) return std::nullopt;
   return ca / (ca - cb);
 }
 
-/// Marks the points between two corners that are corners themselves: the farthest from the straight line between them,
-/// and so on (Douglas and Peucker 1973). Points in straight edges are never the farthest.
+/// Marks the corners between two corners: the point with the largest distance from the straight line between them, and
+/// so on recursively (Douglas and Peucker 1973). Points of straight edges are never marked.
 void mark_corners(const Polyline& line, std::size_t from, std::size_t to, double tolerance, std::vector<char>& kept) {
   double most = tolerance;
   std::size_t farthest = from;
@@ -47,7 +47,7 @@ void mark_corners(const Polyline& line, std::size_t from, std::size_t to, double
   mark_corners(line, farthest, to, tolerance, kept);
 }
 
-/// Which parts of the outline of `a` lie inside and outside of `b`; the parts on the outline of `b` count for neither.
+/// Flags for parts of the outline of `a` inside and outside of `b`; parts on the outline of `b` set neither.
 struct Parts {
   bool inside = false, outside = false;
 };
@@ -64,7 +64,7 @@ Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      // Between two cuts the segment stays on one side, so its middle decides for all of it.
+      // Between two cuts the segment is on one side, so its midpoint decides.
       const Point2 middle = interpolate(p, q, (cuts[k] + cuts[k + 1]) / 2);
       if (compute_distance(middle, other) <= tolerance) continue;
       (is_inside(middle, b) ? parts.inside : parts.outside) = true;
@@ -73,7 +73,7 @@ Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
   return parts;
 }
 
-/// Returns true where the bounding boxes of two polygons are more than `tolerance` [m] apart.
+/// Returns true if the bounding boxes of two polygons are more than `tolerance` [m] apart.
 bool are_boxes_apart(const Polyline& a, const Polyline& b, double tolerance) {
   for (std::size_t d = 0; d < 2; ++d) {
     const auto by_place = [d](const Point2& p, const Point2& q) { return p[d] < q[d]; };
@@ -116,7 +116,7 @@ Polyline drop_straight_points(const Polyline& line, bool closed, double toleranc
       if (kept[i]) corners.push_back(line[i]);
     return corners;
   }
-  // Its leftmost point and the one farthest from it are corners of a polygon; the two lines between them are open.
+  // The leftmost point and the one farthest from it are corners of a polygon; the two lines between them are open.
   Polyline outline = line;
   std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end()), outline.end());
   const auto far = std::max_element(outline.begin(), outline.end(), [&](const Point2& a, const Point2& b) {
@@ -154,11 +154,11 @@ std::optional<Point2> find_self_contact(const Polyline& corners, double toleranc
     for (std::size_t j = 0; j < count; ++j) {
       if (i == j) continue;
       const Point2 &a = outline[i], &b = outline[i + 1];
-      // A corner on an edge that it does not belong to: it touches, or the outline turns back on itself.
+      // A corner on an edge that it does not belong to: the outline touches itself or turns back.
       if (j != (i + 1) % count && compute_distance(corners[j], a, b) <= tolerance) return corners[j];
       const bool share_a_corner = (i + 1) % count == j || (j + 1) % count == i;
       if (share_a_corner) continue;
-      // Rounding makes edges of one straight line cross, at a place that is on one of them alone.
+      // Due to rounding, collinear edges may intersect, at a point that is on only one of them.
       if (const auto t = find_crossing(a, b, outline[j], outline[j + 1]))
         if (const Point2 at = interpolate(a, b, *t); compute_distance(at, outline[j], outline[j + 1]) <= tolerance)
           return at;
@@ -172,7 +172,7 @@ Relation compare(const Polyline& a, const Polyline& b, double tolerance) {
   if ((of_a.inside && of_a.outside) || (of_b.inside && of_b.outside)) return Relation::overlapping;
   if (of_a.inside && of_b.inside) return Relation::overlapping;
   if (!of_a.inside && !of_a.outside && !of_b.inside && !of_b.outside) return Relation::same;
-  // With its whole outline on that of the other, a polygon is inside it only when the other one's rest is outside.
+  // If the whole outline of one polygon is on that of the other, it is inside only if the rest of the other is outside.
   if (of_a.inside || (!of_a.outside && of_b.outside)) return Relation::inside;
   if (of_b.inside || (!of_b.outside && of_a.outside)) return Relation::around;
   return Relation::apart;
@@ -180,9 +180,9 @@ Relation compare(const Polyline& a, const Polyline& b, double tolerance) {
 
 namespace {
 
-/// Soil on more than a half circle by less is a bend of the ground, not a corner.
+/// Smallest excess of the soil angle over a half circle that makes a re-entrant corner.
 constexpr double least_turn = 10 * std::numbers::pi / 180;
-/// Looks around a corner: one every degree.
+/// Sampling points around a corner, one per degree.
 constexpr int looks = 360;
 
 bool has_soil(const Plan& plan, const Point2& x) {
@@ -196,7 +196,7 @@ bool is_on_box(const Plan& plan, const Point2& x, double near) {
   return false;
 }
 
-/// Angle of the soil around `x`, which lies inside the box, at a distance of `radius`.
+/// Returns the angle of the soil around `x`, a point inside the box, at a distance of `radius`.
 double measure_soil_angle(const Plan& plan, const Point2& x, double radius) {
   int soil = 0;
   for (int i = 0; i < looks; ++i) {
@@ -231,9 +231,9 @@ Plan refine_corners(Plan plan, double finer, double reach) {
 
 namespace {
 
-/// Share of the soil that moved across that is a side of its own at least [-].
+/// Smallest fraction of the moved soil that counts as a side of its own [-].
 constexpr double least_side = 0.05;
-/// Share of the smaller side that may lie on the wrong side of the divide [-].
+/// Largest fraction of the smaller side on the wrong side of the divide [-].
 constexpr double most_mixed = 0.25;
 
 }  // namespace
@@ -245,8 +245,8 @@ std::optional<Divide> find_divide(std::vector<MovedSoil> soil, double threshold)
   for (const MovedSoil& s : soil) (s.across < 0 ? to_left : to_right) += s.amount;
   const double all = to_left + to_right, smaller = std::min(to_left, to_right);
   if (!(smaller > 0) || smaller < least_side * all) return std::nullopt;
-  // Soil on the wrong side when that on the left should move to the left: with the divide before all of the soil it is
-  // what moved to the left, and each piece that the divide passes takes its amount out or adds it.
+  // `wrong` is the amount on the wrong side if soil left of the divide should move to the left. It starts at the amount
+  // that moved to the left, for a divide before all soil; each piece that the divide passes is subtracted or added.
   Divide best;
   double wrong = to_left, fewest = most_mixed * smaller;
   bool found = false;

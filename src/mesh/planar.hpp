@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Plane geometry of polygons and polylines, with one tolerance for all that coincides.
+// Plane geometry of polygons and polylines, re-entrant corners, and the divide between soil that moves to either side.
 
 #include <array>
 #include <optional>
@@ -14,64 +14,65 @@ namespace talus::mesh {
 using Point2 = std::array<double, 2>;
 using Polyline = std::vector<Point2>;
 
-/// Distance of `x` from the segment a-b [m]; a point when a = b.
+/// Returns the distance of `x` from the segment a-b, or from the point a = b [m].
 double compute_distance(const Point2& x, const Point2& a, const Point2& b);
 
-/// Distance of `x` from a polyline, or from a point when it has only one [m].
+/// Returns the distance of `x` from a polyline, or from its single point [m].
 double compute_distance(const Point2& x, const Polyline& line);
 
-/// The closed polygon's outline as a polyline that returns to its first point.
+/// Returns the outline of a polygon as a polyline that ends at its first point.
 Polyline close_polygon(const Polyline& corners);
 
-/// The line, or the closed polygon from its leftmost corner on, without points that lie within `tolerance` [m] of the
-/// straight lines between the others: its corners.
+/// Returns the corners of a line, or of a closed polygon from its leftmost corner: points within `tolerance` [m] of the
+/// straight line between their neighbours are removed.
 Polyline drop_straight_points(const Polyline& line, bool closed, double tolerance);
 
-/// Area of a polygon, positive when its corners run counter-clockwise [m²].
+/// Returns the area of a polygon, positive for counter-clockwise corners [m²].
 double compute_area(const Polyline& corners);
 
-/// Whether `x` lies inside the polygon. Points of the outline may come out either way.
+/// Returns true if `x` lies inside the polygon; undefined for points on the outline.
 bool is_inside(const Point2& x, const Polyline& corners);
 
-/// A place where the outline of a polygon crosses or touches itself; nothing when it is simple. `tolerance` in [m].
+/// Returns a point at which the outline of a polygon crosses or touches itself; std::nullopt for a simple polygon.
+/// `tolerance` in [m].
 std::optional<Point2> find_self_contact(const Polyline& corners, double tolerance);
 
-/// How one polygon lies to another.
+/// Relation of one polygon to another.
 enum class Relation { apart, inside, around, same, overlapping };
 
-/// `a` is apart from, inside, around or the same as `b`; shared edges and corners (within `tolerance` [m]) are allowed
-/// in all of these. Overlapping: neither.
+/// Compares `a` with `b`; shared edges and corners (within `tolerance` [m]) are allowed in every relation. The result
+/// is `overlapping` if no other relation holds.
 Relation compare(const Polyline& a, const Polyline& b, double tolerance);
 
-// Corners of the ground that point into the soil, such as a slope's toe. Stress and strain are singular there, and what
-// the elements at such a corner lose is felt by the whole slope.
+// Re-entrant corners of the ground, such as a slope's toe. Stress and strain are singular there, and the discretisation
+// error of the elements at such a corner affects the whole slope.
 
-/// Corners of the plan's polygons inside the box around which there is soil on more than a half circle by at least 10°,
-/// but not all around. In 3D each is the trace of a line along the extrusion.
+/// Returns the corners of the plan's polygons inside the box at which the soil angle exceeds a half circle by at least
+/// 10° but is not a full circle. In 3D each is the trace of a line along the extrusion.
 std::vector<Point2> find_reentrant_corners(const Plan& plan);
 
-/// The plan with elements of size / `finer` at its re-entrant corners, which reach the general size `reach` general
-/// sizes away. `finer` = 1: the plan as it is.
+/// Returns the plan with elements of size / `finer` at its re-entrant corners, graded to the general size over a
+/// distance of `reach` general sizes. With `finer` = 1 the plan is unchanged.
 Plan refine_corners(Plan plan, double finer, double reach);
 
-// Where a section is divided whose soil moves to both sides, as an embankment does on soft ground.
+// Divide of a section whose soil moves to both sides, as an embankment on soft ground does.
 
-/// A piece of soil that moved.
+/// A piece of displaced soil.
 struct MovedSoil {
-  double x = 0;       ///< where it lay [m]
-  double across = 0;  ///< how far it moved towards larger x [m]
-  double amount = 0;  ///< its mass or volume
+  double x = 0;       ///< initial position [m]
+  double across = 0;  ///< displacement along x [m]
+  double amount = 0;  ///< mass or volume
 };
 
-/// Soil on the left of `x` moved in the direction `left` (-1, 1) of x, soil on its right in the other.
+/// Soil left of `x` moved in the direction `left` (-1, 1) of x, soil right of it in the opposite direction.
 struct Divide {
   double x = 0;  ///< [m]
   int left = -1;
 };
 
-/// The place that best divides soil that moved towards smaller x by more than `threshold` [m] from soil that moved as
-/// far towards larger x: that with the least soil on the wrong side of it. Nothing where less than a twentieth of the
-/// soil moved one of the two ways, or where the two lie among one another.
+/// Returns the best divide between soil that moved towards smaller x by more than `threshold` [m] and soil that moved
+/// as far towards larger x, with the least soil on the wrong side. Returns std::nullopt if less than a twentieth of the
+/// moved soil moved in one of the directions, or if both kinds of soil are intermixed.
 std::optional<Divide> find_divide(std::vector<MovedSoil> soil, double threshold);
 
 }  // namespace talus::mesh

@@ -10,13 +10,13 @@
 
 #include "base/error.hpp"
 
-// With equal weights and full symmetry the first moments are exact by themselves. Second moments: the means of N_i²
-// over a triangle and a tetrahedron are 1/6 and 1/10; each construction below meets them.
+// With equal weights and full symmetry the first moments are exact. Second moments: the means of N_i² over a triangle
+// and a tetrahedron are 1/6 and 1/10, which each construction below satisfies.
 
 namespace talus::mesh {
 namespace {
 
-/// All distinct permutations of the barycentric coordinates, as local coordinates.
+/// Adds all distinct permutations of the barycentric coordinates, as local coordinates.
 template <int D>
 void add_orbit(std::array<double, D + 1> barycentric, std::vector<std::array<double, D>>& points) {
   std::sort(barycentric.begin(), barycentric.end());
@@ -27,7 +27,7 @@ void add_orbit(std::array<double, D + 1> barycentric, std::vector<std::array<dou
   } while (std::next_permutation(barycentric.begin(), barycentric.end()));
 }
 
-/// Corners and edge midpoints, drawn towards the centroid by the factor `s`.
+/// Returns corners and edge midpoints, contracted towards the centroid by the factor `s`.
 template <int D>
 std::vector<std::array<double, D>> shrink_quadratic_nodes(double s) {
   std::vector<std::array<double, D>> points;
@@ -46,7 +46,7 @@ std::vector<std::array<double, 2>> place_three() {
   return {{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}};
 }
 
-/// The three-point rule in each of the four triangles that the edge midpoints cut out.
+/// Returns the three-point rule in each of the four triangles between the edge midpoints.
 std::vector<std::array<double, 2>> place_twelve() {
   std::vector<std::array<double, 2>> points;
   for (const auto& p : place_three()) {
@@ -58,14 +58,14 @@ std::vector<std::array<double, 2>> place_twelve() {
   return points;
 }
 
-/// The usual four points at (5-√5)/20 = 0.138 and (5+3√5)/20 = 0.585.
+/// Returns the standard four-point rule with (5-√5)/20 = 0.138 and (5+3√5)/20 = 0.585.
 std::vector<std::array<double, 3>> place_four() {
   const double a = (5 - std::sqrt(5.)) / 20, b = (5 + 3 * std::sqrt(5.)) / 20;
   return {{a, a, a}, {b, a, a}, {a, b, a}, {a, a, b}};
 }
 
-/// Four points towards the corners and four towards the faces, none nearer to a face than a tenth of the altitude:
-/// of all such pairs of fours with exact second moments this one stays farthest from the faces.
+/// Returns four points towards the corners and four towards the faces, at least a tenth of the altitude from a face:
+/// among all such pairs of fours with exact second moments, the one farthest from the faces.
 std::vector<std::array<double, 3>> place_eight() {
   std::vector<std::array<double, 3>> points;
   add_orbit<3>({0.7, 0.1, 0.1, 0.1}, points);

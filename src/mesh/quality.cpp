@@ -8,7 +8,7 @@
 namespace talus::mesh {
 namespace {
 
-/// ∇N_i·∇N_j of all nodes; the whole shape of a simplex is in it.
+/// Returns ∇N_i·∇N_j for all nodes, which determines the shape of a simplex.
 template <int D>
 std::array<std::array<double, D + 1>, D + 1> compute_gradient_products(const std::array<double, D * D>& g) {
   std::array<std::array<double, D>, D + 1> n{};
@@ -24,8 +24,8 @@ std::array<std::array<double, D + 1>, D + 1> compute_gradient_products(const std
   return products;
 }
 
-/// Radius of the ball through all nodes [m]: the centre c (from node 0) solves edge_k·c = |edge_k|²/2, and the
-/// gradients are the dual basis of the edges, so c = Σ_k ∇ξ_k |edge_k|²/2.
+/// Returns the circumradius [m]: the centre c (from node 0) solves edge_k·c = |edge_k|²/2, and the gradients are the
+/// dual basis of the edges, so c = Σ_k ∇ξ_k |edge_k|²/2.
 template <int D>
 double compute_circumradius(const Mesh<D>& mesh, int e) {
   std::array<double, D> centre{};
@@ -61,7 +61,7 @@ Quality<D> measure_quality(const Mesh<D>& mesh, bool soil_only) {
     for (int i = 0; i <= D; ++i) {
       inverse_inradius += std::sqrt(products[i][i]);
       for (int j = 0; j < i; ++j) {
-        // The sides opposite i and j meet at the angle whose cosine is -∇N_i·∇N_j / (|∇N_i||∇N_j|).
+        // The cosine of the angle between the sides opposite i and j is -∇N_i·∇N_j / (|∇N_i||∇N_j|).
         const double cosine = -products[i][j] / std::sqrt(products[i][i] * products[j][j]);
         quality.min_angle = std::min(quality.min_angle, std::acos(std::clamp(cosine, -1.0, 1.0)));
       }

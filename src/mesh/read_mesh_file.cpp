@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ready mesh in Gmsh's format: its physical groups are regions and sides.
+// An external mesh in Gmsh's format, whose physical groups are regions and sides.
 #include <fmt/format.h>
 #include <gmsh.h>
 
@@ -18,18 +18,18 @@
 
 namespace talus::mesh {
 
-// What Gmsh believes of a mesh file without a look: its format, and in a text file that all nodes of elements exist.
+// Checks of a mesh file that Gmsh does not make: the format and, in a text file, that all nodes of elements exist.
 // Format: https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format, versions 4.0 and 4.1.
 
 namespace {
 
-/// Nodes of Gmsh's linear elements by their number; 0 of others, which are refused later, by their names.
+/// Returns the number of nodes of Gmsh's linear element types; 0 for other types, which are rejected later by name.
 int count_nodes(long type) {
   constexpr std::array<int, 16> nodes{0, 2, 3, 4, 4, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0, 1};
   return type > 0 && type < static_cast<long>(nodes.size()) ? nodes[static_cast<std::size_t>(type)] : 0;
 }
 
-/// A text file, word by word.
+/// Parser of a text file by words.
 class MeshText {
  public:
   explicit MeshText(const std::string& path) : path_(path), file_(path, std::ios::binary), buffer_(longest_line, '\0') {
@@ -42,7 +42,7 @@ class MeshText {
     throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}', line {}: {}", path_, line_, what));
   }
 
-  /// The next line, without blanks at its end; whether there is one.
+  /// Reads the next line without trailing blanks; returns false at the end of the file.
   bool next_line() {
     file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     ++line_;
@@ -56,7 +56,7 @@ class MeshText {
   }
   const std::string& line() const { return text_; }
 
-  /// The next whole number, on this line or a later one.
+  /// Reads the next integer on this or a later line.
   long take_number(const char* what) {
     const std::string_view word = take_word(what);
     long value = 0;
@@ -65,7 +65,7 @@ class MeshText {
       fail(fmt::format("'{}' is not {}, a whole number", word.substr(0, longest_shown), what));
     return value;
   }
-  /// How many of something follow: each takes two bytes at least.
+  /// Reads a number of entries, which is limited by the file size: each entry has at least two bytes.
   long take_count(const char* what) {
     const long count = take_number(what);
     if (count < 0 || count > size_ / 2) fail(fmt::format("{} cannot be {}", what, count));
@@ -88,7 +88,7 @@ class MeshText {
     return std::string_view(text_).substr(begin, at_ - begin);
   }
 
-  /// Characters of a line, whose end counts, and of a word in a sentence.
+  /// Limits on the characters of a line, and of a word in a message.
   static constexpr std::size_t longest_line = 1 << 16, longest_shown = 40;
 
   std::string path_;
@@ -108,7 +108,7 @@ struct Header {
 Header read_header(const std::string& path) {
   if (const auto fault = find_file_fault(path, largest_file::mesh))
     throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened: {}", path, fault->why));
-  std::array<char, 256> begin{};  // the first lines of a file that may have none
+  std::array<char, 256> begin{};  // the beginning of a file, which may have no line breaks
   std::ifstream whole(path, std::ios::binary);
   whole.read(begin.data(), begin.size());
   std::istringstream file(std::string(begin.data(), static_cast<std::size_t>(whole.gcount())));
@@ -127,7 +127,7 @@ Header read_header(const std::string& path) {
   return header;
 }
 
-/// The numbers that a block of nodes or elements begins with: what it holds (parametric or type) and how many.
+/// Header of a block of nodes or elements: flag of parametric coordinates or element type, and number of entries.
 struct Block {
   long holds = 0, count = 0;
 };
@@ -139,7 +139,7 @@ Block take_block(MeshText& file, const char* holds) {
   return {first, file.take_count("the size of a block")};
 }
 
-/// Blocks, and entries in all of them; since version 4.1 the smallest and largest number too.
+/// Reads the number of blocks and of all entries; from version 4.1 also the smallest and largest tag.
 long take_section(MeshText& file, bool has_range) {
   const long blocks = file.take_count("the number of blocks");
   file.take_count("the number of entries");
@@ -160,7 +160,7 @@ std::unordered_set<long> read_nodes(MeshText& file, bool is_4_1) {
     for (long i = 0; i < block.count; ++i) {
       if (!is_4_1) take_node();
       file.skip_words(3);
-      if (block.holds != 0) file.skip_line();  // as many parameters as the dimension of the entity
+      if (block.holds != 0) file.skip_line();  // parametric coordinates, as many as the dimension of the entity
     }
   }
   return nodes;
@@ -186,7 +186,7 @@ void check_elements(MeshText& file, bool is_4_1, const std::unordered_set<long>&
 void check_mesh_file(const std::string& path) {
   const Header header = read_header(path);
   if (header.is_binary) return;
-  constexpr double with_ranges = 4.05;  // between the versions 4.0 and 4.1
+  constexpr double with_ranges = 4.05;  // between versions 4.0 and 4.1
   const bool is_4_1 = header.version > with_ranges;
   MeshText file(path);
   std::unordered_set<long> nodes;
@@ -206,7 +206,7 @@ void check_mesh_file(const std::string& path) {
 
 namespace {
 
-/// Names of the physical groups that an entity is part of. A group without a name is called by its number.
+/// Returns the names of the physical groups of an entity. A group without a name has its number as the name.
 std::vector<std::string> get_group_names(int dimension, int entity) {
   std::vector<int> tags;
   gmsh::model::getPhysicalGroupsForEntity(dimension, entity, tags);
@@ -219,7 +219,7 @@ std::vector<std::string> get_group_names(int dimension, int entity) {
   return names;
 }
 
-/// Region names in the order of the groups' numbers; "empty" is none.
+/// Returns the region names in the order of the group numbers; "empty" is not a region.
 std::vector<std::string> get_region_names(int dimension) {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dimension);
