@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Candidate surfaces for many samples of soils. Weights are linear in the unit weights, so each slice keeps the areas
-// of the soils above it; strengths are read from the sample.
+// Factors of kept slip surfaces for many samples of the soils. The weight of a slice is linear in the unit weights, so
+// each slice stores the areas of the soils above its base; the strengths are taken from the sample.
 #include "lem/search/candidates.hpp"
 
 #include <algorithm>
@@ -15,18 +15,20 @@ namespace talus::lem {
 
 namespace {
 
-/// A quick factor times its ratio to the method's own with the mean soils predicts the method's factor within this
-/// share; surfaces predicted further above the smallest factor are not solved.
+/// The factor of a method is predicted by the quick factor times the ratio of the two with the mean soils. The
+/// prediction is assumed to be within this fraction; surfaces predicted further above the smallest factor are not
+/// solved.
 constexpr double margin = 0.03;
-/// Surfaces are held against their wedge mechanism by the search, with its soils; a sample has others.
+/// Switches the wedge check off: the search has made it with the mean soils, and it does not hold for those of a
+/// sample.
 constexpr double judged_once = std::numeric_limits<double>::infinity();
-constexpr int kept_trials = 60;  ///< of each search, the best ones that differ
+constexpr int kept_trials = 60;  ///< distinct trial circles with the lowest factors that are kept of each search
 
 bool is_same(const Slope& slope, const Surface& a, const Surface& b, double most) {
   return measure_overlap(slope, a, b) > most;
 }
 
-/// The surfaces of one search: its local minima, and trial circles from the best on that differ from each other.
+/// Returns the surfaces of one search: its local minima, and distinct trial circles in the order of their factors.
 std::vector<Surface> choose_surfaces(const Slope& slope, const SearchResult& result) {
   std::vector<Surface> surfaces;
   for (const auto& minima : result.minima)
@@ -45,7 +47,8 @@ std::vector<Surface> choose_surfaces(const Slope& slope, const SearchResult& res
   return surfaces;
 }
 
-/// The section with one unit weight of 2 and all others 1: what differs from all 1 is that soil's area.
+/// Returns the section with one unit weight of 2 and all others of 1. The weight beyond that with all of 1 is the area
+/// of that soil.
 Section weigh(Section section, std::size_t soil, bool wet) {
   for (std::size_t i = 0; i < section.soils.size(); ++i) {
     Soil& s = section.soils[i];
@@ -67,7 +70,7 @@ Candidates::Candidates(const Slope& mean, const std::vector<Section>& corners, c
   options.methods = {method};
   options.threads = 1;
   std::vector<std::vector<Surface>> found(corners.size() + 1);
-  // Whole searches side by side. A corner where nothing is found, such as one without driving forces, adds nothing.
+  // Each task is one search. A corner where no surface is found, such as one without driving forces, adds none.
   parallel_tasks(static_cast<int>(found.size()), threads, [&](int i) {
     try {
       if (i == 0) {
@@ -98,7 +101,7 @@ Candidates::Candidates(const Slope& mean, const std::vector<Surface>& surfaces, 
 
 void Candidates::keep(const std::vector<Surface>& surfaces) {
   const Section& section = slope_->section();
-  // Cut without r_u, so that the slices hold the pressures of the water.
+  // Cut without r_u, so that the slices have the pore pressure of the water table or grid.
   Section dry = section;
   for (Soil& s : dry.soils) s.pore_pressure_ratio = 0;
   const Slope plain(dry);
@@ -140,7 +143,7 @@ void Candidates::keep_areas() {
       kept.parts.insert(kept.parts.end(), own.begin(), own.end());
       kept.first.push_back(static_cast<int>(kept.parts.size()));
     }
-    // The moment of what stays: all but the weights.
+    // The moment of everything but the weights.
     CutSurface weightless = kept.cut;
     for (Slice& slice : weightless.slices) slice.weight = 0;
     kept.mass.set(*slope_, weightless, 0);
@@ -163,7 +166,7 @@ void Candidates::compare_methods() {
     if (kept.ratio > 0 && (least == 0 || kept.ratio < least)) least = kept.ratio;
   }
   for (Kept& kept : kept_)
-    if (kept.ratio == 0) kept.ratio = least > 0 ? least : 1;  // refused with the mean soils: taken for the best
+    if (kept.ratio == 0) kept.ratio = least > 0 ? least : 1;  // smallest ratio if rejected with the mean soils
 }
 
 Candidates::Strength Candidates::find_strength(const Soil& soil, double tan_friction, double weight,
@@ -185,7 +188,7 @@ Candidates::Strength Candidates::find_strength(const Soil& soil, double tan_fric
   return strength;
 }
 
-/// Weight of a slice in `dry`, its moment about y = 0 in `dry_moment`.
+/// Returns the weight of a slice in `dry` and its moment about y = 0 in `dry_moment`.
 Candidates::Part Candidates::sum_weight(const Kept& kept, std::size_t slice, const std::vector<Soil>& soils) {
   Part sum;
   for (int p = kept.first[slice]; p < kept.first[slice + 1]; ++p) {
@@ -198,7 +201,7 @@ Candidates::Part Candidates::sum_weight(const Kept& kept, std::size_t slice, con
 }
 
 void Candidates::fill(const Kept& kept, const std::vector<Soil>& soils, double vertical, Workspace& work) const {
-  // The methods scale all weights by the section's own vertical acceleration.
+  // The methods scale all weights by the vertical acceleration of the section.
   const double scale = (1 + vertical) / (1 + slope_->section().vertical_acceleration);
   work.cut = kept.cut;
   for (std::size_t i = 0; i < work.cut.slices.size(); ++i) {
@@ -275,7 +278,7 @@ double Candidates::find_factor(const std::vector<Soil>& soils, double horizontal
   std::sort(work.order.begin(), work.order.end());
   const bool exact = method_ == Method::fellenius || method_ == Method::bishop || method_ == Method::janbu;
   for (const auto& [guess, i] : work.order) {
-    // No quick factor: nothing drives it, or it has none; the method decides.
+    // A quick factor of 0 (no driving force or no solution) predicts nothing, so the method itself is evaluated.
     if (guess > 0 && smallest > 0 && guess > (exact ? 1 : 1 + margin) * smallest) break;
     const double factor = find_factor(i, soils, horizontal, vertical, method_, work);
     if (factor > 0 && (smallest == 0 || factor < smallest)) smallest = factor, work.smallest = i;

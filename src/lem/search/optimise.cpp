@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NLopt's minimisers behind one function. docs/decisions/0022-optimiser.md says which was chosen for what.
+// Minimisation with NLopt (docs/decisions/0022-optimiser.md gives the choice of algorithms), and with it the local
+// optimisation of circles and of polylines.
 #include "lem/search/optimise.hpp"
 
 #include <nlopt.h>
@@ -26,7 +27,7 @@ struct Task {
 double evaluate(unsigned n, const double* x, double*, void* data) {
   Task& task = *static_cast<Task*>(data);
   if (task.thrown) return 0;
-  try {  // no exception may pass through a C library
+  try {  // no exception may propagate through a C library
     const std::vector<double> at(x, x + n);
     const double value = (*task.function)(at);
     ++task.best.evaluations;
@@ -64,33 +65,35 @@ Minimum minimise(const std::function<double(const std::vector<double>&)>& functi
   nlopt_set_upper_bounds(optimiser.get(), upper.data());
   nlopt_set_initial_step(optimiser.get(), steps.data());
   nlopt_set_ftol_rel(optimiser.get(), options.tolerance);
-  // Relative to the bounds: relative to the variables it would depend on the origin of the coordinates.
+  // Absolute, as fractions of the ranges: a tolerance relative to the variables would depend on the origin of the
+  // coordinates.
   std::vector<double> nearest;
   for (std::size_t i = 0; i < x.size(); ++i) nearest.push_back(1e-9 * (upper[i] - lower[i]));
   nlopt_set_xtol_abs(optimiser.get(), nearest.data());
   nlopt_set_maxeval(optimiser.get(), options.most_evaluations);
   double value = 0;
-  // Its return code tells why it stopped; what counts is the best point that was seen.
+  // NLopt's return code gives the reason for stopping; the result is the best point evaluated.
   nlopt_optimize(optimiser.get(), x.data(), &value);
   if (task.thrown) std::rethrow_exception(task.thrown);
   return task.best;
 }
 
-// Free and tied optimisation of a circle.
+// Local optimisation of a circle: with ends and depth free, and with an end tied to a corner of the ground or the
+// circle tied to touch a region.
 
 namespace {
 
 constexpr int most_rounds = 20;
-constexpr double least_gain = 1e-4;  ///< of a round, for another one
+constexpr double least_gain = 1e-4;  ///< relative gain below which the rounds end
 
-/// What holds still while the rest is optimised.
+/// Constraints of one minimisation.
 struct Tie {
-  std::optional<double> left, right;  ///< end at this x [m]
-  const Region* touches = nullptr;    ///< the circle just touches it
-  bool shallowest = false;            ///< as shallow as a circle between its ends may be
+  std::optional<double> left, right;  ///< x of an end that is tied [m]
+  const Region* touches = nullptr;    ///< region that the circle touches
+  bool shallowest = false;            ///< the circle is the shallowest between its ends
 };
 
-/// A circle as the minimisers see it: ends and the place of its half angle in its range.
+/// Variables of the minimisation: x of the ends, and the half angle as a fraction of its admissible range.
 struct Place {
   double left = 0, right = 0, depth = 0;
 };
@@ -114,13 +117,14 @@ class CircleOptimiser {
     return surface;
   }
 
-  /// Improves `place` and `value`; true when it did by more than rounding.
+  /// Improves `place` and `value`; returns true if the gain exceeds rounding.
   bool improve(const Tie& tie, Place& place, double& value, int most) {
     std::vector<double> start, step, lower, upper;
     auto add = [&](double x, double by, double low, double high) {
       start.push_back(x), step.push_back(by), lower.push_back(low), upper.push_back(high);
     };
-    // A circle smaller than the distance of the trial ends would step out of the place that makes it critical.
+    // Limits the step for circles smaller than the spacing of the trial ends, which a full step would move out of their
+    // minimum.
     const double most_step = 0.25 * (place.right - place.left);
     auto add_end = [&](double x, double by, const std::array<double, 2>& range) {
       const std::array<double, 2> turned{way_ * range[0], way_ * range[1]};
@@ -159,7 +163,7 @@ class CircleOptimiser {
     return true;
   }
 
-  /// Corners of the ground and edges of loads that an end could snap to: the nearest three.
+  /// Returns the (at most three) nearest corners of the ground and ends of loads to which an end could be tied.
   std::vector<double> find_corners(double x, double reach, const std::array<double, 2>& range) const {
     std::vector<double> corners;
     auto add = [&](double corner) {
@@ -173,7 +177,8 @@ class CircleOptimiser {
     return corners;
   }
 
-  /// Regions whose touching is not far from the depth of the circle.
+  /// Returns the regions that a circle with these ends touches at a half angle of 0.6 to 1.6 times its own, and nullptr
+  /// for none.
   std::vector<const Region*> find_regions(const Place& place) const {
     std::vector<const Region*> regions{nullptr};
     const auto range = arcs_.find_range(place.left, place.right);
@@ -186,7 +191,7 @@ class CircleOptimiser {
     return regions;
   }
 
-  /// With the depth tied, and then with one end in a corner besides.
+  /// Minimises with the depth tied, and then with one end tied to a corner as well.
   void try_ties(Tie tie, Place& place, double& value) {
     const Place base = place;
     if (tie.touches) improve(tie, place, value, 120);
@@ -209,7 +214,7 @@ class CircleOptimiser {
       place.depth = std::clamp((Arcs::measure_half_angle(start) - range->from) / (range->to - range->from), 0.0, 1.0);
       improve({}, place, value, 200);
       for (const Region* region : find_regions(place)) try_ties({{}, {}, region, false}, place, value);
-      // A simplex may have collapsed: again with fresh steps, while that gains something.
+      // The simplex may have degenerated: restart with fresh steps as long as that gains something.
       for (int round = 0; round < most_rounds; ++round) {
         const double before = value;
         improve({}, place, value, 150);
@@ -221,14 +226,14 @@ class CircleOptimiser {
   }
 
  private:
-  /// The left end and the right one, that at the toe first: the mirror image of a circle is optimised in the same
-  /// steps.
+  /// The left and the right end, the one at the toe first, so that the mirror image of a circle is optimised in the
+  /// same steps.
   std::array<bool, 2> toe_first() const { return {way_ > 0, way_ < 0}; }
 
   Evaluator& evaluate_;
   const Arcs& arcs_;
   CircleRanges ranges_;
-  double way_ = 1;  ///< turns x to run uphill
+  double way_ = 1;  ///< sign that makes x increase uphill
   Surface best_;
 };
 
@@ -239,17 +244,17 @@ OptimisedSurface optimise_circle(Evaluator& evaluate, const Arcs& arcs, const Su
   return CircleOptimiser(evaluate, arcs, ranges).run(start);
 }
 
-// Optimisation of polylines: rounds of a minimiser over the vertices, with vertices inserted in between.
+// Local optimisation of a polyline: rounds of a minimiser over the vertices, with vertices inserted in between.
 
 namespace {
 
 constexpr int samples = 60;
-/// Relative tolerances of the rounds with all vertices, and of those before.
+/// Relative tolerances of the rounds with all vertices, and of the earlier ones.
 constexpr double fine = 1e-6, coarse = 1e-5;
-/// A start that is above the best one by more than so many times what a round gained is given up.
+/// A start is abandoned when its value exceeds the best one by more than this multiple of the gain of a round.
 constexpr double patience = 10;
 
-/// Points of a surface between its ends.
+/// Returns points of a surface between its ends.
 std::vector<Point> sample(const Slope& slope, const Surface& surface) {
   const auto [left, right] = find_ends(surface);
   std::vector<Point> points;
@@ -267,11 +272,11 @@ class PolylineOptimiser {
     for (const Point& p : ground) highest_ = std::max(highest_, p[1]);
   }
 
-  /// `to_beat`: the start is given up where it does not come near that value.
+  /// Abandons the start when it does not come near `to_beat`.
   OptimisedSurface run(const Surface& start, double to_beat) {
     const double value_of_start = evaluate_(start);
     falls_left_ = falls_left(slope(), start);
-    // Coarse first: few vertices move far; then more follow the shape.
+    // A few vertices first, which can move far; further ones then follow the shape.
     int count = std::min(6, ranges_.vertices);
     const auto thin = thin_points(start.line, count);
     set(hang(thin.front()[0], thin.back()[0], thin));
@@ -299,8 +304,9 @@ class PolylineOptimiser {
  private:
   const Slope& slope() const { return evaluate_.slope(); }
 
-  /// A vertex within a hand's breadth of a border of a region lies on it, a hair above: cutting a surface allows for
-  /// rounding there, which a minimiser would use to run through strong soil as if it were weak.
+  /// Returns the admissible polyline through the points. A vertex closer to the border of a region than 0.1 % of the
+  /// width is moved just above it: cut_surface() has a tolerance there, which a minimiser would exploit to pass through
+  /// strong soil with the strength of the weak one.
   Surface hang(double left, double right, std::vector<Point> points) const {
     const double near = 1e-3 * (right - left), hair = 1e-7 * (slope().right() - slope().left());
     for (Point& p : points)
@@ -315,17 +321,17 @@ class PolylineOptimiser {
 
   void set(const Surface& s) { line_ = best_ = s.line, value_ = evaluate_(s); }
 
-  /// Keeps a surface when it is better.
+  /// Keeps a surface if its value is smaller.
   void take(const Surface& s) {
     if (s.line.size() < 3) return;
     const double value = evaluate_(s);
     if (value < value_) line_ = best_ = s.line, value_ = value;
   }
 
-  /// Number of vertex `i` counted from the lower end.
+  /// Index of vertex `i` counted from the lower end.
   std::size_t at(const std::vector<Point>& line, std::size_t i) const { return falls_left_ ? i : line.size() - 1 - i; }
 
-  /// All vertices and both ends at once.
+  /// Minimises over all vertices and both ends.
   void improve_all(double reach, double tolerance) {
     const std::vector<Point> old = line_;
     const double width = old.back()[0] - old.front()[0], depth = std::max(0.02 * width, measure_depth());
@@ -365,8 +371,8 @@ class PolylineOptimiser {
     return depth;
   }
 
-  /// Moves vertices onto borders of regions beside them: the bottom of a weak seam, the top of a strong layer. A hair
-  /// above, so that the base lies in the upper soil.
+  /// Moves vertices onto nearby borders of regions (the bottom of a weak seam, the top of a strong layer), by a
+  /// rounding distance above them so that the base lies in the upper soil.
   void snap() {
     const double reach = 0.15 * measure_depth(), hair = 1e-7 * (slope().right() - slope().left());
     for (std::size_t i = 1; i + 1 < line_.size(); ++i)
@@ -383,8 +389,8 @@ class PolylineOptimiser {
       }
   }
 
-  /// Moves one vertex after another along its two edges and up and down, with shrinking steps: corners of the surface
-  /// travel along seams this way.
+  /// Moves one vertex after another towards either neighbour, with shrinking steps. Corners of the surface move along
+  /// seams in this way.
   void slide() {
     for (double part : {0.5, 0.2, 0.05})
       for (std::size_t i = 1; i + 1 < line_.size(); ++i)
@@ -411,7 +417,7 @@ class PolylineOptimiser {
       for (std::size_t i = 2; i <= edges; ++i)
         if (length(edge(i)) > length(longest)) longest = edge(i);
       const Point &a = line_[longest - 1], &b = line_[longest];
-      // A hair below the middle, or the hull would drop it again.
+      // Slightly below the middle of the edge: the convex hull would drop a vertex on it.
       const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 1e-6 * (b[0] - a[0])};
       line_.insert(line_.begin() + static_cast<std::ptrdiff_t>(longest), middle);
     }
@@ -419,7 +425,7 @@ class PolylineOptimiser {
 
   Evaluator& evaluate_;
   SurfaceRanges ranges_;
-  std::vector<Point> line_;  ///< worked on: the best one, with inserted vertices
+  std::vector<Point> line_;  ///< working polyline: the best one with inserted vertices
   std::vector<Point> best_;
   double value_ = 0, highest_ = -1e300;
   bool falls_left_ = true;

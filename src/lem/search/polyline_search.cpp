@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Starts of the polylines (circles, blocks, given surfaces), their optimisation, and the choice of the best for
+// each method.
 #include "lem/search/polyline_search.hpp"
 
 #include <algorithm>
@@ -14,22 +16,23 @@
 namespace talus::lem {
 namespace {
 
-/// Places along each border that blocks begin and end at.
+/// Places along each border at which blocks begin and end.
 constexpr int stations = 16;
-/// Wedges at the ends of a block: those of φ = 30° behind a wall, active and passive. The optimisation turns them.
+/// Inclinations of the end wedges of a block: active and passive Rankine planes for φ = 30° [rad]. The optimisation
+/// changes them.
 constexpr double active = 60 * std::numbers::pi / 180, passive = 30 * std::numbers::pi / 180;
-/// Starts that are optimised, of circles and of blocks; and surfaces shaken from the best one.
+/// Numbers of starts that are optimised, from circles and from blocks.
 constexpr std::size_t circle_starts = 3, block_starts = 3;
-/// And those where surfaces of a like slope are known.
+/// Number of starts that are optimised when surfaces of a similar slope are given.
 constexpr std::size_t starts_beside_known = 2;
 constexpr int shakes = 4;
-/// How far a vertex is shaken, over the depth of the mass [-].
+/// Perturbation of a vertex over the depth of the mass [-].
 constexpr double shake = 0.15;
-/// Two masses with more in common lead to one minimum.
+/// Two masses with a greater overlap are assumed to lead to the same minimum.
 constexpr double same_mass = 0.9;
 
-/// Where the line from `from` that rises at `angle` in the direction `way` (-1, 1) of x comes out of the ground;
-/// nothing where it does not inside the model.
+/// Returns where the line from `from` that rises at `angle` in the direction `way` (-1, 1) of x meets the ground;
+/// nothing if that is outside the model.
 std::optional<double> find_exit(const Slope& slope, const Point& from, int way, double angle) {
   const double farthest = way < 0 ? from[0] - slope.left() : slope.right() - from[0], rise = std::tan(angle);
   constexpr int steps = 200;
@@ -51,7 +54,7 @@ struct Start {
   double factor;
 };
 
-/// The best starts that differ from one another and from `chosen`, at most `count` of them.
+/// Adds to `chosen` the best `count` starts, at most, that differ from one another and from those in it.
 void choose(const Slope& slope, std::vector<Start> starts, std::size_t count, std::vector<Start>& chosen) {
   std::stable_sort(starts.begin(), starts.end(), [](auto& a, auto& b) { return a.factor < b.factor; });
   const std::size_t most = chosen.size() + count;
@@ -64,7 +67,7 @@ void choose(const Slope& slope, std::vector<Start> starts, std::size_t count, st
   }
 }
 
-/// The polylines of one method.
+/// Search for the critical polyline of one method.
 class PolylineSearch {
  public:
   PolylineSearch(const Slope& slope, const SearchOptions& options, Method method, const SurfaceRanges& ranges)
@@ -72,7 +75,7 @@ class PolylineSearch {
         ranges_(ranges),
         seed_(options.seed) {}
 
-  /// From circles, cut along the borders of regions too, and from blocks.
+  /// Starts from circles, also lifted onto the borders of regions, and from blocks.
   void search(const std::vector<Surface>& circles, const std::vector<Surface>& blocks) {
     std::vector<Start> from_circles, from_blocks, chosen;
     for (const Surface& circle : circles) {
@@ -85,7 +88,7 @@ class PolylineSearch {
     for (const Start& s : chosen) improve(s.surface);
   }
 
-  /// The same with surfaces that a like slope has.
+  /// The same with additional starts from the surfaces of a similar slope.
   void follow(const std::vector<Surface>& known, const std::vector<Surface>& circles,
               const std::vector<Surface>& blocks) {
     std::vector<Start> starts, chosen;
@@ -101,7 +104,7 @@ class PolylineSearch {
     if (found.factor < best_.factor) best_ = found;
   }
 
-  /// A minimiser may stop at a kink of the factor: it goes on from beside the best surface.
+  /// Restarts from perturbations of the best surface, since a minimiser may stop at a kink of the factor.
   void shake_best() {
     RandomParts parts(seed_);
     for (int i = 0; i < shakes && !best_.surface.line.empty(); ++i) {
@@ -125,12 +128,12 @@ class PolylineSearch {
 
   const OptimisedSurface& best() const { return best_; }
 
-  /// The best surface that is not below its wedge mechanism, if there is one.
+  /// Returns the best surface whose factor passes the wedge check; refused if there is none.
   OptimisedSurface select_admissible() {
     if (evaluate_.passing().factor > best_.factor) {
       best_ = evaluate_.passing();
       evaluate_.steepen();
-      improve(Surface(best_.surface));  // a copy: the best surface may be another one before the end
+      improve(Surface(best_.surface));  // a copy: best_ may change during the call
     }
     const OptimisedSurface& passing = evaluate_.passing();
     if (evaluate_.passes_all_checks(passing.surface)) return passing;
@@ -157,8 +160,8 @@ class PolylineSearch {
   OptimisedSurface best_{{}, Evaluator::refused, 0};
 };
 
-/// Circles that polylines of a method start from: its minima, and the best of every depth among the trials, since a
-/// seam may lie where no circle is critical.
+/// Returns the circles that polylines of a method start from: its minima, and the best trial circle of each depth,
+/// since a seam may lie where no circle is critical.
 std::vector<Surface> choose_circles(const TrialCircles& circles, const SearchResult& result, std::size_t method,
                                     const std::vector<OptimisedSurface>& minima) {
   std::vector<Surface> starts;
@@ -183,7 +186,7 @@ std::vector<Surface> make_blocks(const Slope& slope, int vertices, int seed) {
   const double width = slope.right() - slope.left(), hair = 1e-7 * width;
   std::vector<Surface> blocks;
   RandomParts parts(seed);
-  // The base as a border that reaches from side to side, then the lower and the upper one of each region.
+  // Border 0 is the base of the section from side to side; then follow the lower and the upper border of each region.
   for (std::size_t border = 0; border < 1 + 2 * slope.section().regions.size(); ++border) {
     std::vector<Point> places;
     for (int i = 1; i < stations; ++i) {
@@ -230,7 +233,8 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
     else
       searches[m].follow(options.known, starts, blocks);
   });
-  // A method's best surface is a start for the others, and each goes on from beside its own.
+  // The best surfaces of all methods are starts for the others; then each method restarts from perturbations of its
+  // own.
   std::vector<Surface> found;
   for (const PolylineSearch& s : searches) found.push_back(s.best().surface);
   for_each([&](std::size_t m) {

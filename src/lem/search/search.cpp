@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search: trial circles, their factors, local minima, optimisation, findings.
+// The search for the critical slip surface: trial circles, their factors, local minima, local optimisation, warnings.
 #include "lem/search/search.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@
 
 namespace talus::lem {
 
-// The value of a surface for the minimisers: the factor, and more for polylines that no wedge mechanism supports.
+// Evaluator returns the objective function of the minimisers: F, or F with the penalty (T18.12) for polylines whose
+// factor lies below their wedge mechanism.
 
 double Evaluator::operator()(const Surface& surface) {
   throw_if_search_is_interrupted(ends_at_signal_);
@@ -36,7 +37,7 @@ double Evaluator::operator()(const Surface& surface) {
     wedges_.set(*slope_, cut_, section.turn_to_sliding(section.horizontal_acceleration, cut_.slides_left));
     if (wedges_.compute_net_power(factor / allowed) < 0) {
       const double bound = std::min(allowed * wedges_.search_factor(factor / allowed), 10 * factor);
-      // Steeper than 1: else a polyline further below its mechanism could have a smaller value.
+      // The penalty factor exceeds 1: otherwise a polyline further below its mechanism could have a smaller value.
       if (bound > factor) return factor + penalty_ * (bound - factor);
     }
   }
@@ -52,7 +53,7 @@ bool Evaluator::passes_all_checks(const Surface& surface) {
 
 namespace {
 
-/// Factors of all trial circles by all methods, piece by piece.
+/// Computes the factors of all trial circles by all methods, in parallel pieces.
 void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles& circles, SearchResult& result) {
   const std::size_t methods = options.methods.size(), count = circles.surfaces.size();
   constexpr std::size_t per_piece = 64;
@@ -89,7 +90,7 @@ void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles
   result.tried = static_cast<long>(count);
 }
 
-/// Local minima of each method, optimised when asked for, best first, separate ones only.
+/// Returns distinct local minima of each method, the best first, optimised if the options say so.
 std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const SearchOptions& options,
                                                        const Arcs& arcs, const TrialCircles& circles,
                                                        const SearchResult& result, std::vector<int>& best_trials) {
@@ -147,7 +148,7 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
 SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
   SearchOptions options = asked;
   options.checks.composite = asked.composite;
-  constexpr double share = 0.02, thickest = 0.5;  // [m]: skins that no one means
+  constexpr double share = 0.02, thickest = 0.5;  // smallest depth: fraction of the relief, at most this [m]
   options.ends_at_signal = options.ends_at_signal && !is_interrupted();
   if (!options.finds_skins)
     options.checks.smallest_depth =

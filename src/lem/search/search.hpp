@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The search for the critical slip surface.
+// The search for the critical slip surface: its options, its result, and the evaluation of one surface.
 
 #include <array>
 #include <limits>
@@ -16,9 +16,9 @@
 
 namespace talus::lem {
 
-// The factor of one surface after another by one method, with memory that is used again. One per thread.
+// Evaluator computes the factors of many surfaces by one method and reuses its memory; each thread has its own.
 
-/// A search may take minutes and keeps nothing before its end. Throws Error (interrupted).
+/// Throws Error (interrupted) after a signal, as a search may take minutes and has no partial result.
 inline void throw_if_search_is_interrupted(bool ends_at_signal) {
   if (ends_at_signal && is_interrupted())
     throw Error(ExitCode::interrupted, "interrupted while slip surfaces were searched");
@@ -26,7 +26,7 @@ inline void throw_if_search_is_interrupted(bool ends_at_signal) {
 
 struct OptimisedSurface {
   Surface surface;
-  double factor = 0;  ///< Evaluator::refused when nothing was found
+  double factor = 0;  ///< Evaluator::refused if no surface was found
   int evaluations = 0;
 };
 
@@ -39,28 +39,29 @@ class Evaluator {
     if (checks.reject && is_rigorous(method)) most_below_wedges_ = 0.95 * checks.most_below_wedges;
   }
 
-  /// F; `refused` for an invalid surface or one without a factor. A polyline below the wedge mechanism of its base has
-  /// a value above F that grows with the distance, so that a minimiser returns to those that are not. That is computed
-  /// only below the smallest factor that passed so far. Throws Error (interrupted) where asked to.
+  /// Returns F, or `refused` for an invalid surface or one without a factor. A polyline below the wedge mechanism of
+  /// its base has a value above F that grows with the distance (T18.12), so that a minimiser returns to admissible
+  /// surfaces. The mechanism is computed only where F is below the smallest factor that passed so far. Throws Error
+  /// (interrupted) after a signal.
   double operator()(const Surface& surface);
-  /// Returns true where the factor of a surface passes all checks, that of wedges included.
+  /// Returns true if the factor of a surface passes all checks, the wedge check included.
   bool passes_all_checks(const Surface& surface);
-  /// The surface with the smallest factor so far that is not below its mechanism.
+  /// The surface with the smallest factor so far that passed the wedge check.
   const OptimisedSurface& passing() const { return passing_; }
-  /// From here on values below the mechanism grow fast. A minimiser returns from there at once, but does not follow the
-  /// border between the two, which it does while they grow slowly.
+  /// Increases the penalty. With a steep penalty a minimiser leaves inadmissible surfaces at once; with a gentle one it
+  /// follows the border of the admissible ones.
   void steepen() { penalty_ = 4; }
   int count() const { return count_; }
   const Slope& slope() const { return *slope_; }
   Method method() const { return method_; }
 
-  static constexpr double refused = 1e6;  ///< larger than any factor, and finite for the minimisers
+  static constexpr double refused = 1e6;  ///< above any factor, and finite for the minimisers
 
  private:
   const Slope* slope_;
   Method method_;
-  Checks checks_, strict_;  ///< without the check of wedges, and with it
-  /// Slightly less than the check allows, which the result of a minimiser then passes.
+  Checks checks_, strict_;  ///< without and with the wedge check
+  /// Slightly below the limit of the check, so that the result of a minimiser passes it.
   double most_below_wedges_ = std::numeric_limits<double>::infinity();
   int slices_;
   bool ends_at_signal_;
@@ -71,16 +72,16 @@ class Evaluator {
   OptimisedSurface passing_{{}, refused, 0};
 };
 
-/// Centres on a grid, and radii by the elevation of the deepest point.
+/// Trial circles from a grid of centres, with radii that follow from the elevation of the deepest point.
 struct GridSearch {
-  Point from{}, to{};           ///< corners of the grid of centres [m]; equal: chosen from the ground
-  int columns = 20, rows = 20;  ///< centres
+  Point from{}, to{};           ///< corners of the grid of centres [m]; chosen from the ground if they are equal
+  int columns = 20, rows = 20;  ///< number of centres
   int radii = 11;
-  std::optional<double> lowest, highest;  ///< elevations that the deepest points of the circles lie between [m]
+  std::optional<double> lowest, highest;  ///< range of elevations of the deepest points [m]
 };
 
-/// Circles through an entry and an exit on the ground, with several depths each. Both ranges empty (their ends equal):
-/// through any two of exits + entries points of the whole ground, sliding to the lower one.
+/// Trial circles through an entry and an exit on the ground, with several depths each. If both ranges are empty (equal
+/// ends), the circles pass through any two of exits + entries points of the whole ground and slide to the lower one.
 struct EntryExitSearch {
   std::array<double, 2> exit{};   ///< range of x at the toe [m]
   std::array<double, 2> entry{};  ///< range of x at the crest [m]
@@ -91,31 +92,32 @@ enum class SearchKind { entry_exit, grid };
 
 struct SearchOptions {
   SearchKind kind = SearchKind::entry_exit;
-  std::optional<GridSearch> grid;             ///< not given: chosen from the ground
-  std::optional<EntryExitSearch> entry_exit;  ///< not given: the whole ground, both directions
+  std::optional<GridSearch> grid;             ///< chosen from the ground if not given
+  std::optional<EntryExitSearch> entry_exit;  ///< if not given: the whole ground, both directions of sliding
   int slices = 50;
   std::vector<Method> methods{Method::bishop, Method::spencer};
   Checks checks;
-  bool composite = false;        ///< circles may be cut level at the base
-  bool optimise_circle = true;   ///< local optimisation from the best local minima
-  bool optimise_surface = true;  ///< and of a non-circular surface from the critical circle
-  int vertices = 12;             ///< of the non-circular surface
-  int kept_minima = 5;           ///< local minima shown
-  /// Otherwise a searched mass is somewhere deeper than a fiftieth of the ground's relief, or than 0.5 m: at the edge
-  /// of a load, and in soil without cohesion, ever smaller ones have ever smaller factors.
+  bool composite = false;        ///< circles below the base are cut off level there
+  bool optimise_circle = true;   ///< local optimisation of the best local minima
+  bool optimise_surface = true;  ///< optimisation of a non-circular surface from the critical circle
+  int vertices = 12;             ///< number of vertices of the non-circular surface
+  int kept_minima = 5;           ///< local minima in the result
+  /// False: the largest depth of a mass must be at least 2 % of the relief of the ground, or 0.5 m if that is less. At
+  /// the edge of a load and in soil without cohesion, ever smaller masses have ever smaller factors.
   bool finds_skins = false;
-  /// 0: entries, exits and blocks stand where the ground wants them; another number moves each by a random part of the
-  /// distance to its neighbour. It also shakes surfaces. Two seeds must find one minimum.
+  /// Seed of the perturbation of trial surfaces. 0: entries, exits and blocks stand at their regular places; otherwise
+  /// each is moved by a random fraction of the distance to its neighbour, and the perturbations of polylines change
+  /// too. The minimum should not depend on the seed.
   int seed = 0;
-  /// Polylines of a slope that differs little, as of another time. Where there are any, the best of them and of the
-  /// other starts are optimised, and none is shaken.
+  /// Polylines of a similar slope, such as that of another time. If there are any, only the best of them and of the
+  /// other starts are optimised, without perturbations.
   std::vector<Surface> known{};
   int threads = 1;
-  /// A signal ends the search, unless it came before it: who began then wants the result.
+  /// A signal ends the search, but not one that came before the search began.
   bool ends_at_signal = true;
 };
 
-/// A surface that was tried, with the factors in the order of SearchOptions::methods (0: refused).
+/// A trial circle with its factors in the order of SearchOptions::methods (0: rejected).
 struct TriedCircle {
   Surface surface;
   std::vector<float> factors;
@@ -126,9 +128,9 @@ struct Critical {
   Method method = Method::spencer;
   Surface surface;
   Solution solution;
-  CutSurface cut;  ///< with the forces
+  CutSurface cut;  ///< its slices with the forces
   bool circular = true;
-  std::vector<std::string> warnings;  ///< m_α, tension, model's edge, limits of the search that were hit
+  std::vector<std::string> warnings;  ///< on m_α, tension, the edge of the model, and limits of the search
   std::optional<double> yield_acceleration;
 };
 
@@ -139,28 +141,28 @@ struct LimitHit {
 };
 
 struct SearchResult {
-  std::vector<Critical> circular;             ///< per method that found one
-  std::vector<Critical> noncircular;          ///< per method (of those that suit polylines), when asked for
-  std::vector<std::vector<Critical>> minima;  ///< per method: several separate local minima, best first
-  std::vector<TriedCircle> trials;            ///< every trial circle of the search
-  /// The smallest factor per centre of the grid, per method (grid search; else of the circles binned by their centres).
+  std::vector<Critical> circular;             ///< one per method that has a solution
+  std::vector<Critical> noncircular;          ///< one per method that applies to polylines, if requested
+  std::vector<std::vector<Critical>> minima;  ///< distinct local minima per method, best first
+  std::vector<TriedCircle> trials;            ///< all trial circles
+  /// Smallest factor per centre, per method: of the grid's centres, or of the circles binned by their centres.
   struct Map {
     Point from{}, to{};
     int columns = 0, rows = 0;
-    std::vector<float> factor;  ///< row by row; NaN: none
+    std::vector<float> factor;  ///< row by row; NaN where there is no factor
   };
   std::vector<Map> maps;
-  std::vector<std::map<Refusal, long>> refused;  ///< per method
+  std::vector<std::map<Refusal, long>> refused;  ///< number per reason, per method
   long tried = 0;
-  double smallest_depth = 0;  ///< of a mass that the search took [m]
+  double smallest_depth = 0;  ///< limit of the depth that the search applied [m]
   std::vector<LimitHit> limit_hits;
-  std::vector<std::string> warnings;  ///< on methods that have no solution where others have their smallest factor
+  std::vector<std::string> warnings;  ///< on methods without a solution where another has its smallest factor
   double seconds = 0;
-  /// Where it was searched, as used.
+  /// Ranges of the search as applied.
   std::optional<GridSearch> grid;
   std::optional<EntryExitSearch> entry_exit;
 
-  // Compiled once, in search.cpp: the files that hold one would each compile them again.
+  // Defined in search.cpp, so that other files do not instantiate them again.
   SearchResult();
   SearchResult(const SearchResult&);
   SearchResult(SearchResult&&) noexcept;
@@ -169,13 +171,13 @@ struct SearchResult {
   ~SearchResult();
 };
 
-/// Throws Error (wrong_input) when no admissible surface is found: the sentence counts the reasons.
+/// Throws Error (wrong_input), with the numbers of rejected surfaces by reason, when no admissible surface is found.
 SearchResult search(const Slope& slope, const SearchOptions& options);
 
-/// The surface with its slices, forces, factor and warnings.
+/// Returns the surface with its slices, forces, factor and warnings.
 Critical make_critical(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method);
 
-/// Optimises the vertices of a polyline surface, or a circle (its ends and depth), from a start.
+/// Optimises the vertices of a polyline, or the ends and the depth of a circle, from a start.
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& options);
 
 }  // namespace talus::lem

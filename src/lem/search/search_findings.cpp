@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sentences about refusals, limits and doubtful critical surfaces.
+// Local minima among the trial circles, circles with a tension crack where a method has no solution, and warnings of a
+// search.
 #include "lem/search/search_findings.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 
 namespace talus::lem {
 
-// Local minima in the lattice of trial circles.
+// Local minima among the trial circles.
 
 std::array<double, 2> find_ends(const Surface& surface) {
   if (surface.circle) return {surface.from, surface.to};
@@ -32,7 +33,7 @@ double find_elevation(const Slope& slope, const Surface& surface, double x) {
     const Circle& c = *surface.circle;
     const double off = std::min(std::abs(x - c.centre[0]), c.radius);
     const double y = c.centre[1] - std::sqrt(c.radius * c.radius - off * off);
-    return std::max(y, slope.section().base);  // a composite circle is level there
+    return std::max(y, slope.section().base);  // a composite circle is level at the base
   }
   const auto& line = surface.line;
   auto q = std::upper_bound(line.begin(), line.end(), x, [](double v, const Point& p) { return v < p[0]; });
@@ -82,15 +83,15 @@ std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circl
             if (n == 13 || a < 0 || b < 0 || c < 0 || a >= ni || b >= nj || c >= nk) continue;
             for (int t = circles.first[cell_of(a, b, c)]; t < circles.first[cell_of(a, b, c) + 1]; ++t) {
               const Surface& other = circles.surfaces[static_cast<std::size_t>(t)];
-              if (other.to <= surface.from || other.from >= surface.to) continue;  // another face
-              // Of equals the first counts.
+              if (other.to <= surface.from || other.from >= surface.to) continue;  // on another slope face
+              // Of equal factors the first one counts.
               if (factor_of(t) < own || (factor_of(t) == own && t < s)) smallest = false;
             }
           }
           if (smallest) minima.push_back(s);
         }
   std::stable_sort(minima.begin(), minima.end(), [&](int a, int b) { return factor_of(a) < factor_of(b); });
-  // A surface with more than twice the smallest factor is no second mechanism.
+  // Minima with more than twice the smallest factor are left out.
   constexpr float most_ratio = 2;
   std::vector<int> kept;
   for (int s : minima) {
@@ -106,15 +107,15 @@ std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circl
 
 namespace {
 
-/// A lost circle counts where Bishop's factor on it is below this fraction of the least factor that the method found.
+/// A lost circle is treated if Bishop's factor on it is below this fraction of the method's own smallest factor.
 constexpr double noticeable = 0.98;
 
-/// Cracks that are tried, from a fraction of Rankine's depth to all of it.
+/// Number of crack depths that are tried, from a fraction of Rankine's depth up to all of it.
 constexpr int crack_steps = 8;
 
 struct LostCircle {
   const Surface* surface = nullptr;
-  double bishop = Evaluator::refused;  ///< Bishop's factor on it
+  double bishop = Evaluator::refused;  ///< Bishop's factor on this circle
 };
 
 const Critical* find_circle(const SearchResult& result, Method method) {
@@ -123,7 +124,7 @@ const Critical* find_circle(const SearchResult& result, Method method) {
   return nullptr;
 }
 
-/// The trial circle with Bishop's least factor among those that method number `m` has no solution on.
+/// Returns the trial circle with the smallest factor by Bishop among those on which method number `m` has no solution.
 LostCircle find_lost_circle(const Slope& slope, const SearchOptions& options, const SearchResult& result,
                             std::size_t m) {
   const auto bishop = std::find(options.methods.begin(), options.methods.end(), Method::bishop);
@@ -139,8 +140,8 @@ LostCircle find_lost_circle(const Slope& slope, const SearchOptions& options, co
   return least;
 }
 
-/// Rankine's depth of tension below the crest of a mass, with the strength divided by F; the load on the crest closes
-/// the crack. 0: the soil bears no tension there.
+/// Returns Rankine's depth of the tension zone below the crest of a mass, with the strength divided by `factor`, less
+/// the effect of the load on the crest [m]; 0 where there is no tension.
 double compute_crack_depth(const Slope& slope, const CutSurface& cut, double factor) {
   if (cut.slices.empty()) return 0;
   const Slice& crest = cut.slides_left ? cut.slices.back() : cut.slices.front();
@@ -152,12 +153,13 @@ double compute_crack_depth(const Slope& slope, const CutSurface& cut, double fac
   return std::max(0.0, height);
 }
 
-/// The bottom of the crack that ends the mass lies in soil with positive pore pressure: the crack would not be dry.
+/// Returns true if the pore pressure at the bottom of the crack is positive, so that the crack would not be dry.
 bool is_wet(const Slope& slope, const CutSurface& cut) {
   return slope.pore_pressure(cut.slides_left ? cut.slices.back().base_right : cut.slices.front().base_left) > 0;
 }
 
-/// The trial circle with the least factor where each ends in a crack; one without a circle where none has a factor.
+/// Returns the trial circle with the smallest factor when each ends in a crack; a surface without a circle if none has
+/// a factor.
 Surface select_cracked_trial(const Slope& slope, const SearchOptions& options, const SearchResult& result,
                              Method method, double crack) {
   constexpr std::size_t per_piece = 64;
@@ -246,9 +248,9 @@ void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, Sear
 
 namespace {
 
-constexpr double close = 0.002;  ///< of the width of the ground: as good as at a limit
+constexpr double close = 0.002;  ///< tolerance for a limit, over the width of the ground [-]
 
-/// λ this near to its limit rests on it [-].
+/// Tolerance within which λ counts as at its limit [-].
 constexpr double close_to_gate = 2e-3;
 
 std::string group_digits(long n) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sentences about a search: why surfaces were refused, and limits that were hit.
+// Local minima of a search, lost circles, and the warnings on a search: rejected surfaces and limits that were reached.
 
 #include <string>
 #include <vector>
@@ -11,50 +11,51 @@
 
 namespace talus::lem {
 
-// Separate local minima among trial surfaces, and how much two sliding masses have in common.
+// Local minima among the trial circles, and the overlap of two sliding masses.
 
-/// Elevation of a slip surface at x between its ends [m].
+/// Returns the elevation of a slip surface at x between its ends [m].
 double find_elevation(const Slope& slope, const Surface& surface, double x);
-/// Left and right end of a surface [m].
+/// Returns x of the left and the right end of a surface [m].
 std::array<double, 2> find_ends(const Surface& surface);
-/// True for a mass that slides to the left: its left end is the lower one. The searches count from the lower end, so
-/// that a mirrored slope is searched in the same steps.
+/// Returns true if the left end is the lower one, so that the mass slides to the left. The searches count from the
+/// lower end, so that a mirrored slope is searched in the same steps.
 bool falls_left(const Slope& slope, const Surface& surface);
 
-/// Area common to two sliding masses over the area of both together, 0 to 1.
+/// Returns the area common to two sliding masses over the area of their union, 0 to 1.
 double measure_overlap(const Slope& slope, const Surface& a, const Surface& b);
 
-/// Circles that have a smaller factor than all their neighbours in the lattice, best first; factors of 0 are refused
-/// ones. Of two whose masses overlap by more than `most_overlap` the better one stays; at most `count`.
+/// Returns the circles with a smaller factor than all their neighbours in the lattice, best first; a factor of 0 means
+/// rejected. Of two masses that overlap by more than `most_overlap` the one with the smaller factor stays; at most
+/// `count`.
 std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circles, const std::vector<float>& factors,
                                    int count, double most_overlap);
 
-// Circles on which a method with complete equilibrium has no solution, although Bishop's method has a smaller factor
-// there than that method finds anywhere: the crest of steep cohesive slopes is in tension.
+// Lost circles: those on which a method of complete equilibrium has no solution, although Bishop's factor there is
+// below any factor of that method. The cause is tension at the crest of steep cohesive slopes.
 
-/// Searches, for each method that lost circles, circles that end in a dry tension crack: the least deep one, up to
-/// Rankine's tension zone, with which the method comes within 2 % of Bishop's factor. A smaller factor than the
-/// method's own replaces its critical circle. Skipped where the section has a crack of its own, and
-/// below the water at the crest.
+/// Searches, for each method with lost circles, circles that end in a dry tension crack: the shallowest crack, up to
+/// Rankine's tension zone, with which the method comes within 2 % of Bishop's factor. If its factor is smaller, the
+/// circle replaces the critical one of the method. Nothing is done where the section has a crack of its own, or where
+/// the bottom of the crack would be below the water.
 void search_cracked_circles(const Slope& slope, const SearchOptions& options, const Arcs& arcs,
                             const TrialCircles& circles, SearchResult& result);
 
-/// Adds a warning where Bishop's critical circle still is lower than all that methods of complete equilibrium found,
-/// and they have no solution on it.
+/// Adds a warning if Bishop's critical circle still has a lower factor than all methods of complete equilibrium, and
+/// these have no solution on it.
 void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, SearchResult& result);
 
-/// "12,000 of 18,375 … go below the base, …" for the reasons of one method.
+/// Returns the reasons of rejection of one method: "12,000 of 18,375 … go below the base, …".
 std::string describe_refusals(const std::map<Refusal, long>& refused, long tried);
 
-/// Limits that the critical circle of a method reaches: ends of searched ranges, the model's edge, the
-/// base, the smallest depth; on a grid search also the border of the grid and of the radii, by the best trial circle.
+/// Returns the limits that the critical circle of a method reaches: ends of the searched ranges, edge of the model,
+/// base, smallest depth; for a grid search also the border of the grid and of the radii, by the best trial circle.
 std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
                                       const TrialCircles& circles, const Critical& critical, int best_trial);
 
-/// Warnings on one critical surface: m_α, tension, line of thrust, edge of the model.
+/// Returns the warnings on one critical surface: m_α, tension, line of thrust, edge of the model.
 std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks, const Critical& critical);
 
-/// The smallest factor per centre: of the grid's centres, or of the circles binned by their centres.
+/// Returns the smallest factor per centre: of the grid's centres, or of the circles binned by their centres.
 SearchResult::Map map_centres(const SearchResult& result, std::size_t method, int columns, int rows);
 
 }  // namespace talus::lem

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The best circle that touches each region.
+// Trial circles of a search (entry and exit, grid of centres), circles that touch a region, and the map of the smallest
+// factor per centre.
 #include "lem/search/trial_circles.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ std::vector<Surface> find_touching_circles(Evaluator& evaluate, Evaluator& quick
   std::set<std::array<double, 2>> distinct;
   for (const Surface& s : circles.surfaces) distinct.insert({s.from, s.to});
   std::vector<std::array<double, 2>> ends(distinct.begin(), distinct.end());
-  // From the lower side of the section on, so that its mirror image tries the same ones.
+  // Ordered from the lower side of the section, so that its mirror image tries the same circles.
   const Slope& slope = evaluate.slope();
   if (slope.ground(slope.left()) > slope.ground(slope.right()))
     std::sort(ends.begin(), ends.end(), [](auto& a, auto& b) { return a[1] != b[1] ? a[1] > b[1] : a[0] > b[0]; });
@@ -48,7 +49,7 @@ std::vector<Surface> find_touching_circles(Evaluator& evaluate, Evaluator& quick
 
 namespace {
 
-/// Where points stand, and how far apart they are in the middle of the field.
+/// Returns the median distance of neighbouring points [m].
 double find_step(const std::vector<double>& points) {
   if (points.size() < 2) return 0;
   std::vector<double> gaps;
@@ -69,7 +70,7 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
     *range = {std::clamp((*range)[0], slope.left(), slope.right()),
               std::clamp((*range)[1], slope.left(), slope.right())};
   std::vector<double> exits, entries;
-  if (circles.whole_ground) {  // any two points: the circle slides to the lower one
+  if (circles.whole_ground) {  // any two points; the circle slides to the lower one
     exits = entries = place_points(slope, slope.left(), slope.right(), used.exits + used.entries, seed);
   } else {
     exits = place_points(slope, used.exit[0], used.exit[1], used.exits, seed);
@@ -87,7 +88,7 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
       for (int k = 1; k <= used.depths; ++k) {
         circles.first.push_back(static_cast<int>(circles.surfaces.size()));
         if (!range) continue;
-        // The shallowest arc only where a smallest depth makes it a surface of its own.
+        // The shallowest arc is omitted unless it is the only depth.
         const double t = used.depths > 1 ? static_cast<double>(k) / used.depths : 0.5;
         circles.surfaces.push_back(arcs.make_arc(left, right, range->from + t * (range->to - range->from)));
       }
@@ -100,7 +101,8 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
 
 namespace {
 
-/// Centres over the slopes, as high again as the slopes are wide; deepest points from the base to the crest.
+/// Chooses centres above the crest, up to 1.5 times the height or the width of the slopes, and deepest points down to
+/// 1.5 times the height below the toe, or to the base.
 void choose_grid(const Slope& slope, bool named, GridSearch& grid) {
   const auto& ground = slope.section().ground;
   double low = ground.front()[1], high = low, left = slope.right(), right = slope.left(), widest = 0, from = 0;
@@ -138,7 +140,8 @@ TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearc
         circles.first.push_back(static_cast<int>(circles.surfaces.size()));
         const Point centre{between(used.from[0], used.to[0], i, used.columns),
                            between(used.from[1], used.to[1], j, used.rows)};
-        // From deep to shallow, as the depths of the other search grow; a hair above the base, which they may touch.
+        // From deep to shallow, in the order of the depths of the other search; slightly above the base, which a circle
+        // may touch.
         const double bottom = between(*used.highest, *used.lowest, k, used.radii), radius = centre[1] - bottom;
         if (!(radius > 0)) continue;
         const Circle circle{centre, radius * (1 - 1e-9)};
@@ -155,11 +158,11 @@ TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearc
   return circles;
 }
 
-// The smallest factor per centre of the trial circles.
+// Map of the smallest factor per centre of the trial circles.
 
 namespace {
 
-/// A box that holds the centres of the circles with the smaller factors: those of flat arcs lie very far away.
+/// Chooses a box of the centres of the circles with the smaller factors; the centres of flat arcs lie very far away.
 void choose_box(const SearchResult& result, std::size_t method, SearchResult::Map& map) {
   float smallest = std::numeric_limits<float>::infinity();
   for (const TriedCircle& t : result.trials)
@@ -174,7 +177,7 @@ void choose_box(const SearchResult& result, std::size_t method, SearchResult::Ma
     first = false;
   }
   const double width = std::max({right - left, high - low, 1e-9});
-  // Cells stand in their middles at the map's ends: half a cell of room around.
+  // The first and the last cells are centred at the ends of the box, so the map extends half a cell beyond it.
   map.from = {left, low};
   map.to = {right > left ? right : left + width, high > low ? high : low + width};
 }

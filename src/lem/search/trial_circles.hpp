@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The circles that a search tries, in an order that knows its neighbours.
+// The trial circles of a search, in a lattice that gives each circle its neighbours.
 
 #include <array>
 #include <string>
@@ -11,30 +11,31 @@
 
 namespace talus::lem {
 
-/// Trial circles in a lattice of cells: exits x entries x depths, or columns x rows x radii. A cell holds no circle
-/// when none fits, and one per stretch of ground below which the circle runs (both faces of a dam).
+/// Trial circles in a lattice of cells: exits x entries x depths, or columns x rows x radii. A cell has no circle if
+/// none fits, and one per stretch of ground below which the circle runs (both faces of a dam).
 struct TrialCircles {
   std::array<int, 3> size{};
   std::vector<Surface> surfaces;          ///< cell by cell, the last index fastest
-  std::vector<int> first;                 ///< of a cell in `surfaces`; one more at the end
-  std::array<double, 2> left{}, right{};  ///< x between which the left and the right ends lie [m]
-  std::array<double, 2> step{};           ///< typical distance between neighbouring ends [m]
-  bool whole_ground = false;              ///< nobody named a range
+  std::vector<int> first;                 ///< index in `surfaces` of the first circle of each cell; one more at the end
+  std::array<double, 2> left{}, right{};  ///< ranges of x of the left and the right ends [m]
+  std::array<double, 2> step{};           ///< typical distance of neighbouring ends [m]
+  bool whole_ground = false;              ///< no range of entries and exits was given
 };
 
-/// x of `count` points of the ground between two x: dense on and beside slopes, with the ground's corners among them.
-/// `seed`: see SearchOptions.
+/// Returns x of `count` points of the ground between two x: dense on and beside slopes, with corners of the ground
+/// among them. `seed`: see SearchOptions.
 std::vector<double> place_points(const Slope& slope, double from, double to, int count, int seed);
 
 TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
                                      int seed, EntryExitSearch& used);
 TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearch>& asked, GridSearch& used);
 
-// Circles that just touch a region: where a strong layer begins the factor jumps, and the smallest one stands right at
-// the jump, in a valley too narrow for a lattice of trial circles.
+// Circles that just touch a region. The factor jumps where a circle enters a strong layer, and its minimum often lies
+// at the jump, in a valley too narrow for a lattice of trial circles.
 
-/// For each region the best circle that touches it, among those with the ends of trial circles; regions that none
-/// touches give none. `quick` ranks the circles (at most `most` for each region), `evaluate` solves the best of them.
+/// Returns for each region the best circle that touches it, among those with the ends of trial circles; none for a
+/// region that no circle touches. `quick` ranks the circles (at most `most` for each region), `evaluate` solves the
+/// best of them.
 std::vector<Surface> find_touching_circles(Evaluator& evaluate, Evaluator& quick, const Arcs& arcs,
                                            const TrialCircles& circles, int most);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faults of a section that no surface could be calculated in: ground, soils, water and loads.
+// Validation of a section (ground, soils, water, loads), pore pressures from a grid of triangles, and loads on vertical
+// steps of the ground.
 #include "lem/section/section.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 
 namespace talus::lem {
 
-// Finds the pore pressure at a place in a grid of triangles.
+// Pore pressure at a point of a grid of triangles.
 
 namespace {
 
@@ -81,7 +82,7 @@ PressureLocator::PressureLocator(const PressureGrid& grid) {
 
 std::optional<double> PressureLocator::find(const Point& p) const {
   if (empty()) return std::nullopt;
-  // A hair outside counts as inside, so that the border of the model is not lost to rounding.
+  // Points within rounding outside count as inside, so that the border of the model is not lost.
   const double x = (p[0] - low_[0]) / size_, y = (p[1] - low_[1]) / size_;
   if (!(x >= -1e-9 && y >= -1e-9 && x <= columns_ + 1e-9 && y <= rows_ + 1e-9)) return std::nullopt;
   const int i = std::clamp(static_cast<int>(x), 0, columns_ - 1), j = std::clamp(static_cast<int>(y), 0, rows_ - 1);
@@ -109,7 +110,7 @@ bool is_finite(const std::array<double, N>& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// A line that must run to the right. `steps`: vertical pieces are allowed.
+/// Checks a line whose x must not decrease. `steps`: vertical pieces are allowed.
 template <std::size_t N>
 void check_line(const std::string& name, const std::vector<std::array<double, N>>& line, bool steps, Faults& faults) {
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -237,7 +238,7 @@ std::vector<std::string> find_faults(const Section& section) {
   check_water(section, faults);
   check_loads(section, faults);
   check_drawdown(section, faults);
-  // What follows walks along the ground, which must be whole for that.
+  // The check of the regions walks along the ground, which must be free of faults.
   if (faults.empty()) find_region_faults(section, faults);
   return faults;
 }
@@ -253,13 +254,13 @@ Section::~Section() = default;
 
 namespace {
 
-/// A vertical step of the ground at one side of a slice, which belongs to its higher side.
+/// A vertical step of the ground at one side of a slice; the slice on its higher side bears the load.
 struct Step {
   double x = 0, low = 0, high = 0;
   double facing = 1;  ///< the soil is at larger x (1) or smaller x (-1)
   Slice* slice = nullptr;
 
-  /// Adds a force at an elevation of the step.
+  /// Adds a force at an elevation of the step to the slice.
   void load(double level, double right, double down) const {
     const double middle_x = 0.5 * (slice->left + slice->right);
     const double middle_y = 0.5 * (slice->base_left[1] + slice->base_right[1]);

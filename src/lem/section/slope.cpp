@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A section made ready for many surfaces: questions about what stands over x.
+// A section prepared for the cutting of many surfaces, the check of its regions, and the depth of its tension crack.
 #include "lem/section/slope.hpp"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ double Slope::weight_above(double x, double bottom, int& soil) const {
   return layer.weight.at(dx) + layer.unit_weight * (layer.top.at(dx) - bottom);
 }
 
-// Faults of the regions of a section whose ground is sound.
+// Check of the regions of a section whose ground has no faults.
 
 namespace {
 
@@ -108,7 +108,7 @@ std::string name_region(const Section& section, std::size_t number) {
   return name.empty() ? fmt::format("region {}", number + 1) : fmt::format("region {} of soil '{}'", number + 1, name);
 }
 
-/// The polygon without points that repeat the one before.
+/// Returns the polygon without repeated points.
 std::vector<Point> drop_repeated(const std::vector<Point>& polygon) {
   std::vector<Point> kept;
   for (const Point& p : polygon)
@@ -158,7 +158,7 @@ bool check_polygon(const Section& section, std::size_t number, double size, std:
   return true;
 }
 
-/// A stretch of x with the same fault, told in one sentence.
+/// Range of x with the same fault, reported in one sentence.
 struct Gap {
   const char* what;
   double from = 0, to = 0;
@@ -174,12 +174,13 @@ void extend_gap(Gap& gap, bool found, const Strip& strip, std::vector<std::strin
   gap.open = found;
 }
 
-/// Places under the ground that no region covers; below the lowest soil that is the bottom of the model and no fault.
+/// Adds faults for places under the ground that no region covers. Below the lowest soil lies the bottom of the model,
+/// which is no fault.
 void check_cover(const Slope::Strips& strips, double size, std::vector<std::string>& faults) {
   Gap bare{"under the ground"}, hole{"in a hole of the regions"};
   for (const Strip& strip : strips.strips) {
     const double half = 0.5 * (strip.right - strip.left);
-    // Where the ground comes down to the base there is nothing to cover.
+    // Where the ground meets the base there is nothing to cover.
     if (half < 1e-6 * size || strip.ground.at(half) - strips.section.base < 1e-6 * size) continue;
     bool is_bare = strip.first == strip.last, is_hole = false;
     for (int i = strip.first; i < strip.last; ++i) {
@@ -214,13 +215,13 @@ void find_region_faults(const Section& section, std::vector<std::string>& faults
 
 namespace {
 
-/// Parts of the depth that are looked at before the limit is bisected.
+/// Number of depths that are tested before the limit is bisected.
 constexpr int parts = 32;
 constexpr int halvings = 40;
-/// Places along the ground at which the depth is computed; linear between them.
+/// Places along the ground at which the depth is computed; it is linear between them.
 constexpr int places_along = 200;
 
-/// Stress that presses the sides of a crack together at depth z under the ground, less the water in it [Pa].
+/// Stress that closes a crack at depth z under the ground, less the pressure of the water in it [Pa].
 class Closure {
  public:
   Closure(const Slope& slope, double x, double water)
@@ -244,7 +245,7 @@ class Closure {
   }
 
  private:
-  /// u as slices take it; suction adds to the cohesion.
+  /// Returns u as the slices use it; suction is added to the cohesion instead.
   double find_pressure(const Soil& soil, double weight, const Point& p, double& cohesion) const {
     const double found = soil.pore_pressure_ratio > 0 ? soil.pore_pressure_ratio * weight : slope_.pore_pressure(p);
     if (found >= 0 || soil.suction == Suction::ignored) return std::max(0.0, found);

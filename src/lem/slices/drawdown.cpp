@@ -18,12 +18,12 @@ void set_strength(const BaseStrength& strength, Slice& slice) {
   slice.pore_pressure = strength.pore_pressure;
 }
 
-/// N'/l of a slice with forces; suction counts as cohesion, as everywhere.
+/// Returns N'/l of a slice with forces. Suction counts as cohesion, so u is not negative.
 double find_effective_normal(const Slice& slice) {
   return slice.normal / slice.length - std::max(0.0, slice.pore_pressure);
 }
 
-/// Puts the undrained strengths into the slices of soils that have an envelope.
+/// Sets the undrained strengths of the slices in soils with an R envelope.
 void set_undrained(const Section& section, CutSurface& cut) {
   cut.bases.assign(cut.slices.size(), {});
   for (std::size_t i = 0; i < cut.slices.size(); ++i) {
@@ -34,7 +34,7 @@ void set_undrained(const Section& section, CutSurface& cut) {
     base.shear = before.shear / before.length;
     const Soil& soil = section.soils[static_cast<std::size_t>(slice.soil)];
     if (!soil.envelope) continue;
-    // Roots hold in either case; suction is lost where soil shears without draining.
+    // Cohesion of roots is added to the undrained strength; that of suction is lost in undrained shear.
     const EffectiveStrength effective{before.cohesion - before.root_cohesion - before.suction_strength,
                                       soil.friction_angle};
     base.strength = slice.root_cohesion + find_undrained_strength(section.drawdown->method, *soil.envelope, effective,
@@ -44,7 +44,8 @@ void set_undrained(const Section& section, CutSurface& cut) {
   }
 }
 
-/// Gives back the drained strength where it is lower, by the total normal stresses of the second stage; whether any is.
+/// Restores the drained strength where it is lower, by the total normal stresses of the second stage. Returns true if
+/// any slice changed.
 bool drain_weaker(CutSurface& cut) {
   bool changed = false;
   for (std::size_t i = 0; i < cut.slices.size(); ++i) {
@@ -71,8 +72,8 @@ double find_undrained_strength(DrawdownMethod method, const UndrainedEnvelope& e
     return std::max(0.0, std::min(envelope.cohesion + normal * std::tan(envelope.friction_angle), at_failure));
   const double sine_r = std::sin(envelope.friction_angle), cosine_r = std::cos(envelope.friction_angle);
   const double isotropic = (envelope.cohesion * cosine_r + normal * sine_r) * cosine / (1 - sine_r);
-  const double least = normal + shear * (sine - 1) / cosine;                               // σ'_3c
-  const double least_at_failure = (normal - c * cosine) * (1 - sine) / (cosine * cosine);  // σ'_3f
+  const double least = normal + shear * (sine - 1) / cosine;
+  const double least_at_failure = (normal - c * cosine) * (1 - sine) / (cosine * cosine);  // σ'_3f; `least` is σ'_3c
   if (!(least > 0 && least_at_failure > 0)) return std::max(0.0, std::min(isotropic, at_failure));
   const double kf = (normal + c * cosine) * (1 + sine) / ((normal - c * cosine) * (1 - sine));
   const double k1 = std::min(kf, (normal + shear * (sine + 1) / cosine) / least);
@@ -89,7 +90,7 @@ void keep_drained_strengths(CutSurface& cut) {
 
 Solution solve_drawdown(const Slope& slope, CutSurface& cut, Method method, const Checks& all, bool keep_forces) {
   Checks checks = all;
-  checks.most_below_wedges = std::numeric_limits<double>::infinity();  // undrained strengths stand on bases alone
+  checks.most_below_wedges = std::numeric_limits<double>::infinity();  // undrained strengths exist on bases only
   const Section& section = slope.section();
   const bool is_effective = section.drawdown->method == DrawdownMethod::b_bar;
   for (std::size_t i = 0; i < cut.slices.size(); ++i) set_strength(cut.drained[i], cut.slices[i]);
@@ -103,14 +104,14 @@ Solution solve_drawdown(const Slope& slope, CutSurface& cut, Method method, cons
     std::swap(cut.slices, cut.before);
   }
   Solution after;
-  if (is_effective) {  // the factor before is only told
+  if (is_effective) {  // the factor before drawdown is only reported
     after = solve_with(slope, cut, method, checks, keep_forces, section.horizontal_acceleration);
   } else {
     if (before.refusal != Refusal::none) return before;
     set_undrained(section, cut);
     const bool has_third = section.drawdown->method == DrawdownMethod::three_stage;
     Checks second = checks;
-    second.reject = checks.reject && !has_third;  // the third stage is judged, in which less may be in tension
+    second.reject = checks.reject && !has_third;  // else the third stage is checked instead
     after = solve_with(slope, cut, method, second, keep_forces || has_third, section.horizontal_acceleration);
     const double undrained = after.factor;
     if (has_third && after.refusal == Refusal::none) {

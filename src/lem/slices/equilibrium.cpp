@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simplified methods: Fellenius, Bishop, Janbu.
+// Solution of the equilibrium equations for the factor: simplified methods (Fellenius, Bishop, Janbu), given
+// inclinations, and complete equilibrium (Spencer, Morgenstern and Price).
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,7 @@ struct Residual {
   double value = 0, slope = 0;
 };
 
-/// Driving less resisting moment (or horizontal force) with X = 0, and its derivative by q = 1/F.
+/// Returns the driving less the resisting moment (or horizontal force) with X = 0, and its derivative by q = 1/F.
 Residual sum_simplified(const Mass& mass, bool moments, double q) {
   Residual sum{moments ? mass.moment : mass.crack, 0};
   for (const Wedge& wedge : mass.wedges) {
@@ -43,7 +44,7 @@ FelleniusSums sum_fellenius(const Mass& mass, bool moments) {
 }
 
 double solve_simplified(const Mass& mass, bool moments, double start, int& iterations) {
-  // Nearly linear in 1/F, so that Newton's method needs a few steps from any start.
+  // The residual is nearly linear in 1/F, so that Newton's method needs a few steps from any start.
   double q = start > 0 ? 1 / start : 1;
   for (iterations = 1; iterations <= 60; ++iterations) {
     const Residual sum = sum_simplified(mass, moments, q);
@@ -55,7 +56,9 @@ double solve_simplified(const Mass& mass, bool moments, double start, int& itera
     q = next;
     if (!(q > 1e-9)) return 0;
     if (step <= 1e-13 * q) return 1 / q;
-    if (step <= 1e-7 * q) return 1 / q;  // the error after this step is of the order of its square
+    if (step <= 1e-7 * q)
+      return 1 / q;  // quadratic convergence: the remaining error is of the order of the square of
+                     // this step
   }
   return 0;
 }
@@ -76,11 +79,11 @@ double correct_janbu(const CutSurface& cut, double& ratio) {
   return 1 + b1 * (ratio - 1.4 * ratio * ratio);
 }
 
-// Methods that satisfy both equilibria: X = λ f E between the slices (Spencer, Morgenstern and Price).
+// Complete equilibrium: X = λ f E between the slices (Spencer, Morgenstern and Price).
 
 namespace {
 
-/// Residual force at the lower end and residual moment, for a trial q = 1/F and λ; and their derivatives.
+/// Residual force at the lower end and residual moment (T18.6) for q = 1/F and λ, with their derivatives.
 struct Balance {
   double force = 0, force_q = 0, force_l = 0;
   double moment = 0, moment_q = 0, moment_l = 0;
@@ -119,7 +122,7 @@ Balance balance(const Mass& mass, double q, double lambda) {
   return sum;
 }
 
-/// 1/F that closes the forces for a given λ, from a neighbour; 0 when there is none.
+/// Returns the q = 1/F that satisfies force equilibrium for a given λ, from a nearby start; 0 if there is none.
 double close_forces(const Mass& mass, double lambda, double q, Balance& end, int& iterations) {
   for (int k = 0; k < 60; ++k) {
     end = balance(mass, q, lambda);
@@ -137,13 +140,13 @@ double close_forces(const Mass& mass, double lambda, double q, Balance& end, int
   return 0;
 }
 
-/// A point of the curve of closed forces: the residual moment there.
+/// Point of the curve q(λ) of force equilibrium, with the residual moment there.
 struct Try {
   double lambda = 0, q = 0, moment = 0;
 };
 
-/// The root between two points of the curve: regula falsi with halving (Illinois). q = 0 when the curve ends between
-/// them.
+/// Returns the root of the residual moment between two points of the curve, by regula falsi with halving (Illinois); q
+/// = 0 if the curve ends between them.
 Try close_bracket(const Mass& mass, Try a, Try b, int& iterations) {
   Balance end;
   for (int i = 0; i < 100; ++i) {
@@ -169,7 +172,7 @@ Complete solve_forces(const Mass& mass, double start) {
   Complete found;
   Balance end;
   double q = start > 0 ? 1 / start : 1;
-  // From horizontal forces to the given ones: far from the root the forces have others.
+  // Continuation from λ = 0 to the given inclinations, since Newton's method may not converge from afar.
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     q = close_forces(mass, share, q, end, found.iterations);
     if (!(q > 0)) return found;
@@ -202,7 +205,7 @@ Complete solve_newton(const Mass& mass, double start) {
     lambda += part * dl;
     now = next;
     if (part == 1 && std::abs(dq) <= 1e-7 * q && std::abs(dl) <= 1e-6) {
-      // One more step from here: its error is of the order of the square.
+      // One more step; the error after it is of the order of its square.
       const double end = now.force_q * now.moment_l - now.force_l * now.moment_q;
       q -= (now.force * now.moment_l - now.force_l * now.moment) / end;
       lambda -= (now.force_q * now.moment - now.force * now.moment_q) / end;
@@ -219,7 +222,7 @@ Complete solve_bracket(const Mass& mass, double start) {
   zero.q = close_forces(mass, 0, start > 0 ? 1 / start : 1, end, found.iterations);
   if (!(zero.q > 0)) return found;
   zero.moment = end.moment;
-  // Where there are two roots that with the positive λ is the physical one: the lower part holds up the upper.
+  // Where there are two roots, the one with λ > 0 is the physical one: the lower slices support the upper ones.
   constexpr double largest = 2, smallest = -1, first = 0.1, finest = 1e-3;
   for (const double way : {1.0, -1.0}) {
     Try at = zero;
@@ -229,7 +232,7 @@ Complete solve_bracket(const Mass& mass, double start) {
       next.q = close_forces(mass, next.lambda, at.q, end, found.iterations);
       next.moment = end.moment;
       if (!(next.q > 0)) {
-        step *= 0.5;  // the curve ends, or turns too sharply for this step
+        step *= 0.5;  // the curve ends, or curves too sharply for this step
         continue;
       }
       if ((next.moment < 0) != (at.moment < 0)) {

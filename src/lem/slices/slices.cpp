@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Geometry, weight, loads and strength of the slices over a base.
+// Geometry, weight, loads, pore pressure and strength of the slices over a base.
 #include "lem/slices/slices.hpp"
 
 #include <algorithm>
@@ -9,8 +9,8 @@ namespace talus::lem {
 
 namespace {
 
-/// Geometry, weight and loads of one slice; forces along +x as if the mass slid to the left. `before`: the same before
-/// drawdown.
+/// Returns geometry, weight and loads of one slice, with forces along +x as if the mass slid to the left. `before`: the
+/// same slice before drawdown.
 Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b,
                  const Slice* before = nullptr) {
   const Section& section = strips.section;
@@ -28,7 +28,7 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   slice.slope = (b[1] - a[1]) / width;
   slice.length = std::sqrt(width * width + (b[1] - a[1]) * (b[1] - a[1]));
   const double part = layer.unit_weight * std::max(0.0, layer.top.at(dx) - y), above = layer.weight.at(dx);
-  double moment = part * 0.5 * (layer.top.at(dx) - y);  // about the base: elevations may be large
+  double moment = part * 0.5 * (layer.top.at(dx) - y);  // relative to the base, since elevations may be large
   for (int i = strip.first; i < stretch.layer; ++i) {
     const Layer& other = strips.layer(i);
     const double top = other.top.at(dx), bottom = other.bottom.at(dx);
@@ -57,18 +57,19 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   return slice;
 }
 
-/// The same slice of the slope before drawdown, whose breaks are all among those of the slope after it.
+/// Returns the same slice of the slope before drawdown. All breaks of that slope are breaks of the slope after it as
+/// well.
 Slice make_slice_before(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b) {
   const double x = 0.5 * (a[0] + b[0]), y = 0.5 * (a[1] + b[1]);
   Stretch own = stretch;
   own.strip = strips.find(x);
   const Strip& strip = strips.strip(own.strip);
-  // As BaseLine::divide() does: along a boundary of layers the upper one counts.
+  // As in BaseLine::divide(): along a boundary of layers the upper layer counts.
   own.layer = strips.find_layer(strip, x - strip.left, y + 1e-6 * (stretch.to - stretch.from));
   return make_slice(strips, own, a, b);
 }
 
-/// Puts an end that lies on the ground up to rounding exactly there.
+/// Moves an end that lies on the ground within rounding exactly onto it.
 Point snap_end(const Slope::Strips& strips, const BaseLine& base, const Stretch& stretch, double x, double near) {
   const Strip& strip = strips.strip(stretch.strip);
   const BasePiece& piece = base.pieces[static_cast<std::size_t>(stretch.piece)];
@@ -116,7 +117,7 @@ double measure_distance(const Point& p, const Point& a, const Point& b) {
   return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
 }
 
-/// Linear between rows; the first value above the first row, none below the last.
+/// Interpolates linearly between the rows; returns the first value above the first row and 0 below the last.
 double read_profile(const std::vector<std::array<double, 2>>& profile, double depth) {
   if (profile.empty() || depth > profile.back()[0]) return 0;
   if (depth <= profile.front()[0]) return profile.front()[1];
@@ -128,7 +129,7 @@ double read_profile(const std::vector<std::array<double, 2>>& profile, double de
   return 0;
 }
 
-/// Mean over the base of a slice, which may leave the roots' layer.
+/// Returns the mean over the base of a slice, part of which may lie outside the root zone.
 double average_root_cohesion(const Slope::Strips& strips, const Slice& slice) {
   constexpr int places = 4;
   double sum = 0;
@@ -141,7 +142,7 @@ double average_root_cohesion(const Slope::Strips& strips, const Slice& slice) {
   return sum / places;
 }
 
-/// Bishop (1954): u = u₀ + B̄ Δσ_v, and Δσ_v is the weight of the standing water that is gone.
+/// Returns u = u₀ + B̄ Δσ_v (Bishop 1954), where -Δσ_v is the weight of the ponded water that was removed.
 double lower_pressure(const Slope::Strips& strips, const Strip& strip, double b_bar, double x, double before) {
   const double dx = x - strip.left, ground = strip.ground.at(dx);
   const double gone = std::max(0.0, strip.water_before.at(dx) - ground) - std::max(0.0, strip.water.at(dx) - ground);
@@ -190,7 +191,7 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
       u = section.water_unit_weight * (strip.water.at(p[0] - strip.left) - p[1]);
     }
   }
-  // The pressure that is used: suction only where the soil takes it.
+  // The pressure that is used: suction only if the soil takes it into account.
   slice.pore_pressure = std::max(u, soil.suction == Suction::ignored ? 0.0 : -soil.largest_suction);
   if (slice.pore_pressure >= 0) return;
   const double suction = -slice.pore_pressure;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slices over a base, and what presses on vertical steps of the ground.
+// The slices over a base: geometry, weight, loads on vertical steps of the ground, pore pressure and strength.
 
 #include <vector>
 
@@ -10,23 +10,24 @@
 
 namespace talus::lem {
 
-/// About `count` slices over the stretches of a base, with area and depth of the mass; forces and inclinations as if it
-/// slid to the left.
+/// Makes about `count` slices over the stretches of a base, with area and depth of the mass. Forces and inclinations
+/// are those of a mass that slides to the left.
 void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, CutSurface& cut);
 
-/// The end of the mass that is the side of a crack.
+/// End of the mass at which a tension crack lies.
 enum class CrackEnd { none, left, right };
 
-/// Adds ponded water and loads on the ground's vertical steps, inside and at the ends of the mass; none in the crack.
+/// Adds ponded water and loads on the vertical steps of the ground, inside the mass and at its ends, but not at the end
+/// with the crack.
 void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, CrackEnd crack);
 
 // Pore pressure and strength at the base of a slice.
 
-/// Sets u, c and tanφ of a slice whose geometry stands; `weight` of the soil above its base [N/m²]. `before`: the same
+/// Sets u, c and tanφ of a slice with known geometry; `weight` of the soil above its base [N/m²]. `before`: the same
 /// slice before drawdown; nullptr without one.
 void add_strength(const Slope::Strips& strips, const Strip& strip, double weight, const Slice* before, Slice& slice);
 
-/// Cohesion of roots at a place [Pa].
+/// Returns the cohesion of roots at a point [Pa].
 double find_root_cohesion(const Section& section, const Point& p);
 
 }  // namespace talus::lem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factor of safety of one slip surface: which method, and whether its answer can be trusted.
+// The factor of safety of one slip surface by any method, the checks of the solution, and the yield acceleration.
 #include "lem/slices/solve.hpp"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace talus::lem {
 
 namespace {
 
-/// Under level ground rounding alone drives the mass; a factor beyond this is meaningless.
+/// Factors above this are meaningless: under level ground the mass is driven by rounding errors alone.
 constexpr double largest_factor = 1000;
-/// A solution that leaves more of its equations than this share of the weight is none.
+/// Largest residual of the equations over the weight of a converged solution [-].
 constexpr double largest_residual = 1e-5;
 
-/// Memory of one thread.
+/// Memory of one thread, reused for all surfaces.
 struct Scratch {
   Mass mass;
   std::vector<Forces> forces;
@@ -30,7 +30,7 @@ struct Scratch {
 /// Depth over length at which the chart of Janbu's correction ends (Janbu 1973; Abramson et al. 2002) [-].
 constexpr double longest_chart = 0.4;
 
-/// Fellenius' own normal forces.
+/// Computes the normal forces of Fellenius (T18.7).
 void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>& forces) {
   forces.clear();
   for (const Wedge& w : mass.wedges) {
@@ -46,7 +46,8 @@ void judge_forces(const CutSurface& cut, const Scratch& s, Solution& solution) {
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
     length += slice.length;
-    // Without friction the normal force, however unreliable, gives no strength; only rigorous methods balance it.
+    // Without friction the normal force adds no strength, however unreliable it is. It matters to the methods of
+    // complete equilibrium alone, which need it for the balance.
     if (!(s.mass.wedges[i].friction > 0) && !is_rigorous(solution.method)) continue;
     solution.smallest_m_alpha = std::min(solution.smallest_m_alpha, s.forces[i].m_alpha);
     if (s.forces[i].normal - s.mass.wedges[i].uplift < 0) tensile += slice.length;
@@ -54,7 +55,8 @@ void judge_forces(const CutSurface& cut, const Scratch& s, Solution& solution) {
   solution.tensile_share = tensile / length;
 }
 
-/// Share of E that acts outside the mass by more than a tenth of its height: where E is small its place matters little.
+/// Computes the fraction of Σ|E| that acts outside the mass by more than a tenth of its height. It is weighted with E,
+/// since the position of a small force matters little.
 void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
   const auto size = cut.slices.size();
   double all = 0, outside = 0;
@@ -69,7 +71,7 @@ void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
   solution.thrust_outside = all > 0 ? outside / all : 0;
 }
 
-/// Refuses a polyline whose factor lies too far below the wedge mechanism of its base.
+/// Rejects a polyline whose factor lies too far below the wedge mechanism of its base.
 void judge_wedges(const Slope& slope, const CutSurface& cut, const Checks& checks, double horizontal, Scratch& s,
                   Solution& solution) {
   if (!std::isfinite(checks.most_below_wedges) || !has_wedge_check(slope, cut, solution.method)) return;
@@ -78,7 +80,7 @@ void judge_wedges(const Slope& slope, const CutSurface& cut, const Checks& check
     solution.refusal = Refusal::kinks;
 }
 
-/// Janbu's correction, inside its chart.
+/// Applies Janbu's correction; rejects surfaces outside its chart.
 void correct(const CutSurface& cut, Solution& solution) {
   double ratio = 0;
   solution.correction = correct_janbu(cut, ratio);
@@ -93,7 +95,7 @@ void write_forces(CutSurface& cut, const Scratch& s, bool thrust) {
     slice.normal = f.normal;
     slice.shear = f.shear;
     slice.m_alpha = f.m_alpha;
-    // The right side is the upper one of a mass that slides to the left.
+    // The right side is the upper one if the mass slides to the left.
     const bool end = cut.slides_left && i == 0;
     const std::size_t side = cut.slides_left && i > 0 ? i - 1 : i;
     slice.normal_right = end ? s.mass.crack : s.forces[side].normal_side;
@@ -109,8 +111,8 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
   const double toe = cut.slides_left ? cut.slices.front().alpha() : cut.slices.back().alpha();
   if (-toe > checks.steepest_toe) return Refusal::steep_toe;
   if (solution.smallest_m_alpha < checks.smallest_m_alpha) return Refusal::m_alpha;
-  // Of Fellenius too: his N' = W cos α - u l is in no equilibrium and falls below zero where pressures are high, and a
-  // search would run to the surface with the worst forces, down to a factor of zero.
+  // Also for Fellenius: his N' = W cos α - u l satisfies no equilibrium and falls below zero where pressures are high.
+  // A search would then end at the surface with the worst forces, down to a factor of zero.
   if (solution.tensile_share > checks.most_tension) return Refusal::tension;
   if (solution.thrust_outside > checks.most_thrust_outside) return Refusal::thrust;
   return Refusal::none;
@@ -149,7 +151,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     s.mass.set_interslice_function(method == Method::morgenstern_price, cut);
     int more = 0;
     const double near = solve_simplified(s.mass, circular, start, more);
-    // Two ways to the same forces, each the other's fall-back.
+    // Two algorithms for the same equations; each is the fall-back of the other.
     const bool bracket = method == Method::morgenstern_price_constant;
     Complete found = bracket ? solve_bracket(s.mass, near) : solve_newton(s.mass, near);
     if (!(found.factor > 0) || !checks.has_sensible_lambda(found.lambda)) {
@@ -178,7 +180,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     judge_thrust(cut, s, solution);
   }
   if (keep_forces) write_forces(cut, s, complete);
-  // No choice of the user makes forces that no soil bears a factor of safety.
+  // Also with `reject` off: interslice forces that soil cannot bear give no factor of safety.
   if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
@@ -231,7 +233,7 @@ void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal
   const double way = cut.slides_left ? -1 : 1;
   double largest = std::abs(mass.crack);
   for (const Forces& f : forces) largest = std::max(largest, std::abs(f.normal_side));
-  double e = mass.crack, x = 0, moment = e * cut.crack_thrust_level;  // E times its elevation
+  double e = mass.crack, x = 0, moment = e * cut.crack_thrust_level;  // `moment` is E times its elevation
   const auto size = cut.slices.size();
   level.assign(size, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < size; ++i) {
@@ -239,7 +241,7 @@ void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal
     const Forces& f = forces[i];
     const double y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
     const double half = 0.5 * (slice.right - slice.left);
-    // About the middle of the base, where N and T have no moment.
+    // Moments about the middle of the base, where N and T have none (T18.9).
     const double about = moment - y * e - half * (x + f.shear_side) + way * slice.surface_moment +
                          (slice.centroid - y) * horizontal * slice.weight;
     e = f.normal_side;
@@ -249,7 +251,7 @@ void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal
   }
 }
 
-// The horizontal acceleration that brings a surface to F = 1.
+// Yield acceleration: the horizontal acceleration with which the factor of a surface is 1.
 
 std::optional<double> find_yield_acceleration(const Slope& slope, const CutSurface& cut, Method method,
                                               const Checks& checks) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety of one slip surface by the methods of slices.
+// The factor of safety of one slip surface by the methods of slices: slices, checks, solution.
 
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace talus::lem {
 
 using Method = SliceMethod;
 
-/// One slice, from left to right. Forces per metre of thickness [N].
+/// One slice. Forces are per metre of thickness [N].
 struct Slice {
   double left = 0, right = 0;          ///< [m]
   Point base_left{}, base_right{};     ///< [m]
@@ -24,22 +24,23 @@ struct Slice {
   int soil = 0;                        ///< at the middle of the base
   double slope = 0;                    ///< tan α of the base, positive where it falls in the direction of sliding
   double length = 0;                   ///< of the base [m]
-  double weight = 0;                   ///< W of soil and its water, without ponded water
-  double surface_load = 0;             ///< vertical: loads on the ground and ponded water, down positive
-  double surface_thrust = 0;           ///< their horizontal part, against the sliding positive
-  double surface_moment = 0;           ///< of both about the middle of the base, clockwise positive [N m]
-  double earthquake = 0;               ///< k_h W, with the sliding positive
+  double weight = 0;                   ///< W of soil and pore water, without ponded water
+  double surface_load = 0;             ///< Q, vertical: loads on the ground and ponded water, positive downwards
+  double surface_thrust = 0;           ///< H, their horizontal part, positive against the direction of sliding
+  double surface_moment = 0;           ///< of both about the middle of the base, positive clockwise [N m]
+  double earthquake = 0;               ///< k_h W, positive in the direction of sliding
   double centroid = 0;                 ///< elevation of the centre of the weight at the slice's middle [m]
-  double pore_pressure = 0;            ///< u at the middle of the base, compression positive; suction negative [Pa]
-  double cohesion = 0;                 ///< c with roots and suction [Pa]
-  double root_cohesion = 0;            ///< part of it [Pa]
-  double suction_strength = 0;         ///< part of it [Pa]
+  double pore_pressure = 0;            ///< u at the middle of the base; suction is negative [Pa]
+  double cohesion = 0;                 ///< c, including roots and suction [Pa]
+  double root_cohesion = 0;            ///< part of c due to roots [Pa]
+  double suction_strength = 0;         ///< part of c due to suction [Pa]
   double tan_friction = 0;
-  // Of a solution:
-  double normal = 0;  ///< total N
-  double shear = 0;   ///< mobilised T
+  // Set by a solution:
+  double normal = 0;  ///< total normal force N
+  double shear = 0;   ///< mobilised shear force T
   double m_alpha = 0;
-  /// E (compression positive) and X (positive where the lower part holds up the upper) on the right side.
+  /// Interslice forces on the right side: E (positive in compression) and X (positive where the lower part supports the
+  /// upper).
   double normal_right = 0, shear_right = 0;
   double thrust_right = 0;  ///< elevation of E on the right side; NaN where E vanishes [m]
 
@@ -48,79 +49,79 @@ struct Slice {
 
 struct Solution {
   Method method = Method::spencer;
-  double factor = 0;      ///< F; 0 when refused. After drawdown, where there is one
-  double before = 0;      ///< F before drawdown; 0 without one, or when refused
-  double undrained = 0;   ///< F of the second stage of three; 0 otherwise
+  double factor = 0;      ///< F, after drawdown if there is one; 0 if rejected
+  double before = 0;      ///< F before drawdown; 0 without drawdown, or if rejected
+  double undrained = 0;   ///< F of the second of three stages; 0 otherwise
   double lambda = 0;      ///< of Spencer and Morgenstern–Price [-]
   double correction = 1;  ///< Janbu's f_0
   int iterations = 0;
   Refusal refusal = Refusal::none;
   double smallest_m_alpha = 0;
-  double tensile_share = 0;   ///< share of the base's length with N' < 0 [-]
-  double thrust_outside = 0;  ///< share of E over all sides that acts clearly outside the mass [-]
-  double residual = 0;        ///< of the equations that the method is to meet, over the weight [-]
+  double tensile_share = 0;   ///< fraction of the base's length with N' < 0 [-]
+  double thrust_outside = 0;  ///< fraction of Σ|E| that acts clearly outside the mass [-]
+  double residual = 0;        ///< of the equations that the method satisfies, over the weight [-]
 };
 
 struct Checks {
   double smallest_m_alpha = 0.2;
-  double most_tension = 0.2;         ///< share of the length that may bear N' < 0 [-]
-  double most_thrust_outside = 0.3;  ///< share of E that may act outside the mass; Spencer, Morgenstern–Price [-]
-  /// λ; beyond these the forces between slices are steeper than soil can bear, or the upper part holds up the lower
-  /// [-].
+  double most_tension = 0.2;         ///< limit of the fraction of the length with N' < 0 [-]
+  double most_thrust_outside = 0.3;  ///< limit of the fraction of Σ|E| outside the mass; Spencer, Morgenstern–Price [-]
+  /// Limits of λ. Beyond them the interslice forces are steeper than soil can bear, or the upper part supports the
+  /// lower [-].
   double smallest_lambda = -0.1, largest_lambda = 1.5;
   bool has_sensible_lambda(double lambda) const { return lambda >= smallest_lambda && lambda <= largest_lambda; }
-  /// How far the factor of a polyline may lie below the upper bound of wedges on its base; Spencer, Morgenstern–Price
-  /// [-].
+  /// Limit of the relative difference by which the factor of a polyline may lie below the upper bound of wedges on its
+  /// base; Spencer, Morgenstern–Price [-].
   double most_below_wedges = 0.03;
-  double smallest_depth = 0;                   ///< of the sliding mass [m]
-  double steepest_toe = std::numbers::pi / 2;  ///< rise of the base at the lower end, e.g. 45° - φ/2 [rad]
-  bool composite = true;  ///< circles that reach below the base are cut level there; else they are refused
-  bool reject = true;     ///< false: only report
+  double smallest_depth = 0;                   ///< smallest depth of the sliding mass [m]
+  double steepest_toe = std::numbers::pi / 2;  ///< limit of the rise of the base at the lower end, e.g. 45° - φ/2 [rad]
+  bool composite = true;  ///< circles that reach below the base are cut off level there; else they are rejected
+  bool reject = true;     ///< false: the results of the checks are only reported
 };
 
-/// Rapid drawdown at the base of a slice, by total stresses.
+/// State of rapid drawdown at the base of a slice, by total stresses.
 struct DrawnBase {
   double normal = 0;               ///< σ'_fc, effective normal stress before drawdown [Pa]
   double shear = 0;                ///< τ_fc, shear stress before drawdown [Pa]
-  std::optional<double> strength;  ///< undrained, of the envelope; nothing in soil that drains [Pa]
-  bool drains = true;              ///< the drained strength counts
+  std::optional<double> strength;  ///< undrained, from the envelope; none in soil that drains [Pa]
+  bool drains = true;              ///< the drained strength is used
 };
 
-/// Strength as it stands in a slice.
+/// Strength at the base of a slice: c [Pa], tanφ [-], u [Pa].
 struct BaseStrength {
   double cohesion = 0, tan_friction = 0, pore_pressure = 0;
 };
 
-/// The slices of a surface, from left to right; empty with `refusal` set when it cannot be cut. Slice sides stand at
-/// least at the breaks of the ground and where the base meets another soil; about `count` in all.
+/// A surface with its slices from left to right; without slices, and with `refusal` set, if it cannot be cut. Sides of
+/// slices stand at the breaks of the ground and where the base meets another soil, at least; about `count` in all.
 struct CutSurface {
   std::vector<Slice> slices;
-  std::vector<Slice> before;          ///< the same before drawdown; empty without one
-  std::vector<BaseStrength> drained;  ///< strengths of the slices after drawdown before any stage; likewise
-  std::vector<DrawnBase> bases;       ///< of a solution with forces; only of methods by total stresses
+  std::vector<Slice> before;          ///< the same slices before drawdown; empty without one
+  std::vector<BaseStrength> drained;  ///< strengths after drawdown, unchanged by the stages; empty without one
+  std::vector<DrawnBase> bases;       ///< of a solution with forces; by the methods of total stresses only
   Surface surface;
-  bool slides_left = true;        ///< towards falling x
-  Point moment_centre{};          ///< of the circle, or of that fitted to a polyline [m]
+  bool slides_left = true;        ///< towards smaller x
+  Point moment_centre{};          ///< centre of the circle, or of that fitted to a polyline [m]
   double radius = 0;              ///< [m]
   double area = 0;                ///< of the sliding mass [m²]
-  double depth = 0;               ///< largest, vertical [m]
-  bool composite = false;         ///< cut level at the section's base
-  bool cut_at_toe = false;        ///< a circle that would go on below the ground beyond its lower end
+  double depth = 0;               ///< largest vertical depth [m]
+  bool composite = false;         ///< the arc is cut off level at the base of the section
+  bool cut_at_toe = false;        ///< the circle would continue below the ground beyond its lower end
   double crack_thrust = 0;        ///< force of the water in the crack [N]
-  double crack_thrust_level = 0;  ///< its elevation [m]
+  double crack_thrust_level = 0;  ///< elevation of that force [m]
   Refusal refusal = Refusal::none;
-  std::vector<std::string> warnings;  ///< e.g. arc cut at the toe, negative effective stress everywhere
+  std::vector<std::string> warnings;  ///< e.g. arc cut off at the toe, negative effective stress everywhere
 };
 CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks);
-/// The same into `cut`, whose memory is used again: for many surfaces.
+/// Cuts into `cut` and reuses its memory, for many surfaces.
 void cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut);
 
-/// Factor of safety; writes the forces into the slices of `cut` when `keep_forces`. With a drawdown by its stages:
-/// forces and strengths are then those of the last one.
+/// Returns the factor of safety, and writes the forces into the slices of `cut` if `keep_forces`. With a drawdown it
+/// runs the stages, and forces and strengths are those of the last one.
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces);
 
-/// k_y: horizontal acceleration over g with F = 1 on this surface, in place of the section's [-]; none when it fails
-/// without any, and after a drawdown, whose strengths an earthquake does not leave as they are.
+/// Returns k_y, the horizontal acceleration over g with which F = 1 on this surface, in place of that of the section
+/// [-]; none if F < 1 without any, and after a drawdown, as an earthquake changes the undrained strengths.
 std::optional<double> find_yield_acceleration(const Slope& slope, const CutSurface& cut, Method method,
                                               const Checks& checks);
 

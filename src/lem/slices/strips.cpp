@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builds the strips of a section: every corner and every crossing of two of its lines is a break.
+// Construction of the strips of a section. Every corner and every crossing of two of its lines is a break.
 #include "lem/slices/strips.hpp"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace talus::lem {
 
-// The layers of one strip: every line of a region or of the water table is a boundary.
+// The layers of one strip. Every line of a region or of the water table is a boundary.
 
 namespace {
 
-/// The soil between two lines: that of the last region that holds the place.
+/// Returns the soil between two lines, that of the last region that contains the place.
 int find_soil(const Section& section, const std::vector<std::vector<double>>& crossings, double y) {
   for (std::size_t r = section.regions.size(); r-- > 0;) {
     const auto above = std::count_if(crossings[r].begin(), crossings[r].end(), [&](double c) { return c > y; });
@@ -22,7 +22,7 @@ int find_soil(const Section& section, const std::vector<std::vector<double>>& cr
   return -1;
 }
 
-/// Soil that holds its water through a drawdown weighs what it weighed before.
+/// Returns the unit weight of a layer. Soil that does not drain during drawdown keeps its weight.
 double find_weight(const Slope::Strips& strips, const Layer& layer) {
   const auto number = static_cast<std::size_t>(layer.soil);
   const Soil& soil = strips.section.soils[number];
@@ -80,7 +80,7 @@ void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& 
 
 namespace {
 
-/// Lengths below this fraction of the section's width are rounding.
+/// Lengths below this fraction of the width of the section count as rounding.
 constexpr double rounding = 1e-9;
 
 void add_edge(std::vector<Edge>& edges, Point a, Point b, int region) {
@@ -89,7 +89,7 @@ void add_edge(std::vector<Edge>& edges, Point a, Point b, int region) {
   edges.push_back({a, b, region});
 }
 
-/// x of the crossing of two edges, if they cross inside both. Edges of one straight line cross where rounding says.
+/// Adds x of the crossing of two edges, if they cross inside both. Collinear edges give an arbitrary crossing.
 void add_crossing(std::vector<double>& breaks, const Edge& e, const Edge& f, double nearest) {
   const double from = std::max(e.a[0], f.a[0]), to = std::min(e.b[0], f.b[0]);
   if (from >= to) return;
@@ -98,11 +98,11 @@ void add_crossing(std::vector<double>& breaks, const Edge& e, const Edge& f, dou
   if ((left < 0 && right > 0) || (left > 0 && right < 0)) breaks.push_back(from + (to - from) * left / (left - right));
 }
 
-/// x where a load has a corner.
+/// Adds x of the corners of a load.
 void add_corners(std::vector<double>& breaks, const Surcharge& surcharge, double nearest) {
   double most = 0;
   for (const auto& row : surcharge.load) most = std::max(most, std::abs(row[1]));
-  std::vector<Point> line;  // the load as a height as large as the section
+  std::vector<Point> line;  // the load scaled to the width, for the collinearity tolerance
   for (const auto& row : surcharge.load) line.push_back({row[0], most > 0 ? row[1] * nearest / (rounding * most) : 0});
   for (const Point& p : mesh::drop_straight_points(line, false, nearest)) breaks.push_back(p[0]);
 }
@@ -118,7 +118,7 @@ std::vector<double> find_breaks(const Section& section, const std::vector<Edge>&
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) add_crossing(breaks, edges[i], edges[j], nearest);
   std::sort(breaks.begin(), breaks.end());
-  // Breaks nearer to each other than rounding are one.
+  // Breaks closer to each other than rounding are merged.
   std::vector<double> kept;
   for (const double x : breaks)
     if (x >= left && x <= right && (kept.empty() || x - kept.back() > nearest)) kept.push_back(x);
@@ -134,7 +134,7 @@ StripLine cut_line(const std::vector<Point>& line, double left, double right) {
   return {line.back()[1], 0};
 }
 
-/// `part` 1: down, 2: to larger x.
+/// Sums the loads over a strip. `part` 1: component downwards, 2: component towards larger x.
 StripLine sum_loads(const Section& section, std::size_t part, double left, double right) {
   StripLine sum;
   const double middle = 0.5 * (left + right);
@@ -166,7 +166,7 @@ void build_strips(Slope::Strips& strips) {
   const double left = section.ground.front()[0], right = section.ground.back()[0];
   std::vector<Edge> edges;
   for (std::size_t r = 0; r < section.regions.size(); ++r) {
-    // A point in a straight edge is no break: slices would stand elsewhere with it.
+    // A point on a straight edge is left out: as a break it would change the division into slices.
     const auto polygon = mesh::drop_straight_points(section.regions[r].polygon, true, rounding * (right - left));
     for (std::size_t i = 0; i < polygon.size(); ++i)
       add_edge(edges, polygon[i], polygon[(i + 1) % polygon.size()], static_cast<int>(r));
@@ -182,7 +182,7 @@ void build_strips(Slope::Strips& strips) {
     return water;
   };
   const auto water = add_water(section.water_table);
-  // So that no slice has a break of the water before drawdown within it.
+  // Included so that no break of the water table before drawdown lies inside a slice.
   const auto before = strips.before ? add_water(strips.before->section().water_table) : water;
   const auto breaks = find_breaks(section, edges, left, right);
   double low = section.base, high = section.base;

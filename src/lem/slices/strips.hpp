@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What stands over each x of a section: strips between neighbouring breaks of ground, regions, water table and loads.
-// Inside a strip every line is straight and no two of them cross, so that weights are exact by their mid-ordinates.
+// The section divided into vertical strips between the breaks of ground, regions, water table and loads. Inside a strip
+// every line is straight and no two of them cross, so that weights are exact from the mid-ordinates.
 
 #include <limits>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace talus::lem {
 
-/// A straight line over a strip, by its elevation at the strip's left side.
+/// A straight line over a strip, given by its elevation at the strip's left side.
 struct StripLine {
   double y = 0, slope = 0;
   double at(double dx) const { return y + slope * dx; }
@@ -20,20 +20,20 @@ struct StripLine {
 /// One soil, above or below the water table, in one strip.
 struct Layer {
   StripLine top, bottom;
-  StripLine weight;        ///< of all above its top [N/m²]
+  StripLine weight;        ///< of all layers above its top [N/m²]
   double unit_weight = 0;  ///< [N/m³]
   int soil = -1;           ///< -1: no region there
   bool wet = false;        ///< below the water table
-  bool was_wet = false;    ///< below that before drawdown
+  bool was_wet = false;    ///< below the water table before drawdown
 };
 
 struct Strip {
   double left = 0, right = 0;  ///< [m]
-  StripLine ground, water;     ///< water: -infinity without a line
-  StripLine water_before;      ///< of the section before drawdown; the same without one
-  StripLine load, thrust;      ///< loads on the ground, down and to larger x [Pa]
+  StripLine ground, water;     ///< water: -infinity without a water table
+  StripLine water_before;      ///< water table before drawdown; the same without one
+  StripLine load, thrust;      ///< loads on the ground, down and towards larger x [Pa]
   int first = 0, last = 0;     ///< its layers, from the ground down: [first, last)
-  bool ponded = false;         ///< water stands on the ground
+  bool ponded = false;         ///< ponded water on the ground
 };
 
 struct Slope::Strips {
@@ -41,17 +41,17 @@ struct Slope::Strips {
   std::vector<Strip> strips;  ///< from left to right, without gaps
   std::vector<Layer> layers;
   std::vector<double> tan_friction, tan_phi_b;  ///< per soil
-  std::vector<int> at;                          ///< strip at the left side of each of equal bins: where find() starts
+  std::vector<int> at;                          ///< strip at the left side of each bin; starts of find()
   double bin = 1;                               ///< width of a bin [m]
   PressureLocator pressure;
-  std::unique_ptr<const Slope> before;  ///< drawdown
-  std::vector<Point> crack_depths;      ///< of a crack that is limited: x and depth [m]
+  std::unique_ptr<const Slope> before;  ///< the slope before drawdown
+  std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false;
 
-  /// Number of the strip over x; that to the right at a break.
+  /// Returns the index of the strip over x; at a break that to the right.
   int find(double x) const;
-  /// Number of the layer that holds the elevation; the last one below all, -1 without layers.
+  /// Returns the index of the layer that contains the elevation; the last one below all, -1 without layers.
   int find_layer(const Strip& strip, double dx, double y) const {
     for (int i = strip.first; i < strip.last; ++i)
       if (y >= layers[static_cast<std::size_t>(i)].bottom.at(dx)) return i;
@@ -61,7 +61,7 @@ struct Slope::Strips {
   const Strip& strip(int i) const { return strips[static_cast<std::size_t>(i)]; }
 };
 
-/// Elevation of a polyline at x, level beyond its ends; at a vertical step the right side's.
+/// Returns the elevation of a polyline at x, level beyond its ends; at a vertical step that of the right side.
 double follow_line(const std::vector<Point>& line, double x);
 
 /// Builds the strips of a section without faults.
@@ -75,17 +75,17 @@ struct Edge {
   double at(double x) const { return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]); }
 };
 
-/// Elevation of the water table where there is none.
+/// Elevation that stands for 'no water table'.
 inline constexpr double no_water = -std::numeric_limits<double>::infinity();
 
-/// The line of an edge over a strip.
+/// Returns the line of an edge over a strip.
 inline StripLine cut_edge(const Edge& edge, double left) {
   const double slope = (edge.b[1] - edge.a[1]) / (edge.b[0] - edge.a[0]);
   return {edge.a[1] + slope * (left - edge.a[0]), slope};
 }
 
-/// Stacks the layers of a strip from the ground down to the base, behind those of the strips before. A sliver thinner
-/// than `sliver` takes its neighbour's soil.
+/// Appends the layers of a strip from the ground down to the base. A layer thinner than `sliver` is merged with the one
+/// beside it.
 void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& edges, double sliver);
 
 }  // namespace talus::lem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compatible velocities of wedges, and the power of what drives them and of what they dissipate.
+// Velocities of the wedges, power of the loads and dissipation, and the factor of the mechanism.
 #include "lem/slices/wedge_mechanism.hpp"
 
 #include <algorithm>
@@ -14,17 +14,17 @@ namespace talus::lem {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-/// Inclinations that are tried at each vertex: the smallest factor is flat about the best one, and half a step from it
-/// costs little.
+/// Range and step of the inclinations of an interface [rad]. The factor is flat about its minimum, so that half a step
+/// costs little accuracy.
 constexpr double most_tilt = 67.5 * degree, tilt_step = 7.5 * degree;
-/// A base below this fraction of the length is no wedge of its own: where a polyline crosses into another soil beside
-/// one of its vertices, the jump of φ and the kink are one.
+/// Bases shorter than this fraction of the length are merged: where a polyline enters another soil beside one of its
+/// vertices, the jump of φ and the kink act as one.
 constexpr double shortest = 0.05;
-/// Places of an interface where strength and weight are evaluated.
+/// Points of an interface at which strength and weight are evaluated.
 constexpr int places = 4;
 constexpr double none = -std::numeric_limits<double>::infinity();
 
-/// Distance from `from` along the direction (dx, dy) to the ground; 0 where it does not reach it.
+/// Returns the distance from `from` along the direction (dx, dy) to the ground; 0 if it does not meet it.
 double measure_to_ground(const std::vector<Point>& ground, const Point& from, double dx, double dy) {
   double nearest = 0;
   for (std::size_t i = 1; i < ground.size(); ++i) {
@@ -48,8 +48,8 @@ double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& ab
                                                 double power_below) const {
   const double t = tan_friction * q, cosine_of = 1 / std::sqrt(1 + t * t), away = t * cosine_of;
   const double turn = above.fall * below.run - above.run * below.fall;
-  // Velocity of the upper wedge less that of the lower one: down along the interface where the base flattens, and away
-  // from it by the dilation.
+  // Jump of velocity, that of the upper wedge less that of the lower one (T18.10): along the interface, downwards where
+  // the base flattens, and away from it by dilation.
   const double along = turn >= 0 ? -cosine_of : cosine_of;
   const double rx = along * sine - away * cosine, ry = along * cosine + away * sine;
   const double on_below = -rx * below.fall - ry * below.run, on_above = -rx * above.fall - ry * above.run;
@@ -67,7 +67,7 @@ void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double
   const Slice* last = nullptr;
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
-    // Rigid wedges need one direction of dilation on each base: they end where φ changes, too.
+    // A rigid wedge has one direction of velocity on its base, so a base ends where φ changes as well.
     const double steepness = 1 + slice.slope * slice.slope;
     const bool same = last != nullptr && std::abs(slice.slope - last->slope) < 1e-4 * steepness &&
                       std::abs(slice.tan_friction - last->tan_friction) < 1e-9;
@@ -173,8 +173,8 @@ void WedgeMechanism::set(const Slope& slope, const CutSurface& cut, double horiz
 
 double WedgeMechanism::compute_net_power(double factor) const {
   const double q = 1 / factor;
-  // From the lower end up: the power of everything below an interface, per unit velocity of the wedge above it. All is
-  // linear in that velocity, so the best interfaces further down do not depend on it.
+  // From the lower end up: the power of everything below an interface, per unit velocity of the wedge above it. The
+  // power is linear in that velocity, so that the best interfaces further down do not depend on it (T18.11).
   static thread_local std::vector<double> own;
   own.assign(interfaces_.size(), none);
   const double rounding = 1e-9 * (lower_ - upper_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which arcs fit between two points of the ground, in closed form where there is one.
+// Admissible arcs between two points of the ground, in closed form where there is one, and the places of their ends.
 #include "lem/surface/arcs.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace talus::lem {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// An arc as good as flat: its depth is 1/200 of its chord.
+/// Smallest half angle [rad]: the depth of that arc is 1/200 of its chord.
 constexpr double flattest = 0.02;
 
 struct Chord {
@@ -24,10 +24,10 @@ struct Chord {
     length = std::hypot(b[0] - a[0], b[1] - a[1]);
     along = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
   }
-  /// Height over the chord, negative below.
+  /// Height over the chord; negative below it.
   double height(const Point& p) const { return along[0] * (p[1] - left[1]) - along[1] * (p[0] - left[0]); }
-  /// Half angle of the arc through a point below the chord: half the angle that it spans is π less the angle at which
-  /// the point sees the chord (inscribed angle).
+  /// Returns the half angle of the arc through a point below the chord: π less the angle that the chord subtends at the
+  /// point (inscribed angle theorem).
   double half_angle(const Point& p) const {
     const double ax = left[0] - p[0], ay = left[1] - p[1], bx = right[0] - p[0], by = right[1] - p[1];
     return std::atan2(std::abs(ax * by - ay * bx), -(ax * bx + ay * by));
@@ -38,13 +38,13 @@ struct Chord {
   }
 };
 
-/// The smallest half angle whose arc is tangent to the segment from p to q from above.
+/// Returns the smallest half angle whose arc is tangent to the segment from p to q from above.
 std::optional<double> touch_segment(const Chord& chord, const Point& p, const Point& q) {
   const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
   if (!(length > 0)) return {};
   const Point t{(q[0] - p[0]) / length, (q[1] - p[1]) / length};
-  // Coordinates along the segment (s) and off it (d); the tangent circle of radius r touches at s = T:
-  // (s - T)² + d² = 2 r d for both ends of the chord.
+  // Coordinates along the segment (s) and normal to it (d). The tangent circle of radius r touches at s = T: (s - T)² +
+  // d² = 2 r d for both ends of the chord.
   auto along = [&](const Point& x) { return (x[0] - p[0]) * t[0] + (x[1] - p[1]) * t[1]; };
   auto off = [&](const Point& x) { return (x[1] - p[1]) * t[0] - (x[0] - p[0]) * t[1]; };
   const double sa = along(chord.left), sb = along(chord.right);
@@ -108,7 +108,7 @@ double Arcs::find_depth(double left, double right, double half_angle) const {
     if (a[0] >= right) break;
     if (b[0] <= a[0]) continue;
     const double slope = (b[1] - a[1]) / (b[0] - a[0]);
-    // Deepest under a straight piece where the arc runs parallel to it.
+    // The depth under a straight piece is largest where the arc is parallel to it.
     const double x = std::clamp(c.centre[0] + c.radius * slope / std::hypot(1.0, slope), std::max(left, a[0]),
                                 std::min(right, b[0]));
     const double off = std::min(std::abs(x - c.centre[0]), c.radius);
@@ -127,7 +127,7 @@ std::optional<AngleRange> Arcs::find_range(double left, double right) const {
   for (; p != ground.end() && (*p)[0] < right; ++p)
     if (chord.height(*p) < 0) range.from = std::max(range.from, chord.half_angle(*p));
   if (!composite_) {
-    // Tangent to the base: cosβ cosθ + (2h/L) sinθ = 1, h the height of the chord's middle over it.
+    // Tangent to the base: cosβ cosθ + (2h/L) sinθ = 1, with h the height of the chord's middle over the base.
     const double a = chord.along[0], b = 2 * (chord.middle[1] - slope_->section().base) / chord.length;
     const double tangent = std::atan2(b, a) + std::acos(std::min(1.0, 1 / std::hypot(a, b)));
     if (std::hypot(a, b) < 1) return {};
@@ -159,16 +159,16 @@ std::optional<double> Arcs::find_touch(double left, double right, const Region& 
     if (tangent && (!angle || *tangent < *angle)) angle = tangent;
     if (angle && (!best || *angle < *best)) best = angle;
   }
-  if (best) *best *= 1 - 1e-9;  // touch it, do not enter it
+  if (best) *best *= 1 - 1e-9;  // the arc touches the region but does not enter it
   return best;
 }
 
-// Where the ends of trial circles stand on the ground.
+// Places of the ends of trial circles on the ground.
 
 namespace {
 
-/// Points per metre that a place deserves: as many on every slope, whatever its size, and fewer with the distance to
-/// it.
+/// Density of trial points along the ground [1/m]: it gives every slope the same number, whatever its size, and
+/// decreases with the distance from it.
 class Density {
  public:
   explicit Density(const Slope& slope) {
@@ -177,7 +177,7 @@ class Density {
     for (const Point& p : ground) highest = std::max(highest, p[1]), lowest = std::min(lowest, p[1]);
     for (std::size_t i = 1; i < ground.size(); ++i) {
       const double height = std::abs(ground[i][1] - ground[i - 1][1]);
-      // A kerb deserves some points, not as many as the slope that it stands on.
+      // Small steps get fewer points than the slope that they stand on.
       if (height > 1e-6 * (highest - lowest))
         faces_.push_back({ground[i - 1][0], ground[i][0], height, std::sqrt(height / (highest - lowest))});
     }
@@ -216,13 +216,14 @@ std::vector<double> place_points(const Slope& slope, double from, double to, int
   RandomParts parts(seed);
   std::size_t cell = 0;
   for (int i = 1; i + 1 < count; ++i) {
-    // A random start moves each by less than half a spacing, so that they keep their order.
+    // A perturbation of less than half a spacing preserves the order of the points.
     const double target = sum.back() * (i + (seed > 0 ? 0.49 * parts.draw() : 0)) / (count - 1);
     while (sum[cell + 1] < target) ++cell;
     points.push_back(from + width * (static_cast<double>(cell) + (target - sum[cell]) / (sum[cell + 1] - sum[cell])));
   }
   points.push_back(to);
-  // Circles often end in a corner of the ground: the nearest point, if still free, moves there; the nearest pair first.
+  // Circles often end at a corner of the ground: the nearest point, if still free, is moved there; the nearest pair
+  // first.
   std::vector<std::array<double, 2>> corners;  // distance to the nearest point, x
   for (const Point& corner : slope.section().ground) {
     const double x = corner[0];

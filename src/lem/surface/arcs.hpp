@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Arcs between two points of the ground. All arcs through the same two points are nested, so one number says which:
-// half the angle that the arc spans. It grows with depth.
+// Arcs between two points of the ground. All arcs through the same two points are nested, so that one number identifies
+// an arc: half the angle that it spans, which increases with depth.
 
 #include <optional>
 #include <vector>
@@ -11,28 +11,28 @@
 
 namespace talus::lem {
 
-/// Half angles between which the arc through two points of the ground is a slip surface [rad].
+/// Range of the half angles with which the arc through two points of the ground is a slip surface [rad].
 struct AngleRange {
-  double from = 0;  ///< it touches the ground in between, is as deep as the smallest depth, or nearly flat
-  double to = 0;    ///< it stands upright at its upper end, or touches the base
+  double from = 0;  ///< it touches the ground in between, has the smallest depth, or is nearly flat
+  double to = 0;    ///< it is vertical at its upper end, or touches the base
   bool to_base = false;
 };
 
 class Arcs {
  public:
-  /// `composite`: arcs may go below the base and are cut level there.
+  /// `composite`: arcs may reach below the base and are cut off level there.
   Arcs(const Slope& slope, double smallest_depth, bool composite);
 
-  /// None when no arc fits between these two x, left < right.
+  /// Returns the range for the ends left < right; none if no arc fits.
   std::optional<AngleRange> find_range(double left, double right) const;
   Surface make_arc(double left, double right, double half_angle) const;
-  /// The half angle at which the arc comes to touch a region from above; none when it never does between the ends.
+  /// Returns the half angle at which the arc first touches a region from above; none if it does not between the ends.
   std::optional<double> find_touch(double left, double right, const Region& region) const;
-  /// Largest vertical depth under the ground [m].
+  /// Returns the largest vertical depth under the ground [m].
   double find_depth(double left, double right, double half_angle) const;
-  /// What circles may come to touch: the section's regions, and the base where composite circles run on below it.
+  /// Regions that circles are tied to: those of the section, and one below the base for composite circles.
   const std::vector<Region>& regions() const { return regions_; }
-  /// Half angle of an arc that was made elsewhere.
+  /// Returns the half angle of a given arc.
   static double measure_half_angle(const Surface& arc);
 
  private:

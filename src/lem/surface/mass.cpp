@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sliding mass as the methods see it.
+// Base, slices, direction of sliding and tension crack of a mass over a slip surface, and its equations in a frame
+// along the sliding.
 #include "lem/surface/mass.hpp"
 
 #include <algorithm>
@@ -12,12 +13,12 @@
 
 namespace talus::lem {
 
-// The base of a sliding mass as arcs and straight pieces, and where it meets the lines of the section.
+// The base of a sliding mass as arcs and straight pieces, and its intersections with the lines of the section.
 
 namespace {
 
-/// x between a and b where the piece meets a straight line of the strip. The arc is convex: it meets a line at most
-/// twice.
+/// Adds the x between a and b at which the piece meets a straight line of the strip. The arc is convex, so that it
+/// meets a line at most twice.
 void add_meets(const BaseLine& base, const BasePiece& piece, const Strip& strip, const StripLine& line, double a,
                double b, std::vector<double>& meets) {
   const double above_a = base.at(piece, a) - line.at(a - strip.left),
@@ -91,7 +92,7 @@ Refusal BaseLine::lay(const Slope& slope, const Surface& surface, const Checks& 
   const double from = surface.from, to = surface.to, span = to - from, hair = 1e-6 * span;
   const auto& [xc, yc] = circle.centre;
   if (!(span > 0) || from < xc - circle.radius - hair || to > xc + circle.radius + hair) return Refusal::outside;
-  const double over = yc - bottom;  // of the centre over the base
+  const double over = yc - bottom;  // height of the centre over the base
   const double half = std::sqrt(std::max(0.0, (circle.radius - over) * (circle.radius + over)));
   const double a = std::max(from, xc - half), b = std::min(to, xc + half);
   if (over < 0 || (circle.radius > over && a < b && circle.radius - over > hair)) {
@@ -120,7 +121,8 @@ Refusal BaseLine::divide(const Slope& slope, double from, double to) {
       const Strip& strip = strips.strip(s);
       double b = std::min(end, strip.right);
       if (end - b <= hair || s + 1 == static_cast<int>(strips.strips.size())) b = end;
-      // The ends are known to lie on the ground; between them the arc is convex and highest at the sides of a strip.
+      // The ends lie on the ground; between them the arc is convex and its height above the ground is largest at the
+      // sides of a strip.
       if ((a > from && at(piece, a) > strip.ground.at(a - strip.left) + rise) ||
           (b < to && at(piece, b) > strip.ground.at(b - strip.left) + rise))
         return Refusal::outside;
@@ -132,7 +134,7 @@ Refusal BaseLine::divide(const Slope& slope, double from, double to) {
       for (const double x : meets) {
         if (x - a <= hair) continue;
         const double middle = 0.5 * (a + x);
-        // Along a boundary of layers the upper one counts, not what rounding says.
+        // Along a boundary of layers the upper layer counts, whatever the rounding.
         const int layer = strips.find_layer(strip, middle - strip.left, at(piece, middle) + near);
         if (layer < 0 || strips.layer(layer).soil < 0) return Refusal::below_base;
         stretches.push_back({a, x, p, s, layer});
@@ -185,20 +187,20 @@ void Mass::set_interslice_function(bool half_sine, const CutSurface& cut) {
 
 namespace {
 
-/// Of the ground over a slice, positive where it falls in the direction of sliding.
+/// Returns the slope of the ground over a slice, positive where it falls in the direction of sliding.
 double find_ground_slope(const CutSurface& cut, const Slice& slice) {
   const double way = cut.slides_left ? 1 : -1;
   return way * (slice.top_right - slice.top_left) / (slice.right - slice.left);
 }
 
-/// Of the line from the lower end to the upper one, on the ground.
+/// Returns the slope of the line from the lower end of the mass to the upper one, on the ground.
 double find_chord_slope(const CutSurface& cut) {
   const Slice &first = cut.slices.front(), &last = cut.slices.back();
   const double way = cut.slides_left ? 1 : -1;
   return way * (last.top_right - first.top_left) / (last.right - first.left);
 }
 
-/// Of the line from the lower end to where the ground of the mass is first as high as it gets.
+/// Returns the slope of the line from the lower end to the crest, the first point of the ground at its highest level.
 double find_face_slope(const CutSurface& cut) {
   const auto size = cut.slices.size();
   const Slice& toe = cut.slides_left ? cut.slices.front() : cut.slices.back();
@@ -224,7 +226,7 @@ void Mass::set_inclinations(SliceMethod method, const CutSurface& cut) {
   for (std::size_t i = 0; i < size; ++i) {
     wedges[i].ratio = constant;
     if (method != SliceMethod::corps_2 && method != SliceMethod::lowe_karafiath) continue;
-    // The side towards the lower end, between this slice and the next; the last side bears nothing.
+    // The side towards the lower end, between this slice and the next; no force acts on the last side.
     const auto number = [&](std::size_t k) { return cut.slides_left ? size - 1 - k : k; };
     const Slice &here = cut.slices[number(i)], &below = cut.slices[number(std::min(i + 1, size - 1))];
     const double ground = 0.5 * (std::atan(find_ground_slope(cut, here)) + std::atan(find_ground_slope(cut, below)));
@@ -237,15 +239,15 @@ void Mass::set_inclinations(SliceMethod method, const CutSurface& cut) {
 
 namespace {
 
-/// Centre and radius for moments: of the circle, or of one through the ends of the polyline and near to its vertices.
+/// Sets centre and radius for moments: of the circle, or of one through the ends of the polyline and near its vertices.
 void set_moment_centre(const Surface& surface, CutSurface& cut) {
   if (surface.circle) {
     cut.moment_centre = surface.circle->centre;
     cut.radius = surface.circle->radius;
     return;
   }
-  // Through both ends; the height h of the centre over the chord's middle fits the middles of the bases by least
-  // squares: t² + n² - 2 n h = (L/2)² along and normal to the chord.
+  // Circle through both ends. The height h of its centre over the middle of the chord is fitted to the middles of the
+  // bases by least squares: t² + n² - 2 n h = (L/2)² along and normal to the chord.
   const Point &a = surface.line.front(), &b = surface.line.back();
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]), half = 0.5 * length;
   const Point along{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
@@ -263,7 +265,8 @@ void set_moment_centre(const Surface& surface, CutSurface& cut) {
   cut.radius = std::hypot(half, h);
 }
 
-/// Horizontal push of weights and loads down the base, to the left positive: the direction of sliding.
+/// Returns the horizontal component of weights and loads along the base, positive to the left; its sign is the
+/// direction of sliding.
 double sum_push(const CutSurface& cut) {
   double push = 0;
   for (const Slice& slice : cut.slices)
@@ -280,8 +283,8 @@ void turn_slices(std::vector<Slice>& slices) {
   }
 }
 
-/// x where the base is as deep as the crack, whose depth is `depth_at` of x, searched from the upper end; none when it
-/// is nowhere.
+/// Returns x where the base is as deep as the crack, whose depth is `depth_at` of x, searched from the upper end; none
+/// if there is no such place.
 template <class DepthAt>
 std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at, double& bottom) {
   const auto size = cut.slices.size();
@@ -309,7 +312,7 @@ void warn(const Slope& slope, CutSurface& cut) {
     lifted = lifted && slice.pore_pressure * (slice.right - slice.left) > slice.weight + slice.surface_load;
   if (lifted) cut.warnings.push_back("the pore pressure exceeds the weight of the soil everywhere on the base");
   if (!cut.surface.circle) return;
-  // Beyond its lower end the circle stays below the ground when it falls outwards more steeply.
+  // Beyond its lower end the circle continues below the ground if it falls outwards more steeply.
   const auto& [xc, yc] = cut.surface.circle->centre;
   const Point toe = cut.slides_left ? cut.slices.front().base_left : cut.slices.back().base_right;
   const double outwards = cut.slides_left ? -1 : 1, step = 1e-3 * cut.radius;
@@ -321,19 +324,19 @@ void warn(const Slope& slope, CutSurface& cut) {
     cut.warnings.push_back("the arc is cut at its lower end: the circle would go on below the ground");
 }
 
-/// The slices over the base, with the water on the ground's vertical steps.
+/// Makes the slices over the base, with the loads on vertical steps of the ground.
 void slice_mass(const Slope& slope, const BaseLine& base, int count, CrackEnd crack, CutSurface& cut) {
   fill_slices(slope.strips(), base, count, cut);
   press_on_faces(slope.strips(), cut.slices, crack);
   if (slope.before() != nullptr) press_on_faces(slope.before()->strips(), cut.before, crack);
 }
 
-/// A vertical crack at the upper end of a mass.
+/// Position of a vertical crack at the upper end of a mass.
 struct CrackPlace {
-  double x = 0, bottom = 0, water = 0;  ///< [m]; height of the water in it
+  double x = 0, bottom = 0, water = 0;  ///< x, elevation of the bottom, height of the water [m]
 };
 
-/// Nothing where the crack leaves no mass.
+/// Returns the position of the crack; nothing if no mass would remain.
 template <class DepthAt>
 std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at,
                                       double water) {
@@ -347,7 +350,7 @@ std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cu
   return crack;
 }
 
-/// Slices of the mass that ends at `crack`; without one as they are.
+/// Completes the slices; cuts the mass off at `crack`, if there is one.
 void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optional<CrackPlace>& crack,
                  const std::array<double, 2>& ends, CutSurface& cut) {
   if (crack) {
@@ -363,7 +366,7 @@ void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optio
   turn_slices(cut.before);
 }
 
-/// Janbu's simplified factor, which compares cracks at the end of one surface; infinite where there is none.
+/// Returns Janbu's simplified factor, by which two crack depths on one surface are compared; infinity if there is none.
 double find_janbu(const Slope& slope, const CutSurface& cut) {
   static thread_local Mass mass;
   const Section& section = slope.section();
@@ -397,7 +400,7 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     const auto depth_at = [&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); };
     end = place_crack(base, cut, depth_at, crack.water);
     if (!end) return Refusal::too_shallow;
-    // A limit takes length from the crack and from the water in it, whose thrust may matter more.
+    // The limit reduces the length of the crack and the thrust of the water in it, so the given depth may be worse.
     if (crack.limited && crack.water > 0)
       given = place_crack(
           base, cut, [&](double) { return crack.depth; }, crack.water);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A slip surface: names of refusals, and where a circle meets the ground.
+// Names of the reasons of rejection, intersections of a circle with the ground, faults of given surfaces, and lower
+// convex hulls.
 #include "lem/surface/surface.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ const char* name_refusal(Refusal refusal) {
 }
 
 std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& circle) {
-  const double xc = circle.centre[0], yc = circle.centre[1];  // clang 14 captures no structured bindings
+  const double xc = circle.centre[0], yc = circle.centre[1];  // clang 14 cannot capture structured bindings
   const double left = std::max(slope.left(), xc - circle.radius), right = std::min(slope.right(), xc + circle.radius);
   std::vector<std::array<double, 2>> arcs;
   if (!(left < right)) return arcs;
@@ -58,8 +59,8 @@ std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& c
     return yc - std::sqrt(std::max(0.0, (circle.radius + x - xc) * (circle.radius - x + xc)));
   };
   double from = 0;
-  // Below the ground since `from`; or since the side of the model or the end of the lower arc, which is no end on the
-  // ground.
+  // `inside`: below the ground since `from`. `open`: below it since the side of the model or the end of the lower arc,
+  // which is no end on the ground.
   bool inside = false, open = false;
   const auto& strips = slope.strips();
   for (int i = strips.find(left); i < static_cast<int>(strips.strips.size()) && strips.strip(i).left < right; ++i) {
@@ -67,7 +68,7 @@ std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& c
     const double a = std::max(left, strip.left), b = std::min(right, strip.right);
     const bool below_a = arc(a) < strip.ground.at(a - strip.left), below_b = arc(b) < strip.ground.at(b - strip.left);
     if (below_a && !inside && !open) {
-      inside = a > left;  // a vertical step of the ground begins the arc
+      inside = a > left;  // the arc starts at a vertical step of the ground
       open = !inside;
       from = a;
     }
@@ -75,7 +76,8 @@ std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& c
       if (inside) arcs.push_back({from, a});
       inside = open = false;
     }
-    // Meets the straight ground y = g + s (x - xc) where (1 + s²) d² - 2 s h d + h² - R² = 0, h = yc - g, d = x - xc.
+    // Intersects the straight ground y = g + s (x - xc) where (1 + s²) d² - 2 s h d + h² - R² = 0, h = yc - g, d = x -
+    // xc.
     const double s = strip.ground.slope, h = yc - strip.ground.at(xc - strip.left), q = 1 + s * s;
     const double root = circle.radius * circle.radius * q - h * h;
     if (root <= 0 || (below_a && below_b)) continue;
@@ -92,7 +94,7 @@ std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& c
   return arcs;
 }
 
-// Faults of a slip surface that the user gave.
+// Faults of a slip surface given by the user.
 
 namespace {
 
@@ -158,11 +160,11 @@ std::vector<std::string> find_faults(const Slope& slope, const Surface& surface)
   return faults;
 }
 
-// Lower convex hulls and their thinning.
+// Lower convex hulls and the reduction of their vertices.
 
 namespace {
 
-/// Twice the area of the triangle; positive where b lies below the line from a to c.
+/// Returns twice the signed area of the triangle, positive if b lies below the line from a to c.
 double measure_turn(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -181,7 +183,7 @@ Surface hang_polyline(const Slope& slope, double left, double right, const std::
   Surface s;
   auto& line = s.line;
   for (const Point& p : all) {
-    if (!line.empty() && p[0] - line.back()[0] < gap) continue;  // one above another: the lower one came first
+    if (!line.empty() && p[0] - line.back()[0] < gap) continue;  // points of equal x: the lowest one came first
     while (line.size() > 1 && measure_turn(line[line.size() - 2], line.back(), p) <= 0) line.pop_back();
     line.push_back(p);
   }

@@ -17,53 +17,55 @@ struct Circle {
 };
 
 struct Surface {
-  std::string name;              ///< of a surface that the user gave; else empty
-  std::optional<Circle> circle;  ///< the lower arc between `from` and `to`; cut level at the section's base (composite)
-  std::vector<Point> line;       ///< of a polyline surface: from left to right, both ends on the ground
+  std::string name;              ///< of a surface given by the user; else empty
+  std::optional<Circle> circle;  ///< lower arc from `from` to `to`; level at the section's base (composite)
+  std::vector<Point> line;       ///< vertices of a polyline from left to right, both ends on the ground
   double from = 0, to = 0;       ///< x of the two ends of an arc [m]
   double crack = 0;              ///< depth of a dry tension crack of its own [m]; 0: that of the section, if any
 };
 
-/// Why a surface gives no factor. Counted by the search.
+/// Reason for which a surface has no factor; the search counts them.
 enum class Refusal {
   none,
   outside,        ///< does not enter and leave the ground inside the model
-  too_shallow,    ///< less deep than the smallest depth
-  below_base,     ///< goes below the base, where surfaces may not
-  no_driving,     ///< nothing drives it: driving moment or force is not positive
+  too_shallow,    ///< its depth is below the smallest depth
+  below_base,     ///< reaches below the base and may not
+  no_driving,     ///< the driving moment or force is not positive
   m_alpha,        ///< m_α too small at the passive end: the normal force is unreliable
-  tension,        ///< effective normal forces are tensile over too long a part
+  tension,        ///< effective normal forces are tensile over too great a part of the base
   thrust,         ///< line of thrust outside the sliding mass
   not_converged,  ///< the equations have no solution in the range of λ and F
   steep_toe,      ///< passive end steeper than the limit, e.g. 45° - φ/2
   lambda,         ///< λ beyond its limits
-  kinks,          ///< a polyline below the wedge mechanism of its own base: its kinks would slide without strength
-  moment_axis,    ///< a method of moments about a circle's centre, on a surface that is none
-  chart,          ///< Janbu's correction outside the chart that it was fitted to
+  kinks,          ///< the factor of a polyline is below the wedge mechanism of its base: its kinks would slide without
+                  ///< strength
+  moment_axis,    ///< a method of moments about the centre of a circle, on a surface that is not circular
+  chart,          ///< outside the range of the chart of Janbu's correction
   count
 };
 
-/// Name of a refusal for people.
+/// Returns the text of a reason for messages.
 const char* name_refusal(Refusal refusal);
 
 class Slope;
 
-/// Faults of a surface that the user gave, each a sentence that names it: ends that are not on the ground, a polyline
-/// that runs backwards, parts above the ground or below the base.
+/// Returns the faults of a surface given by the user, each as a sentence that names it: ends that are not on the
+/// ground, a polyline that runs backwards, parts above the ground or below the base.
 std::vector<std::string> find_faults(const Slope& slope, const Surface& surface);
 
-/// The stretches of a circle's lower arc that lie below the ground, each from ground to ground: x of the two ends, from
-/// left to right.
+/// Returns the parts of the lower arc of a circle that lie below the ground, each from ground to ground: x of the two
+/// ends, from left to right.
 std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& circle);
 
-// Shapes of admissible polyline surfaces.
+// Admissible polyline surfaces.
 
-/// The surface from `left` to `right` on the ground that hangs below all points and all corners of the ground between
-/// them, like a string pulled tight from below: the lower convex hull. A block that slides on it never has to bend
-/// upwards, so every such surface is kinematically admissible, and it changes continuously with the points.
+/// Returns the surface from `left` to `right` on the ground that is the lower convex hull of all points and of all
+/// corners of the ground between them. A block on it need not bend upwards to slide, so that every such surface is
+/// kinematically admissible; it changes continuously with the points.
 Surface hang_polyline(const Slope& slope, double left, double right, const std::vector<Point>& points);
 
-/// `count` of the points of a hull, ends kept, that follow it best: the vertices whose loss changes it least go first.
+/// Returns `count` of the points of a hull, including its ends: the vertices whose removal changes it least are dropped
+/// first.
 std::vector<Point> thin_points(std::vector<Point> line, int count);
 
 }  // namespace talus::lem
