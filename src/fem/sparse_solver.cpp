@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sparse LU and LDLᵀ of Eigen behind a plain interface; docs/decisions/0021 says why these.
+// Sparse LU and LDLᵀ of Eigen behind one interface; docs/decisions/0021 gives the reasons for the choice.
 #include "fem/sparse_solver.hpp"
 
 #include <Eigen/Sparse>
@@ -10,8 +10,8 @@ namespace talus::fem {
 
 namespace {
 
-/// Minimum degree on the symmetric pattern, which fills in less than an ordering by columns. SparseLU wants the inverse
-/// of what AMDOrdering gives.
+/// Minimum degree ordering of the symmetric pattern, with less fill-in than a column ordering. SparseLU takes the
+/// inverse of the permutation of AMDOrdering.
 struct MinimumDegree {
   using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
   template <class Matrix>
@@ -29,7 +29,7 @@ struct SparseSolver::Library {
   Eigen::SparseLU<Eigen::SparseMatrix<double>, MinimumDegree> lu;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
   bool lu_analysed = false, ldlt_analysed = false;
-  bool symmetric = false;  ///< whose factors are the last
+  bool symmetric = false;  ///< of the last factorisation
 };
 
 SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row)

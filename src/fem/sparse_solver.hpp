@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Direct solution of sparse linear systems with one pattern and many values; the only place that knows the libraries.
+// Direct solution of sparse linear systems with one pattern and varying values; the only module that uses the
+// libraries.
 
 #include <memory>
 #include <vector>
@@ -9,20 +10,20 @@ namespace talus::fem {
 
 class SparseSolver {
  public:
-  /// A square pattern in compressed columns with sorted rows; it must be symmetric and hold the diagonal.
+  /// Takes a square pattern by compressed columns with sorted rows; it must be symmetric and contain the diagonal.
   SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row);
   ~SparseSolver();
   SparseSolver(SparseSolver&&) noexcept;
 
-  /// Factorises A and keeps the factors. `symmetric`: A is symmetric and positive definite, which is cheaper. False
-  /// when A is singular, or not positive definite although `symmetric`.
+  /// Factorises A and keeps the factors. `symmetric`: A is symmetric and positive definite, which is cheaper. Returns
+  /// false if A is singular, or not positive definite although `symmetric`.
   bool factorise(const std::vector<double>& values, bool symmetric);
-  /// Solves A x = b with the factors that are kept. False when the solution is not finite.
+  /// Solves A x = b with the last factors. Returns false if the solution is not finite.
   bool solve(const std::vector<double>& b, std::vector<double>& x);
-  /// Both in one.
+  /// Factorises and solves.
   bool solve(const std::vector<double>& values, bool symmetric, const std::vector<double>& b, std::vector<double>& x);
 
-  int factorisations() const { return factorisations_; }  ///< so far
+  int factorisations() const { return factorisations_; }
 
  private:
   struct Library;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of boundary conditions in time.
+// Boundary values in time, and the areas and conditions of the nodes on the border of the soil.
 #include "fem/seepage/hydraulic_boundary.hpp"
 
 #include <algorithm>
@@ -26,11 +26,11 @@ double HydraulicBoundary<D>::value_at(double time) const {
 template struct HydraulicBoundary<2>;
 template struct HydraulicBoundary<3>;
 
-// The border of the soil: areas of the nodes on it, and their conditions in time.
+// The border of the soil: the areas that belong to its nodes, and their conditions in time.
 
 namespace {
 
-/// Area vector of a side, pointing away from the element's remaining node.
+/// Returns the area vector of a side, directed away from the node of the element that is not on it.
 template <int D>
 std::array<double, D> find_area_vector(const mesh::Mesh<D>& mesh, const typename mesh::Mesh<D>::Side& side,
                                        int inner_node) {
@@ -52,7 +52,7 @@ std::array<double, D> find_area_vector(const mesh::Mesh<D>& mesh, const typename
   return area;
 }
 
-/// The one soil element that a side belongs to; no_soil where there is none, soil_on_both_sides inside the soil.
+/// Results of find_owner() where no soil element, or two, have a side.
 constexpr int no_soil = -1, soil_on_both_sides = -2;
 
 template <int D>
@@ -84,7 +84,7 @@ void build_shares(SeepageSystem<D>& s) {
     std::map<int, BoundaryShare> share;
     for (const auto& side : boundary.sides) {
       const int owner = find_owner(mesh, elements_of_node, side);
-      if (owner == no_soil) continue;  // a side of the box goes on above the ground
+      if (owner == no_soil) continue;  // a side of the box continues above the ground
       if (owner == soil_on_both_sides)
         throw Error(ExitCode::wrong_input, describe_inner_side(*s.model.mesh, boundary.name, side));
       int inner = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Hydraulic conditions at the boundary of the soil.
+// Hydraulic conditions at the boundary of the soil, and the sinks of roots.
 
 #include <array>
 #include <limits>
@@ -14,38 +14,39 @@
 namespace talus::fem {
 
 enum class HydraulicKind {
-  total_head,    ///< head [m] on the whole set, above its level as suction
-  reservoir,     ///< head [m] below its level, a seepage face above it
-  pressure,      ///< pore pressure [Pa], positive in tension
-  flux,          ///< water that enters whatever the pressure [m/s]; negative: is pumped out
-  rain,          ///< water that is offered [m/s]: enters while the surface is unsaturated, the rest runs off. Negative:
-                 ///< evaporation, until the suction reaches `suction_limit`
-  seepage_face,  ///< water leaves at zero pressure, none enters
-  free_drainage,  ///< water leaves under a unit gradient of head, as above a deep water table
+  total_head,     ///< head [m] on the whole set; above its level this is suction
+  reservoir,      ///< head [m] below its level, a seepage face above it
+  pressure,       ///< pore pressure [Pa], positive in tension
+  flux,           ///< inflow whatever the pressure [m/s]; negative: pumping
+  rain,           ///< rain [m/s]: infiltrates while the surface is unsaturated, the rest runs off. Negative:
+                  ///< evaporation, until the suction reaches `suction_limit`
+  seepage_face,   ///< water flows out at zero pressure, none enters
+  free_drainage,  ///< outflow under a unit gradient of head, as above a deep water table
   no_flow
 };
 
-/// How a flux is measured.
+/// Area that a flux refers to.
 enum class FluxMeasure {
   normal,   ///< per area of the surface
-  vertical  ///< per area of its projection on the horizontal, as rain gauges do; overhangs get none
+  vertical  ///< per area of the projection on the horizontal, as measured by rain gauges; zero on overhangs
 };
 
-/// A condition on named sides. Where sets meet, prescribed heads and pressures win over faces, and fluxes add up.
+/// A condition on named sides. Where sets meet, prescribed heads and pressures take precedence over faces, and fluxes
+/// are summed.
 template <int D>
 struct HydraulicBoundary {
   std::string name;
   HydraulicKind kind = HydraulicKind::no_flow;
   std::vector<typename mesh::Mesh<D>::Side> sides;
   double value = 0;  ///< head [m], pressure [Pa] or flux [m/s]
-  /// Pairs of time [s] and value, with increasing times, replacing `value` when there are any: straight lines between,
-  /// constant before and after. Two equal times are a jump, whose second value holds from then on.
+  /// Pairs of time [s] and value that replace `value` if there are any. Times increase; the value is linear between
+  /// them and constant before and after. Two equal times are a jump, whose second value holds from then on.
   std::vector<std::array<double, 2>> history;
   FluxMeasure measure = FluxMeasure::normal;
-  double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
+  double suction_limit = std::numeric_limits<double>::infinity();  ///< suction at which evaporation stops [Pa]
 
-  /// Of rain, in time: what does not enter stands on the ground up to this depth [m], and runs on from there to where
-  /// it can enter, or else is gone.
+  /// Treatment of rain that does not infiltrate, in transient flow: it stands on the ground up to this depth [m], and
+  /// the rest runs on to where it can infiltrate if `runs_on`, or else leaves the model.
   double standing_depth = 0;
   bool runs_on = false;
 
@@ -55,21 +56,22 @@ struct HydraulicBoundary {
 extern template struct HydraulicBoundary<2>;
 extern template struct HydraulicBoundary<3>;
 
-// Water that roots draw from the soil: a sink in the nodal equations of seepage (T16.1).
+// Water uptake by roots: a sink in the nodal equations of seepage (T16.1).
 
-/// Plants that draw water where their roots are. Node i loses α(s_i) T(t) W_i.
+/// Sink of the roots of one kind of plants: node i loses α(s_i) T(t) W_i (T16.3).
 struct RootSink {
   std::string name;
   material::Feddes reduction;   ///< α
-  input::TimeTable rate;        ///< T, potential per horizontal area of ground [m/s]
-  std::vector<double> weights;  ///< W per node of the mesh: the roots' share times the ground covered [m²] (2D: m)
+  input::TimeTable rate;        ///< T, potential transpiration per horizontal area of ground [m/s]
+  std::vector<double> weights;  ///< W per node of the mesh: the node's fraction of the uptake times the ground area
+                                ///< covered [m²] (2D: m)
 };
 
-/// Water drawn through one sink [m³/s] (per metre of thickness in 2D); for a time range [m³].
+/// Water taken up by one sink [m³/s] (per metre of thickness in 2D); over a time range [m³].
 struct Uptake {
   std::string name;
-  double potential = 0;  ///< potential transpiration
-  double actual = 0;     ///< actual transpiration
+  double potential = 0;
+  double actual = 0;
 };
 
 }  // namespace talus::fem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newton's method with a line search.
+// Newton's method with a non-monotone line search, and the active set of the face nodes.
 #include "fem/seepage/newton.hpp"
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace talus::fem {
 
-// The states of face nodes: open, wet or dry, as a mixed complementarity problem.
+// The active set of the face nodes (open, wet or dry), a mixed complementarity problem (T13.4).
 
 namespace {
 
-constexpr int free_switches = 6;   ///< a node may change its state in any iteration; then only when the rest is solved
-constexpr int most_switches = 16;  ///< after these a node keeps its state: neither fits better
+constexpr int free_switches = 6;   ///< changes of state of a node before it waits for the rest
+constexpr int most_switches = 16;  ///< after these a node keeps its state, as neither fits better
 
 }  // namespace
 
-/// Changes the state of face nodes that contradict it; a node that becomes wet or dry gets its head at once.
+/// Changes the state of face nodes that violate its condition, and sets the head of those that become wet or dry.
 template <int D>
 bool SeepageNewton<D>::switch_faces(SeepageState& state, bool balanced) {
   undecided_ = 0;
@@ -34,7 +34,7 @@ bool SeepageNewton<D>::switch_faces(SeepageState& state, bool balanced) {
   const auto change = [&](std::size_t u, FaceState to) {
     if (state.face[u] == FaceState::wet && --wet == 0 && needs_hold) {
       ++wet;
-      return;  // a steady state needs one pressure at least
+      return;  // a steady state needs the pressure at one node at least
     }
     if (to == FaceState::wet) {
       state.head[u] = system_.elevation[u];
@@ -50,7 +50,7 @@ bool SeepageNewton<D>::switch_faces(SeepageState& state, bool balanced) {
     const NodeCondition& c = (*conditions_)[u];
     if (!c.face || c.fixed) continue;
     const double suction = system_.suction(u, state.head[u]);
-    const double excess = sums_.outflow[u] - c.given - c.offered;  // what enters beyond the offer
+    const double excess = sums_.outflow[u] - c.given - c.offered;  // inflow in excess of the offer
     const double pressure_size = weight_[u] / system_.model.unit_weight;
     FaceState to = state.face[u];
     double size = 0;
@@ -83,13 +83,13 @@ template bool SeepageNewton<3>::switch_faces(SeepageState&, bool);
 
 namespace {
 
-constexpr int switches_allowed = 6;  ///< iterations of a solve, faces included, as a multiple of most_iterations
-/// Iterations in which the imbalance must halve; otherwise a smaller stage or step converges sooner.
+constexpr int switches_allowed = 6;  ///< limit of all iterations of a solve, as a multiple of most_iterations
+/// Iterations in which the imbalance must halve; otherwise a smaller stage or step is more efficient.
 constexpr std::size_t patience = 8;
-constexpr double first_chord = 0.02, small_chord = 1e-8;  ///< shares of the height
-constexpr std::size_t memory = 5;                         ///< merits that a step is compared with
+constexpr double first_chord = 0.02, small_chord = 1e-8;  ///< ranges of the secants, over the height
+constexpr std::size_t memory = 5;                         ///< number of earlier merits that a step is compared with
 constexpr double shortest_step = 1.0 / 256;
-constexpr double small_change = 1e-4;  ///< of the height: the next change of Newton's would be its square
+constexpr double small_change = 1e-4;  ///< over the height: Newton's next change would be of the order of its square
 
 }  // namespace
 
@@ -122,8 +122,8 @@ double SeepageNewton<D>::find_merit(const NodalSums& sums, const SeepageState& s
   return merit;
 }
 
-/// The sums at the state, the imbalance, and what is allowed: a share of the water that flows through the
-/// border and into stores, but not less than the rounding of the sums.
+/// Evaluates the sums at the state, the imbalance, and its limit: a fraction of the water that flows through the border
+/// and into stores, but not less than the rounding error of the sums.
 template <int D>
 void SeepageNewton<D>::evaluate(const SeepageState& state) {
   sums_ = sum_over_elements(system_, state.head, input_, true);
@@ -145,15 +145,15 @@ void SeepageNewton<D>::evaluate(const SeepageState& state) {
   limit_ = std::max(options_.tolerance * 0.5 * through, 4e-16 * sums_.rounding);
 }
 
-/// The longest of the halved steps whose merit lies below the worst of the last few (Grippo, Lampariello and Lucidi
-/// 1986): a monotone search gets stuck at the kinks of the laws.
+/// Takes the longest of the halved steps whose merit is below the worst of the last few (Grippo, Lampariello and Lucidi
+/// 1986). A monotone search would get trapped at the kinks of the laws.
 template <int D>
 bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double>& direction, double& largest) {
   if (recent_.size() == memory) recent_.erase(recent_.begin());
   recent_.push_back(find_merit(sums_, state));
   const double before = *std::max_element(recent_.begin(), recent_.end());
   StepInput values = input_;
-  values.chord = 0;  // no slopes are wanted
+  values.chord = 0;  // the slopes are not needed here
   SeepageState trial = state;
   double length = 1;
   while (length >= shortest_step) {
@@ -173,7 +173,7 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
   return false;
 }
 
-/// One step: Newton's direction, and where that fails Picard's, with the conductivities held.
+/// Takes a step in Newton's direction, or in that of Picard's method (constant conductivities) if it fails.
 template <int D>
 bool SeepageNewton<D>::take_step(SeepageState& state, double& largest) {
   const std::size_t n = weight_.size();

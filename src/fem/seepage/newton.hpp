@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Newton's method for the nodal equations of seepage, with the states of face nodes found on the way.
-// Internal to fem/.
+// Newton's method for the nodal equations of seepage, with the active set of the face nodes. Internal to fem/.
 
 #include "fem/seepage/system.hpp"
 #include "fem/sparse_solver.hpp"
@@ -14,10 +13,10 @@ struct SeepageState {
   std::vector<FaceState> face;
 };
 
-/// Which slope of k_r the Jacobian has.
+/// Slope of k_r in the Jacobian.
 enum class Slopes {
-  tangent,  ///< the law's own: fastest near the solution
-  chord     ///< the secant over the last change of suction: more robust at kinks and steep ends
+  tangent,  ///< derivative of the law: converges fastest near the solution
+  chord     ///< secant over the last change of suction: more robust at kinks and steep ends
 };
 
 template <int D>
@@ -25,11 +24,11 @@ class SeepageNewton {
  public:
   SeepageNewton(const SeepageSystem<D>& system, const SeepageOptions& options);
 
-  /// Solves from the given state on. False, with the state spoilt, when it does not converge.
+  /// Solves from the given state. Returns false if it does not converge; the state is then undefined.
   bool solve(SeepageState& state, const std::vector<NodeCondition>& conditions, StepInput input,
              Slopes slopes = Slopes::tangent);
 
-  int solves() const { return solves_; }           ///< linear systems so far
+  int solves() const { return solves_; }           ///< number of linear systems solved
   int undecided() const { return undecided_; }     ///< SeepageResult::undecided of the last solution
   const NodalSums& sums() const { return sums_; }  ///< at the last solution
 
@@ -48,11 +47,11 @@ class SeepageNewton {
   const std::vector<NodeCondition>* conditions_ = nullptr;
   StepInput input_;
   NodalSums sums_;
-  std::vector<int> switches_;     ///< how often a node has changed its state
+  std::vector<int> switches_;     ///< number of changes of state per node
   std::vector<double> recent_;    ///< merits of the last steps
   std::vector<double> weight_;    ///< scale of each equation in the merit
-  double fault_ = 0, limit_ = 0;  ///< sum of the residuals' magnitudes, and its limit [m³/s]
-  double height_ = 1;             ///< of the soil [m]
+  double fault_ = 0, limit_ = 0;  ///< sum of the absolute residuals, and its limit [m³/s]
+  double height_ = 1;             ///< height of the soil [m]
   int undecided_ = 0;
   int solves_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pressures, velocities, discharges and wet faces of a solution.
+// Pressures, velocities, discharges, wet faces and the water table of a solution.
 #include "fem/seepage/results.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace talus::fem {
 
-// Marching through the triangles that the water table crosses.
+// Contour of zero pressure, followed through the triangles that it crosses.
 
 namespace {
 
@@ -38,7 +38,7 @@ void append(std::vector<Point>& line, const Point& p) {
 
 std::vector<std::vector<Point>> find_water_table(const mesh::Mesh<2>& mesh, const std::vector<double>& pressure) {
   const Crossings crossings{mesh, pressure};
-  std::map<Edge, std::vector<Edge>> next;  // an edge and the one or two that the line goes on to
+  std::map<Edge, std::vector<Edge>> next;  // the one or two edges with which the line continues from an edge
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (mesh.element_region[e] == mesh::empty_region) continue;
     std::vector<Edge> crossed;
@@ -84,8 +84,9 @@ std::vector<std::vector<Point>> find_water_table(const mesh::Mesh<2>& mesh, cons
 
 namespace {
 
-/// Water through each boundary. The residual of a node's equation is the flow through its boundary: given fluxes go to
-/// their boundaries, rain that enters is shared out by what each offers, the rest belongs to the node's owner.
+/// Adds the flow through each boundary. The residual of a node's equation is the flow through its boundaries: given
+/// fluxes are assigned to theirs, infiltrating rain in proportion to what each boundary offers, and the rest to the
+/// node's owner.
 template <int D>
 void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const std::vector<NodeCondition>& conditions,
                     double time, SeepageResult<D>& result, const std::vector<FaceState>& face) {
@@ -108,12 +109,12 @@ void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const
         continue;
       }
       const NodeCondition& c = conditions[u];
-      if (c.fixed) {  // under water: all of it runs off
+      if (c.fixed) {  // under water: all rain runs off
         result.discharges[b].runoff += std::max(0.0, flux);
         continue;
       }
       const double enters = face[u] == FaceState::open ? c.offered : sums.outflow[u] - c.given;
-      const bool shared = enters * c.offered > 0;  // otherwise water comes out while it rains
+      const bool shared = enters * c.offered > 0;  // otherwise water flows out during the rain
       const double own = shared ? flux * enters / c.offered : 0;
       book(b, own);
       if (flux > 0) result.discharges[b].runoff += flux - own;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Drainage network of the ground, and the routing of rain that does not infiltrate.
 #include "fem/seepage/runoff.hpp"
 
 #include <algorithm>
@@ -11,10 +12,11 @@ namespace talus::fem {
 
 namespace {
 
-/// Run-on is found when it changes by less than this share of all that is offered.
+/// Run-on has converged when it changes by less than this fraction of all water offered.
 constexpr double close = 1e-7;
 
-/// The edges of the ground as pairs of unknowns: those of all sides with a condition, but for the walls of the box.
+/// Returns the edges of the ground as pairs of unknowns: those of all sides with a condition, except the walls of the
+/// box.
 template <int D>
 std::set<std::array<int, 2>> list_edges(const SeepageSystem<D>& system) {
   const auto& mesh = *system.model.mesh;
@@ -80,7 +82,7 @@ Runoff<D>::Runoff(const SeepageSystem<D>& system) : system_(system) {
   const auto place = [&](int u) {
     return system.model.mesh->nodes[static_cast<std::size_t>(system.node_of_unknown[static_cast<std::size_t>(u)])];
   };
-  std::queue<int> drained;  // nodes whose water goes on, from which level ground drains
+  std::queue<int> drained;  // nodes with a receiver, to which level ground drains
   for (const int u : ground) {
     double steepest = 0;
     for (const int v : neighbours[static_cast<std::size_t>(u)]) {
@@ -100,7 +102,7 @@ Runoff<D>::Runoff(const SeepageSystem<D>& system) : system_(system) {
       if (to < 0 && is_level && receiver_[static_cast<std::size_t>(u)] != v) to = u, drained.push(v);
     }
   }
-  // From the highest down; level ground in the order in which its water moves.
+  // From the highest node down; level ground in the direction of its flow.
   std::vector<int> givers(size, 0);
   for (const int u : ground)
     if (const int v = receiver_[static_cast<std::size_t>(u)]; v >= 0) ++givers[static_cast<std::size_t>(v)];
@@ -132,7 +134,7 @@ bool Runoff<D>::route(double dt, const std::vector<NodeCondition>& conditions, c
   for (const int unknown : order_) {
     const auto u = static_cast<std::size_t>(unknown);
     const NodeCondition& c = conditions[u];
-    // Under a pool all water is the pool's; an unsaturated face takes all that it is offered, and may take more.
+    // Rain on a pool belongs to the pool; an unsaturated face takes all water offered, and may take more.
     now_[u] = 0;
     if (c.fixed || !c.face) continue;
     const double change = next_[u] - run_on_[u], offered = c.offered + change;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faults of a seepage model.
+// Validation of a seepage model.
 #include "fem/seepage/seepage.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steady state: from saturated flow to the soil's own law of conductivity, in as few stages as possible.
+// Steady flow by continuation from saturated flow to the conductivity law of the soil, in as few stages as possible.
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@ namespace talus::fem {
 
 namespace {
 
-constexpr double first_factor = 4;    ///< by which the stretch of the suction grows from stage to stage
-constexpr double chord_factor = 1.5;  ///< smaller stages are tried with secant slopes as well
+constexpr double first_factor = 4;    ///< growth of the stretch of the suction from stage to stage
+constexpr double chord_factor = 1.5;  ///< stages with a smaller factor are tried with secant slopes as well
 constexpr double smallest_factor = 1.003;
-constexpr double smallest_stretch = 1e-6;  ///< where any law is that of saturated soil
+constexpr double smallest_stretch = 1e-6;  ///< at which any law gives saturated soil
 
 template <int D>
 void check_hold(const SeepageModel<D>& model, const std::vector<NodeCondition>& conditions) {
@@ -30,8 +30,8 @@ void check_hold(const SeepageModel<D>& model, const std::vector<NodeCondition>& 
         "Steady seepage needs a head, a pressure or a seepage face somewhere: fluxes alone do not set the pressure.");
 }
 
-/// Saturated flow first, then soils whose suctions are a growing share of the true ones: a high capillary fringe
-/// becomes lower from stage to stage, and each solution is near the next.
+/// Solves saturated flow first, and then soils with k_r at an increasing fraction of the suction. The capillary fringe
+/// becomes lower from stage to stage, and each solution is close to the next.
 template <int D>
 void solve_in_stages(SeepageNewton<D>& newton, SeepageState& state, const std::vector<NodeCondition>& conditions,
                      StepInput input) {

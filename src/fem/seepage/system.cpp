@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbering, pattern and stores of the nodal equations of seepage.
+// Numbering, pattern, stores and sums of the nodal equations of seepage.
 #include "fem/seepage/system.hpp"
 
 #include <algorithm>
@@ -108,18 +108,19 @@ std::vector<double> SeepageSystem<D>::find_contents(const std::vector<double>& h
 template struct SeepageSystem<2>;
 template struct SeepageSystem<3>;
 
-// The sums over elements: Darcy's flow with the mean conductivity of an element, and the water that nodes store and
-// lose to roots.
+// Sums over the elements: Darcy flow with the mean conductivity of an element, storage, and water uptake by roots
+// (T13.3).
 
 namespace {
 
-/// Points of the rule of second degree with D+1 equal weights: the weight of the nearest node, and of the others.
+/// Integration rule of second degree with D+1 equal weights: barycentric coordinate of the nearest node, and of the
+/// others.
 template <int D>
 inline constexpr double near_weight = D == 2 ? 2.0 / 3 : 0.58541019662496845;
 template <int D>
 inline constexpr double far_weight = D == 2 ? 1.0 / 6 : 0.13819660112501051;
 
-/// Suctions at the points of that rule, each nearest to the node of its number.
+/// Returns the suctions at the points of that rule; point i is the one nearest to node i.
 template <int D>
 std::array<double, D + 1> find_suctions(const std::array<double, D + 1>& of_nodes) {
   double sum = 0;
@@ -147,7 +148,7 @@ void add_storage(const SeepageSystem<D>& system, const std::vector<double>& head
   }
 }
 
-/// Water that leaves under a unit gradient.
+/// Adds free drainage: outflow under a unit gradient.
 template <int D>
 void add_drainage(const SeepageSystem<D>& system, const std::vector<double>& head, const StepInput& input,
                   NodalSums& sums) {
@@ -168,8 +169,8 @@ void add_drainage(const SeepageSystem<D>& system, const std::vector<double>& hea
   }
 }
 
-/// Water that roots draw (T16.2). The slope by the head is negative where roots begin to lack air; with conductivities
-/// held the matrix must stay positive, and leaves that out.
+/// Adds the water uptake by roots (T16.2). Its slope by the head is negative where oxygen stress begins. Picard's
+/// method leaves it out, since its matrix must stay positive definite.
 template <int D>
 void add_uptake(const SeepageSystem<D>& system, const std::vector<double>& head, const StepInput& input,
                 NodalSums& sums) {
@@ -263,7 +264,7 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
       u[i] = static_cast<std::size_t>(system.unknown_of_node[static_cast<std::size_t>(mesh.elements[e][i])]);
       suction[i] = system.suction(u[i], head[u[i]]);
     }
-    // ∇N of the nodes, ∇H from differences so that a common head leaves no rounding
+    // ∇N of the nodes, and ∇H from differences, so that a constant head gives exactly zero
     std::array<std::array<double, D>, n> shape{};
     std::array<double, D> gradient{};
     for (std::size_t k = 1; k < n; ++k) {
@@ -290,7 +291,7 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
     }
     if (!with_jacobian) continue;
     for (std::size_t j = 0; j < n; ++j) {
-      const double d_relative = -conductivity.slope[j] * system.model.unit_weight;  // by the head of node j
+      const double d_relative = -conductivity.slope[j] * system.model.unit_weight;  // derivative by the head of node j
       if (d_relative != 0) sums.symmetric = false;
       for (std::size_t i = 0; i < n; ++i) {
         double a = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seepage in time: implicit Euler with steps that follow the error.
+// Transient seepage by implicit Euler with error-controlled steps.
 
 #include <fmt/format.h>
 
@@ -16,10 +16,10 @@ namespace talus::fem {
 
 namespace {
 
-/// Solutions of a step until what runs on is known; then a smaller step is tried.
+/// Limit of the solutions of a step for its run-on; then a smaller step is tried.
 constexpr int most_routes = 60;
 
-/// Times that a step must not pass: outputs and the corners of the tables of boundaries and sinks.
+/// Returns the times at which a step must end: outputs, and corners of the tables of boundaries and sinks.
 template <int D>
 std::vector<double> find_stops(const SeepageModel<D>& model, const SeepageSchedule& schedule) {
   std::vector<double> stops = schedule.outputs;
@@ -71,7 +71,8 @@ void add_uptakes(std::vector<Uptake>& volumes, const std::vector<Uptake>& rates,
   }
 }
 
-/// How far the heads after a step are from what their rates in the last one, of `last` seconds, had predicted [m].
+/// Returns the largest difference of the heads from their linear extrapolation, by the rates of the last step of `last`
+/// seconds [m].
 double find_error(const SeepageState& after, const SeepageState& before, const std::vector<double>& rate, double step,
                   double last) {
   double error = 0;
@@ -80,7 +81,7 @@ double find_error(const SeepageState& after, const SeepageState& before, const s
   return error;
 }
 
-/// One step, with what runs on found on the way: water that reaches a node may saturate it, and go on from there.
+/// Solves one step and iterates on the run-on: water that reaches a node may saturate it and run on from there.
 template <int D>
 bool solve_step(SeepageNewton<D>& newton, Runoff<D>& runoff, const StepInput& input,
                 std::vector<NodeCondition>& conditions, SeepageState& trial) {
@@ -95,8 +96,9 @@ bool solve_step(SeepageNewton<D>& newton, Runoff<D>& runoff, const StepInput& in
   return false;
 }
 
-/// Weight of pools that comes or goes: by vertical compression alone the pores of saturated soil give way by m_v of it,
-/// and take as much water less. Soil that is unsaturated when a step begins does not take part in it.
+/// Changes of the weight of pools. Under one-dimensional compression the pore volume of saturated soil decreases by m_v
+/// times the increase of the weight, and as much water is expelled. Soil that is unsaturated at the start of a step is
+/// not affected.
 template <int D>
 class PoolLoading {
  public:
@@ -104,8 +106,8 @@ class PoolLoading {
     if (system.model.pool_weight) weight_ = system.model.pool_weight(start);
   }
 
-  /// What the stores would hold at the heads before the step under the weight of its end [m³]; `contents`: under that
-  /// of the last one.
+  /// Returns the contents [m³] of the stores at the heads before the step under the weight at its end; `contents` are
+  /// those under the weight at its start.
   std::vector<double> load(std::vector<double> contents, const SeepageState& before, double time) {
     if (weight_.empty()) return contents;
     next_ = system_.model.pool_weight(time);
@@ -128,7 +130,7 @@ class PoolLoading {
     std::swap(weight_, next_);
     all_given_ += given_;
   }
-  /// Water that pores have no longer room for, since the start [m³].
+  /// Water expelled from the pores since the start [m³].
   double given() const { return all_given_; }
 
  private:
@@ -169,7 +171,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
   double dt = first_step;
   const auto stops = find_stops(model, schedule);
   SeepageState state{to_unknowns(system, initial), std::vector<FaceState>(system.elevation.size(), FaceState::none)};
-  std::vector<double> contents = system.find_contents(state.head), rate;  // rate: of the heads in the last step [m/s]
+  std::vector<double> contents = system.find_contents(state.head), rate;  // rate of the heads in the last step [m/s]
   const double stored_at_start = sum(contents);
   std::vector<Discharge> volumes(model.boundaries.size());
   std::vector<Uptake> drawn;
@@ -182,7 +184,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     const bool lands = dt >= left * (1 - 1e-9);
     const double step = lands ? left : dt > 0.5 * left ? 0.5 * left : dt;
     const double then = lands ? stops[stop] : time + step;
-    // A table that jumps at a stop holds its old value up to there.
+    // A table that jumps at a stop has its old value up to there.
     const double at = lands ? then - 1e-9 * step : then;
     const std::vector<double> loaded = pools.load(contents, state, at);
     StepInput input;
@@ -225,7 +227,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
       history.stored.push_back(sum(contents) - stored_at_start - pools.given());
       ++output;
     }
-    if (is_corner(model, then)) {  // the rates before a corner of a table predict nothing
+    if (is_corner(model, then)) {  // the rates before a corner of a table are no basis for a prediction
       rate.clear();
       dt = std::min(dt, first_step);
     }

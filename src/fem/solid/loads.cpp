@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nodal forces of weight and of tractions on sides; the integrals are exact.
+// Nodal forces of weight and of surface tractions, integrated exactly; directions fixed by supports; edges of the mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace talus::fem {
 
 namespace {
 
-/// Shares of a weight or a uniform traction: corners and middles of a triangle or tetrahedron.
+/// Nodal fractions of a weight or a uniform traction: of a corner and of a mid-side node of a triangle or tetrahedron.
 template <int D>
 inline constexpr double corner_share = D == 2 ? 0.0 : -1.0 / 20;
 template <int D>
@@ -29,7 +29,7 @@ double find_size(const mesh::Mesh<3>& mesh, const std::array<int, 3>& side) {
   return norm(Vec<3>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}) / 2;
 }
 
-/// ∫N_i L_j over a side of size 1, i over its corners and middles, j over its corners.
+/// Returns ∫N_i L_j over a side of unit size, for i over its corners and mid-side nodes and j over its corners.
 template <int D>
 double find_side_weight(std::size_t i, std::size_t j) {
   if constexpr (D == 2) {
@@ -37,7 +37,7 @@ double find_side_weight(std::size_t i, std::size_t j) {
     return i == j ? 1.0 / 6 : 0;
   } else {
     if (i < 3) return i == j ? 1.0 / 30 : -1.0 / 60;
-    const std::size_t a = i - 3, b = (i - 2) % 3;  // the edge's corners
+    const std::size_t a = i - 3, b = (i - 2) % 3;  // corners of the edge
     return j == a || j == b ? 2.0 / 15 : 1.0 / 15;
   }
 }
@@ -78,14 +78,14 @@ std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D
 template std::vector<Vec<2>> find_loads<2>(const SolidModel<2>&, const QuadraticMesh<2>&);
 template std::vector<Vec<3>> find_loads<3>(const SolidModel<3>&, const QuadraticMesh<3>&);
 
-// Which directions the supports hold at which nodes, and the edges of the quadratic mesh by their corners.
+// Directions that supports fix at the nodes, and the edges of the quadratic mesh by their corners.
 
 namespace {
 
-constexpr double same_wall = 0.9;     ///< cosine of the angle up to which sides of one support are one curved wall
-constexpr double independent = 1e-6;  ///< sine of the angle from which a direction counts as a further one
+constexpr double same_wall = 0.9;     ///< cosine of the largest angle between sides of one curved wall
+constexpr double independent = 1e-6;  ///< sine of the smallest angle at which a direction counts as independent
 
-/// The unit normal of a side, of either sign, times the side's size.
+/// Returns the unit normal of a side, of either sign, times the size of the side.
 Vec<2> find_normal(const mesh::Mesh<2>& mesh, const std::array<int, 2>& side) {
   const auto &a = mesh.nodes[static_cast<std::size_t>(side[0])], &b = mesh.nodes[static_cast<std::size_t>(side[1])];
   return {b[1] - a[1], a[0] - b[0]};
@@ -97,7 +97,7 @@ Vec<3> find_normal(const mesh::Mesh<3>& mesh, const std::array<int, 3>& side) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// Adds what of `v` is not held yet.
+/// Adds the component of `v` that is not fixed yet.
 template <int D>
 void hold(std::vector<Vec<D>>& held, Vec<D> v) {
   const double length = norm(v);
@@ -162,7 +162,7 @@ std::vector<std::vector<Vec<D>>> find_held_directions(const SolidModel<D>& model
           }
           continue;
         }
-        // Sides of nearly one direction are a curved wall: their mean normal counts. Others meet in a corner.
+        // Sides of similar direction form a curved wall and fix its mean normal; others meet in a corner.
         Vec<D> normal = find_normal(*model.mesh, side);
         bool found = false;
         for (Vec<D>& wall : walls[n]) {

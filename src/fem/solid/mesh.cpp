@@ -34,8 +34,8 @@ QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
         ExitCode::wrong_input,
         fmt::format("the mesh has no element with soil ({} elements, all empty): finite elements need at least one",
                     mesh.elements.size()));
-  // Edges in the order in which the elements meet them keep the numbers of neighbours close.
-  std::vector<std::pair<std::array<int, 2>, std::size_t>> uses;  // edge, its place in the elements
+  // Edges are numbered in the order in which the elements have them, so that neighbours get similar numbers.
+  std::vector<std::pair<std::array<int, 2>, std::size_t>> uses;  // edge, its position in the elements
   r.elements.resize(r.linear_element.size());
   for (std::size_t k = 0; k < r.elements.size(); ++k) {
     const auto e = static_cast<std::size_t>(r.linear_element[k]);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Plain Newton iterations do not find the equilibrium of soil whose flow is not associated: near collapse the tangent
-// is no longer positive, and a return over one long increment has no history. So the step is a creep: K_el q̇ = residual
-// is what an elastic viscosity would do, and its implicit Euler steps are positive definite when short and Newton's own
-// when long.
+// Equilibrium by creep with elastic viscosity. Plain Newton iterations do not find the equilibrium of soil with a
+// non-associated flow rule: near collapse the tangent is not positive definite, and the stress return over one long
+// increment has no history. A step of equilibrium is therefore integrated as K_el q̇ = residual (T19.5). Its implicit
+// Euler steps have a positive definite matrix when they are short and are those of Newton's method when they are long
+// (T19.6).
 #include "fem/solid/newton.hpp"
 
 #include <algorithm>
@@ -14,12 +15,12 @@ namespace talus::fem {
 namespace {
 
 constexpr double first_viscosity = 0.05, least_viscosity = 1e-6, most_viscosity = 1;
-constexpr double good_share = 0.4;    ///< of the fault that a creep step may leave over
-constexpr int most_solves = 7;        ///< in a creep step
-constexpr double hopeless = 100;      ///< times the fault: no use to iterate on
-constexpr double least_gain = 0.9;    ///< of the third and later iterations of a creep step
-constexpr double steady_share = 0.8;  ///< of the fault that is still there when the displacement has doubled
-constexpr double steady_from = 3;     ///< elastic displacements
+constexpr double good_share = 0.4;    ///< fraction of the out-of-balance force at which a creep step has converged
+constexpr int most_solves = 7;        ///< linear systems in a creep step
+constexpr double hopeless = 100;      ///< growth of the out-of-balance force at which the iteration is abandoned
+constexpr double least_gain = 0.9;    ///< largest ratio of residuals from the third iteration on
+constexpr double steady_share = 0.8;  ///< fraction of the residual left when u has doubled (T19.8)
+constexpr double steady_from = 3;     ///< smallest displacement of steady flow, over u_el (T19.8)
 
 double find_norm(const std::vector<double>& v) {
   double s = 0;
@@ -53,7 +54,7 @@ bool SolidNewton<D>::factorise(const SolidSums& sums, double viscosity) {
   return (sums.symmetric && solver_.factorise(matrix_, true)) || solver_.factorise(matrix_, false);
 }
 
-/// What is left of the residual when the viscous forces of a step are taken off: in lack_, and its size [N].
+/// Computes the residual less the viscous forces of a step, into lack_. Returns its norm [N].
 template <int D>
 double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, double viscosity) {
   lack_ = at.residual;
@@ -66,8 +67,8 @@ double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, 
   return find_norm(lack_);
 }
 
-/// One implicit step of creep from `now`: f_int(q) + β K_el q = target, to a share of the fault. Whether it came there,
-/// and the systems that it solved.
+/// Solves one implicit creep step from `now`, f_int(q) + β K_el q = target, to a fraction of the out-of-balance force.
+/// Returns true if it converged, and the number of linear systems.
 template <int D>
 std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, const std::vector<double>& target,
                                            const Place& now, double viscosity, Place& next, std::vector<double>& q) {
@@ -93,7 +94,7 @@ std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, con
   return {viscosity >= most_viscosity && lack < now.fault, solves};
 }
 
-/// Whether the soil flows on: the displacement has doubled and the residual has stayed.
+/// Returns true if the soil flows: the displacement has doubled while the residual has kept its size (T19.8).
 template <int D>
 bool SolidNewton<D>::is_steady(double moved, double fault) {
   way_.push_back({moved, fault});
@@ -146,8 +147,8 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
     for (std::size_t i = 0; i < q.size(); ++i) moved[i] += q[i];
     double largest = 0;
     for (double x : moved) largest = std::max(largest, std::abs(x));
-    // The motion that is left when it goes on to fade as it does: a last correction may be small only because the
-    // creep is slow.
+    // The remaining motion if the residual continues to decay at the same ratio (T19.7). The last correction alone may
+    // be small only because the creep is slow.
     const double fading = now.fault > 0 ? next.fault / now.fault : 0, all = find_norm(moved);
     out.displacement_residual = fading < 1 && all > 0 ? find_norm(q) / all * fading / (1 - fading) : 1;
     out.flows = is_steady(largest, next.fault);

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One step of the equations of equilibrium: implicit creep towards rest, each of its steps by Newton's method (T19.6).
-// Internal to fem/.
+// One step of equilibrium: creep to rest in implicit steps, each solved by Newton's method (T19.6). Internal to fem/.
 
 #include "fem/solid/system.hpp"
 #include "fem/sparse_solver.hpp"
 
 namespace talus::fem {
 
-/// What a step came to.
+/// Outcome of a step.
 struct NewtonOutcome {
   bool converged = false;
-  bool flows = false;  ///< ended because the soil moves on at a steady rate, or too far
-  int iterations = 0;  ///< linear systems
+  bool flows = false;  ///< ended because the soil flows at a steady rate, or has moved too far
+  int iterations = 0;  ///< number of linear systems
   double force_residual = 0, displacement_residual = 0;
 };
 
@@ -21,25 +20,25 @@ class SolidNewton {
  public:
   SolidNewton(const SolidSystem<D>& system, const SolidOptions& options);
 
-  /// Goes from `start`, whose displacements are added to, to where internal forces are `target`; `end` is the state
-  /// there, or the last one.
+  /// Integrates from `start`, whose displacements are continued, to the equilibrium of the internal forces with
+  /// `target`. `end` is the state of equilibrium, or the last one reached.
   NewtonOutcome solve(const SolidAssembly<D>& assembly, const SolidState<D>& start, const std::vector<double>& target,
                       SolidState<D>& end);
 
-  /// Displacements and strains of the last step of creep of solve(); empty where there was none.
+  /// Displacements and strains of the last creep step of solve(); empty if there was none.
   const SolidState<D>& last_motion() const { return last_motion_; }
 
   int factorisations() const { return solver_.factorisations(); }
-  /// Largest displacement of the elastic soil under all loads [m]; known after the first step.
+  /// Largest displacement of the elastic soil under all loads [m]; available after the first step.
   double elastic_displacement() const { return elastic_displacement_; }
 
  private:
-  /// A place on the way and the forces there.
+  /// A state on the path and its forces.
   struct Place {
     SolidState<D> state;
     SolidSums sums;
     std::vector<double> residual;  ///< target - f_int [N]
-    double fault = 0;              ///< its size [N]
+    double fault = 0;              ///< out-of-balance force, the norm of the residual [N]
   };
   void look(const SolidAssembly<D>& assembly, const SolidState<D>& from, const std::vector<double>& q,
             const std::vector<double>& target, Place& to);
@@ -53,14 +52,14 @@ class SolidNewton {
   const SolidSystem<D>& system_;
   SolidOptions options_;
   SparseSolver solver_;
-  double load_size_;  ///< ‖f_ext‖, or where there is none the first residual [N]
+  double load_size_;  ///< ‖f_ext‖, or without loads the norm of the first residual [N]
   double scale_ = 0;
-  double elastic_displacement_ = -1;   ///< negative: not known yet
-  std::vector<double> elastic_;        ///< matrix of the elastic soil
-  std::vector<double> matrix_, lack_;  ///< work
+  double elastic_displacement_ = -1;   ///< negative: not computed yet
+  std::vector<double> elastic_;        ///< stiffness matrix of the elastic soil
+  std::vector<double> matrix_, lack_;  ///< work arrays
   std::vector<Vec<D>> u_;
   SolidState<D> last_motion_;
-  std::vector<std::array<double, 2>> way_;  ///< displacement and fault of the steps so far
+  std::vector<std::array<double, 2>> way_;  ///< displacement and out-of-balance force of each step so far
 };
 
 }  // namespace talus::fem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tangents of the laws by dual numbers.
+// Consistent tangents of the laws by dual numbers.
 #include "fem/solid/point.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 using material::LinearElastic;
 using material::Surroundings;
 
-constexpr double symmetry_tolerance = 1e-9;  ///< of a tangent, over its largest entry
+constexpr double symmetry_tolerance = 1e-9;  ///< of a tangent, relative to its largest entry
 
 template <int NS>
 void fill_elastic(const LinearElastic& elastic, double* c) {
@@ -27,7 +27,7 @@ void fill_elastic(const LinearElastic& elastic, double* c) {
   for (int i = 3; i < NS; ++i) c[i * NS + i] = elastic.mu;
 }
 
-/// Does not look at rounding.
+/// Returns true if the matrix is symmetric within rounding.
 template <int NS>
 bool is_symmetric(const double* c) {
   double largest = 0, difference = 0;
@@ -53,7 +53,7 @@ PointAnswer update_plain(const L& law, double saturation, const double* d_epsilo
   return {has_yielded<L>(law.template update<NS, double>(sigma, d_epsilon, state, true, around)), true};
 }
 
-/// Central differences, for laws whose inside is not known.
+/// Computes the tangent by central differences, for external laws.
 template <int NS, class L>
 void differentiate(const L& law, double saturation, const double* d_epsilon, const double* sigma, const double* state,
                    double* tangent) {

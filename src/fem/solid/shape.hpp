@@ -9,7 +9,8 @@
 
 namespace talus::fem {
 
-/// Numbers of a quadratic simplex. Local nodes: the D+1 corners, then the middles of the edges in the order of `edges`.
+/// Constants of a quadratic simplex. Local nodes: the D+1 corners, then the middles of the edges in the order of
+/// `edges`.
 template <int D>
 struct Quadratic;
 
@@ -17,7 +18,7 @@ template <>
 struct Quadratic<2> {
   static constexpr std::size_t corners = 3, nodes = 6, points = 3, strains = 4;
   static constexpr std::array<std::array<std::size_t, 2>, 3> edges{{{0, 1}, {1, 2}, {2, 0}}};
-  static constexpr double near = 2.0 / 3, far = 1.0 / 6;  ///< barycentric coordinates of a point; equal weights
+  static constexpr double near = 2.0 / 3, far = 1.0 / 6;  ///< of integration points, barycentric; equal weights
 };
 template <>
 struct Quadratic<3> {
@@ -26,7 +27,7 @@ struct Quadratic<3> {
   static constexpr double near = 0.58541019662496845446, far = 0.13819660112501051518;
 };
 
-/// Barycentric coordinates of integration point q.
+/// Returns the barycentric coordinates of integration point q.
 template <int D>
 constexpr std::array<double, D + 1> find_barycentric(std::size_t q) {
   std::array<double, D + 1> l{};
@@ -35,7 +36,7 @@ constexpr std::array<double, D + 1> find_barycentric(std::size_t q) {
   return l;
 }
 
-/// ∇N of all nodes [1/m] where the barycentric coordinates are `l` and their gradients `g`.
+/// Returns ∇N of all nodes [1/m] at the barycentric coordinates `l` with gradients `g`.
 template <int D>
 std::array<Vec<D>, Quadratic<D>::nodes> find_gradients(const std::array<double, D + 1>& l,
                                                        const std::array<Vec<D>, D + 1>& g) {
@@ -51,7 +52,7 @@ std::array<Vec<D>, Quadratic<D>::nodes> find_gradients(const std::array<double, 
   return r;
 }
 
-/// Gradients of the barycentric coordinates of the simplex with these corners, and its volume (negative: inverted).
+/// Computes the gradients of the barycentric coordinates of a simplex; returns its volume (negative: inverted).
 template <int D>
 double find_simplex(const std::array<Vec<D>, D + 1>& x, std::array<Vec<D>, D + 1>& g) {
   double volume;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The slip lines of a failed trial: the cheapest way through the mesh between the two places where the moving ground
-// of a side ends, where length costs less the more the soil is sheared; then drawn onto the ridge and smoothed.
+// The slip lines of a failed trial: the path of least cost through the mesh between the two ends of the moving ground
+// of a side, where the cost of a length decreases with the shear strain (T19.10); then moved onto the ridge of the
+// shear strain and smoothed.
 
 #include <algorithm>
 #include <cmath>
@@ -18,21 +19,21 @@ namespace {
 using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
-constexpr double moving_share = 0.4;    ///< of the largest displacement: the ground that moves
-constexpr double bridged = 4;           ///< elements along the ground that may rest at least between moving ground
-constexpr double steeper = 1.2;         ///< times the fall of the motion, for an end farther out
-constexpr double across_share = 0.25;   ///< of the largest displacement, for soil that moves to a side
-constexpr double band_quantile = 0.97;  ///< of the sheared area; more strain than there counts as much
-constexpr double least_share = 1e-3;    ///< of that strain, for soil that is hardly sheared
-constexpr double along_ground = 10;     ///< times the cost: the line must not run back along the surface
-constexpr int passes = 8;               ///< of drawing onto the ridge
-constexpr double reach = 1.5;           ///< of an element, to look for the ridge
+constexpr double moving_share = 0.4;    ///< fraction of the largest displacement: moving ground
+constexpr double bridged = 4;           ///< elements of resting ground that separate moving ground
+constexpr double steeper = 1.2;         ///< ratio of the gradients of displacement for an end farther out
+constexpr double across_share = 0.25;   ///< fraction of the largest displacement: motion to a side
+constexpr double band_quantile = 0.97;  ///< fraction of the area with strains below γ_c; larger strains count as γ_c
+constexpr double least_share = 1e-3;    ///< lower limit of γ/γ_c
+constexpr double along_ground = 10;     ///< factor of the cost on the ground, which keeps the line off it
+constexpr int passes = 8;               ///< iterations of the move onto the ridge
+constexpr double reach = 1.5;           ///< radius in elements within which the ridge is searched
 
 double find_distance(const Point& a, const Point& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/// √(2 e:e) of a strain with engineering shear components: the shear of simple shear.
+/// Returns √(2 e:e) of a strain with engineering shear components, which is γ in simple shear.
 double find_shear(const std::array<double, 6>& s) {
   const double m = (s[0] + s[1] + s[2]) / 3;
   return std::sqrt(2 * ((s[0] - m) * (s[0] - m) + (s[1] - m) * (s[1] - m) + (s[2] - m) * (s[2] - m)) + s[3] * s[3]);
@@ -71,7 +72,7 @@ class SlipLines {
  private:
   using Q = Quadratic<2>;
 
-  /// Shear strain at nodes and points, and the strain that counts as the band.
+  /// Computes the shear strain at nodes and integration points, and γ_c.
   void find_strains() {
     std::vector<double> weight(mesh_.nodes.size(), 0);
     strain_.assign(mesh_.nodes.size(), 0);
@@ -106,9 +107,9 @@ class SlipLines {
   const Vec<2>& displace(int n) const { return state_.displacement[static_cast<std::size_t>(n)]; }
   double find_motion(int n) const { return norm(displace(n)); }
 
-  /// The free surface: its nodes, and which follow one another.
+  /// Determines the nodes of the free surface and their neighbours along it.
   void chain_ground() {
-    std::map<std::array<int, 3>, int> uses;  // half edges: a < b, middle
+    std::map<std::array<int, 3>, int> uses;  // number of elements per half edge: a < b, middle
     for (const auto& element : mesh_.elements)
       for (std::size_t i = 0; i < Q::edges.size(); ++i) {
         const int a = element[Q::edges[i][0]], b = element[Q::edges[i][1]];
@@ -125,7 +126,7 @@ class SlipLines {
     }
   }
 
-  /// The node of the ground with the largest speed(n) above zero; -1 where there is none.
+  /// Returns the node of the ground with the largest positive speed(n); -1 if there is none.
   template <class Speed>
   int find_fastest(const Speed& speed) const {
     double most = 0;
@@ -138,7 +139,7 @@ class SlipLines {
     return fastest;
   }
 
-  /// Where soil that moves to smaller x and soil that moves to larger x part.
+  /// Returns the divide between soil that moves to smaller x and soil that moves to larger x.
   std::optional<mesh::Divide> find_sides(double threshold) const {
     std::vector<mesh::MovedSoil> soil;
     for (std::size_t k = 0; k < mesh_.elements.size(); ++k) {
@@ -154,11 +155,11 @@ class SlipLines {
 
   struct Step {
     int node;
-    double along;  ///< the ground, from where the walk began [m]
+    double along;  ///< distance along the ground from the start of the walk [m]
     double motion;
   };
 
-  /// The ground from a node on, in one of its two directions, to its end or to the first node that is not `own`.
+  /// Returns the ground from a node in one of its two directions, to its end or to the first node that is not `own`.
   template <class Is>
   std::vector<Step> walk(int from, std::size_t way, const Is& is_own) const {
     std::vector<Step> steps{{from, 0, find_motion(from)}};
@@ -175,7 +176,7 @@ class SlipLines {
     return steps;
   }
 
-  /// Motion at a place along the walk, linear between nodes.
+  /// Returns the displacement at a distance along the walk, linear between nodes.
   static double find_motion_at(const std::vector<Step>& steps, double along) {
     if (along <= 0) return steps.front().motion;
     for (std::size_t i = 1; i < steps.size(); ++i) {
@@ -186,13 +187,13 @@ class SlipLines {
     return steps.back().motion;
   }
 
-  /// How much the motion falls over an element on either side of a place.
+  /// Returns the decrease of the displacement over an element on either side of a place.
   double find_fall(const std::vector<Step>& steps, double along) const {
     return find_motion_at(steps, along - size_) - find_motion_at(steps, along + size_);
   }
 
-  /// Where the motion falls below moving_share of the fastest for good. A stretch that rests no longer than what moved
-  /// before it, as ground does below the centre of a rotation, is not the end.
+  /// Returns where the displacement falls below moving_share of the largest for good. A resting stretch no longer than
+  /// the moving one before it is not the end; it occurs below the centre of a rotation.
   std::size_t find_rest(const std::vector<Step>& steps) const {
     const double limit = moving_share * steps[0].motion;
     std::size_t still = 0;
@@ -206,7 +207,7 @@ class SlipLines {
     return still > 0 ? still : steps.size() - 1;
   }
 
-  /// The end of the moving ground: where it comes to rest against the fastest, or farther out where it falls more
+  /// Returns the end of the moving ground: where it comes to rest, or farther out where the displacement falls more
   /// steeply than there, as at the scarp of a head that moves less than the toe.
   int find_end(const std::vector<Step>& steps) const {
     const std::size_t rest = find_rest(steps);
@@ -224,8 +225,8 @@ class SlipLines {
     return steps[rest].node;
   }
 
-  /// Adds the line of the moving ground around a node, from its upper end, where there is one. `way`: that the soil
-  /// moves in; 0: towards the lower end.
+  /// Adds the line of the moving ground around a node, from its upper end, if there is one. `way`: direction of the
+  /// motion; 0: towards the lower end.
   template <class Is>
   void add_line(int from, int way, const Is& is_own, std::vector<SlipLine>& lines) {
     if (from < 0) return;
@@ -281,7 +282,7 @@ class SlipLines {
     return line;
   }
 
-  /// Points about an element apart.
+  /// Returns points about an element apart.
   Line resample(const Line& line) const {
     std::vector<double> along(1, 0);
     for (std::size_t i = 1; i < line.size(); ++i) along.push_back(along.back() + find_distance(line[i - 1], line[i]));
@@ -300,7 +301,7 @@ class SlipLines {
     return r;
   }
 
-  /// Moves the inner points across the line to the middle of the strain near them, and smooths.
+  /// Moves the inner points across the line to the centroid of the shear strain near them, and smooths.
   void draw_to_ridge(Line& line) const {
     const double radius = reach * size_;
     for (int pass = 0; pass < passes; ++pass) {
@@ -330,11 +331,11 @@ class SlipLines {
   const QuadraticMesh<2>& mesh_;
   const SolidState<2>& state_;
   std::vector<std::vector<Vec<2>>> held_;
-  std::vector<double> strain_, shear_;  ///< at nodes and at points
+  std::vector<double> strain_, shear_;  ///< at nodes and at integration points
   std::vector<char> ground_;
-  std::map<int, std::vector<int>> next_;  ///< along the ground
+  std::map<int, std::vector<int>> next_;  ///< neighbours along the ground
   std::array<int, 2> ends_{-1, -1};
-  std::vector<double> fastest_;  ///< of the lines: motion of the ground above
+  std::vector<double> fastest_;  ///< displacement of the ground above each line
   double cap_ = 0, size_ = 0;
 };
 

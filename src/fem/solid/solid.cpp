@@ -46,7 +46,7 @@ SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton,
     result.displacement_residual = out.displacement_residual;
     result.flows = out.flows;
     if (!out.converged) {
-      // soil that flows has met its limit, which a smaller step would only meet later
+      // flow means that the limit load is exceeded; a smaller step would only reach it later
       if (out.flows || halvings++ == options.most_halvings) break;
       step /= 2;
       continue;

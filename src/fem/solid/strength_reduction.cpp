@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its answer does
-// not depend on which others were tried before it.
+// Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its result does
+// not depend on the other trials.
 #include "fem/solid/strength_reduction.hpp"
 
 #include <fmt/format.h>
@@ -21,22 +21,22 @@ double find_seconds(Clock::time_point since) {
   return std::chrono::duration<double>(Clock::now() - since).count();
 }
 
-/// Where u(F) passes `limit`: linear in ln u between the trials on both sides, the first of which is the start, `base`,
-/// without displacement; 0 where it does not.
+/// Returns the F at which u(F) exceeds `limit`, linear in ln u between the two trials around it, the first of which may
+/// be the start `base` without displacement; 0 if it does not.
 double find_passing(const std::vector<ReductionTrial>& trials, double base, double limit) {
   double factor = base, low = std::log(1e-3 * limit);
   for (const auto& trial : trials) {
     const double high = std::log(std::max(trial.displacement, 1e-3 * limit));
     if (trial.displacement > limit)
       return factor + (trial.factor - factor) * std::clamp((std::log(limit) - low) / (high - low), 0.0, 1.0);
-    if (!trial.converged) return 0;  // it ran out of iterations before it had moved so far
+    if (!trial.converged) return 0;  // the iterations ran out before it had moved so far
     factor = trial.factor;
     low = high;
   }
   return 0;
 }
 
-/// 0 where every failed trial ran out of iterations.
+/// Returns the smallest factor that failed by flow; 0 if in every failed trial the iterations ran out.
 double find_flowing(const std::vector<ReductionTrial>& trials) {
   const auto first = std::find_if(trials.begin(), trials.end(), [](const auto& t) { return !t.converged && t.flows; });
   return first == trials.end() ? 0 : first->factor;
@@ -78,7 +78,7 @@ class Reduction {
   }
 
  private:
-  /// Equilibrium at full strength, or at the first of ever higher strengths that has one.
+  /// Computes the equilibrium at full strength, or at the first of successively doubled strengths that has one.
   void find_base() {
     double factor = 1;
     while (factor >= options_.smallest) {
@@ -99,7 +99,7 @@ class Reduction {
                             1 / options_.smallest));
   }
 
-  /// A stable factor below an unstable one, both by trials.
+  /// Searches a stable factor below a failed one, both confirmed by trials.
   void bracket() {
     low_ = result_.base_factor;
     if (unstable_ > 0) {
@@ -141,7 +141,7 @@ class Reduction {
         factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
-    if (!out.converged) {  // the last one to fail has the lowest factor
+    if (!out.converged) {  // the failed trials come in the order of decreasing factors
       result_.at_failure = std::move(end);
       result_.mechanism = newton_.last_motion();
     }
@@ -157,7 +157,7 @@ class Reduction {
   SolidSystem<D> system_;
   SolidNewton<D> newton_;
   double low_ = 0, high_ = 0;
-  double unstable_ = 0;  ///< lowest factor that loads alone did not come to rest with; 0: none
+  double unstable_ = 0;  ///< lowest factor at which the loads were not in equilibrium; 0: none
   ReductionResult<D> result_;
 };
 

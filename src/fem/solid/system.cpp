@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unknowns and pattern of the equations of equilibrium.
+// Unknowns, pattern and assembly of the equations of equilibrium.
 #include "fem/solid/system.hpp"
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace talus::fem {
 
-// Elements are computed in parallel, a batch at a time, and added in their order: the same bits for any number of
-// threads.
+// Assembly. Elements are computed in parallel in batches and added in their order, so that the sums are bitwise
+// identical for any number of threads.
 
 namespace {
 
 constexpr std::size_t elements_per_piece = 32;
 
-/// Shear components: which axes they are of, in the order of the stress.
+/// The two axes of each shear component, in the order of the stress.
 constexpr std::array<std::array<std::size_t, 2>, 3> shears{{{0, 1}, {1, 2}, {2, 0}}};
 
-/// Calls f(a, axis, strain, gradient component): B of node a, one entry at a time.
+/// Calls f(a, axis, strain, gradient component) for each entry of B of a node.
 template <int D, class F>
 void for_strain(const Vec<D>& g, F&& f) {
   for (std::size_t d = 0; d < D; ++d) f(d, d, g[d]);
@@ -121,7 +121,7 @@ void SolidAssembly<D>::evaluate_element(std::size_t k, const SolidState<D>& star
   if (system_.turned[k]) turn(k, with_matrix, sum);
 }
 
-/// From coordinate axes to those of the nodes.
+/// Transforms the sums of an element from coordinate axes to the axes of the nodes.
 template <int D>
 void SolidAssembly<D>::turn(std::size_t k, bool with_matrix, Element& sum) const {
   constexpr std::size_t n = Element::n;
@@ -241,11 +241,11 @@ template class SolidAssembly<3>;
 
 namespace {
 
-/// Fills the axes behind the held ones so that all are orthonormal.
+/// Completes the axes, of which the first ones are fixed, to an orthonormal basis.
 template <int D>
 void complete(std::vector<Vec<D>>& axes) {
   for (std::size_t d = 0; axes.size() < D && d < D; ++d) {
-    // of the coordinate axes the one that is least along those that are there
+    // the coordinate axis with the smallest component in the span of the given ones
     std::size_t best = 0;
     double least = 2;
     for (std::size_t c = 0; c < D; ++c) {
@@ -329,7 +329,7 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
   make_pattern();
 }
 
-/// Every unknown of an element meets every other.
+/// Builds the pattern of the matrix, in which all unknowns of an element are coupled.
 template <int D>
 void SolidSystem<D>::make_pattern() {
   const auto list_unknowns = [&](std::size_t k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The equations of equilibrium of a model: unknowns, loads, and the pattern of the matrix. Internal to fem/.
+// The equations of equilibrium of a model: unknowns, loads, pattern of the matrix, and assembly. Internal to fem/.
 
 #include <cstddef>
 
@@ -12,7 +12,7 @@ namespace talus::fem {
 /// The unknowns of a node: its displacement is Σ axes[k]·q[unknown[k]] over the free ones.
 template <int D>
 struct NodeUnknowns {
-  std::array<int, D> unknown;  ///< -1: held, or a node without soil
+  std::array<int, D> unknown;  ///< -1: fixed, or a node without soil
   std::array<Vec<D>, D> axes;  ///< orthonormal; the coordinate axes unless `turned`
   bool turned = false;
 };
@@ -20,9 +20,10 @@ struct NodeUnknowns {
 template <int D>
 struct SolidSystem {
   using Q = Quadratic<D>;
-  static constexpr std::size_t locals = Q::nodes * D;  ///< freedoms of an element
+  static constexpr std::size_t locals = Q::nodes * D;  ///< degrees of freedom of an element
 
-  /// Throws Error (wrong_input) when the model cannot be: no soil, an inverted element, a load on no soil, no support.
+  /// Throws Error (wrong_input) for a model without soil or support, with an inverted element, or with a load on no
+  /// soil.
   explicit SolidSystem(const SolidModel<D>& model);
 
   const SolidModel<D>& model;
@@ -33,13 +34,13 @@ struct SolidSystem {
   std::vector<std::array<double, Q::points>> pore;   ///< χ p at the integration points [Pa]
   std::vector<double> load;                          ///< f_ext, per unknown [N]
   std::vector<int> column_start, row;
-  std::vector<std::array<int, locals * locals>> slots;  ///< of an element's matrix in the whole one; -1: held
-  std::vector<char> turned;                             ///< per element: a node of it is
+  std::vector<std::array<int, locals * locals>> slots;  ///< index of each entry in the global matrix; -1: fixed
+  std::vector<char> turned;                             ///< per element: one of its nodes has turned axes
 
   int region(std::size_t k) const {
     return model.mesh->element_region[static_cast<std::size_t>(mesh.linear_element[k])];
   }
-  /// Displacements per node from the unknowns, and the unknowns' part of nodal vectors.
+  /// Convert displacements from unknowns to nodes, and nodal vectors to unknowns.
   void to_nodes(const std::vector<double>& q, std::vector<Vec<D>>& u) const;
   void to_unknowns(const std::vector<Vec<D>>& f, std::vector<double>& q) const;
 
@@ -47,36 +48,36 @@ struct SolidSystem {
   void make_pattern();
 };
 
-/// Per node of the quadratic mesh the directions that supports hold, orthonormal.
+/// Returns the fixed directions of each node of the quadratic mesh, orthonormal.
 template <int D>
 std::vector<std::vector<Vec<D>>> find_held_directions(const SolidModel<D>& model, const QuadraticMesh<D>& mesh);
 
-/// Nodal forces of weight and surface loads [N].
+/// Returns the nodal forces of weight and surface loads [N].
 template <int D>
 std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D>& mesh);
 
-/// The middles of edges: for two corners the node between them, -1 where no soil has that edge.
+/// Look-up of mid-side nodes: for two corners the node between them, -1 if no soil has that edge.
 template <int D>
 class EdgeMiddles {
  public:
   explicit EdgeMiddles(const QuadraticMesh<D>& mesh);
   int find(int a, int b) const;
-  /// The nodes of a side of the linear mesh: its corners, and the middles of its edges (0-1; in 3D 0-1, 1-2, 2-0).
-  /// Empty where no soil has that side.
+  /// Returns the nodes of a side of the linear mesh: its corners, and the middles of its edges (0-1; in 3D 0-1, 1-2,
+  /// 2-0). Empty if no soil has that side.
   std::vector<int> find_side(const std::array<int, D>& side) const;
 
  private:
-  std::vector<std::array<int, 3>> edges_;  ///< a < b, middle; sorted
+  std::vector<std::array<int, 3>> edges_;  ///< (a, b, middle) with a < b; sorted
 };
 
-// Sums over the elements: internal forces and tangents. Internal to fem/.
+// Sums over the elements: internal forces and tangent. Internal to fem/.
 
-/// What the elements add up to.
+/// Sums over the elements.
 struct SolidSums {
   std::vector<double> force;   ///< f_int per unknown [N]
-  std::vector<double> matrix;  ///< ∂f_int/∂q in the pattern of the system, where asked for
+  std::vector<double> matrix;  ///< ∂f_int/∂q in the pattern of the system, if requested
   bool symmetric = true;       ///< of the matrix
-  int yielding = 0;            ///< integration points
+  int yielding = 0;            ///< number of yielding integration points
 };
 
 template <int D>
@@ -84,20 +85,20 @@ class SolidAssembly {
  public:
   static constexpr int strains = static_cast<int>(Quadratic<D>::strains);
 
-  /// `laws` by region.
+  /// `laws` per region.
   SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads);
 
-  /// State variables per point.
+  /// Number of state variables per point.
   int state_size() const { return state_size_; }
-  /// A state that nothing has happened to: the model's initial stress and state.
+  /// Returns the initial state: stress and state variables of the model.
   SolidState<D> make_start() const;
 
-  /// Stress and state in `end` after the displacement `u` (per node) since `start`, and the sums.
+  /// Computes stress and state in `end` after the displacement `u` (per node) since `start`, and the sums.
   void evaluate(const SolidState<D>& start, const std::vector<Vec<D>>& u, bool with_matrix, SolidState<D>& end,
                 SolidSums& sums) const;
-  /// The matrix of elasticity at a state.
+  /// Computes the elastic stiffness matrix at a state.
   void find_elastic_matrix(const SolidState<D>& at, std::vector<double>& matrix) const;
-  /// Throws what an external model could not do.
+  /// Throws Error (unstable) if an external model reported a failure.
   void throw_failure() const;
 
  private:
