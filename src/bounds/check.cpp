@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both checks: from nodes, stresses and velocities alone.
+// Verification of stress and velocity fields, from nodes, stresses and velocities alone.
 #include "bounds/check.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::map<EdgeKey, std::size_t> index_sides(const Problem& problem) {
 StaticCheck check(const Problem& problem, const StressField& field) {
   const Units units = find_units(problem);
   StaticCheck found{std::numeric_limits<double>::infinity(), 0, false};
-  // A number that is none is no proof: it is told as infinite, and comparisons with it are written so that they fail.
+  // NaN proves nothing: it is reported as infinity, and comparisons are written so that they fail for NaN.
   auto note = [&](double imbalance) {
     found.imbalance = std::isnan(imbalance) ? std::numeric_limits<double>::infinity()
                                             : std::max(found.imbalance, std::abs(imbalance));
@@ -47,7 +47,7 @@ StaticCheck check(const Problem& problem, const StressField& field) {
   const auto node = [&](int n) -> const Vec<2>& { return problem.nodes[static_cast<std::size_t>(n)]; };
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const Triangle& t = problem.triangles[e];
-    // The gradient of a linear field by the differences along two edges.
+    // Gradient of a linear field from the differences along two edges.
     const Vec<2>&a = node(t[0]), &b = node(t[1]), &c = node(t[2]);
     const double x1 = b[0] - a[0], y1 = b[1] - a[1], x2 = c[0] - a[0], y2 = c[1] - a[1], twice = x1 * y2 - x2 * y1;
     auto total = [&](std::size_t i, std::size_t d) {
@@ -95,7 +95,7 @@ StaticCheck check(const Problem& problem, const StressField& field) {
 
 namespace {
 
-/// Sums over triangles and sides; then the flow rule.
+/// Sums work over triangles and sides, and then evaluates flow rule and dissipation.
 class KinematicSum {
  public:
   KinematicSum(const Problem& problem, const VelocityField& field) : problem_(problem), field_(field) {}
@@ -107,14 +107,15 @@ class KinematicSum {
   }
 
  private:
-  /// A corner of a triangle.
+  /// Strain rates and strength at a corner of a triangle.
   struct Corner {
     double weight = 0;   ///< a third of the area [m²]
     double opening = 0;  ///< ε_v
     double shear = 0;    ///< √((ε_x − ε_y)² + γ²)
     double tan_friction = 0;
-    /// Three times the mean of the strength times the corner's shape function: strength and the dissipation of a unit
-    /// of it are both linear in the triangle, or below that [Pa].
+    /// Three times the mean over the triangle of the cohesion times the shape function of this corner [Pa]. The
+    /// dissipation per unit of strength is convex and the strength linear, so that the sum over corners is an upper
+    /// bound.
     double cohesion = 0;
     std::optional<double> tension;
   };
@@ -143,7 +144,8 @@ class KinematicSum {
       corners_.push_back(corner);
       largest_ = std::max({largest_, std::abs(opening[i]), shear});
     }
-    // ∫ p div u of two linear fields, and ∫ b·u: a parabola's integral is that of its middles.
+    // ∫ p div u of two linear fields, and ∫ b·u, where the integral of a quadratic field follows from the middles of
+    // the edges.
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j)
         found_.work += area * (i == j ? 2 : 1) / 12 * problem_.pore_pressure[e][i] * opening[j];
@@ -151,8 +153,8 @@ class KinematicSum {
     }
   }
 
-  /// Gradients of both components of the velocity at corner i: along its edges the derivative of a parabola is −3 u + 4
-  /// u_middle − u_end.
+  /// Returns the gradients of both velocity components at corner i. The derivative of a quadratic along an edge is −3 u
+  /// + 4 u_middle − u_end.
   std::array<Vec<2>, 2> find_slopes(const std::array<int, 6>& t, std::size_t i) const {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const Vec<2>&at = get_node(t[i]), &to = get_node(t[j]), &other = get_node(t[k]);
@@ -173,14 +175,14 @@ class KinematicSum {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto& t = field_.mesh.triangles[e];
         const auto [at, is_new] = middles.try_emplace(make_key(t[i], t[(i + 1) % 3]), t[3 + i]);
-        // Both triangles of an edge move it by the same three nodes.
+        // The velocity is continuous if both triangles of an edge have the same three nodes.
         if (t[i] != problem_.triangles[e][i] || (!is_new && at->second != t[3 + i])) is_continuous_ = false;
       }
     for (const Side& s : problem_.sides) {
       const Vec<2>&a = get_node(s.from), &b = get_node(s.to), along = find_direction(a, b), n{along[1], -along[0]};
       const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
       const std::array<int, 3> nodes{s.from, middles.at(make_key(s.from, s.to)), s.to};
-      // Simpson's rule is exact for a parabola times a line.
+      // Simpson's rule is exact for a quadratic times a linear function.
       const std::array<double, 3> simpson{length / 6, 4 * length / 6, length / 6};
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec<2>& v = get_velocity(nodes[k]);
@@ -195,7 +197,7 @@ class KinematicSum {
     }
   }
 
-  /// Whether the flow rule of the factor holds at every corner.
+  /// Returns true if the flow rule for this factor is satisfied at every corner.
   bool flows(double factor) const {
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
       const double sine = c.tan_friction / std::hypot(factor, c.tan_friction);
@@ -204,8 +206,8 @@ class KinematicSum {
     });
   }
 
-  /// With strengths divided by the factor. Of a strain rate in soil with a largest tension as much as may be opens a
-  /// crack, across which the soil bears that tension; the rest flows as Mohr and Coulomb have it.
+  /// Returns the dissipation with the strengths divided by the factor. In soil with a tension cut-off, as much of the
+  /// strain rate as possible opens a crack at that tension; the rest follows Mohr–Coulomb's flow rule.
   double find_dissipation(double factor) const {
     double sum = 0;
     for (const Corner& c : corners_) {
@@ -217,9 +219,10 @@ class KinematicSum {
     return sum;
   }
 
-  /// Flow rule and dissipation only become easier with the factor: the least factor by halving, and its upper end.
+  /// Bisects for the smallest factor at which the flow rule holds and the work exceeds the dissipation (both are
+  /// monotonic in the factor), and returns the upper end of the bracket.
   KinematicCheck judge() {
-    // A rigid triangle has what rounding leaves of its strain rates, which are none.
+    // The strain rates of a rigid triangle are rounding errors and are set to zero.
     for (Corner& c : corners_)
       if (std::max(std::abs(c.opening), c.shear) < no_rate * largest_) c.opening = c.shear = 0;
     double fastest = 0;
@@ -242,7 +245,7 @@ class KinematicSum {
     return found_;
   }
 
-  /// Of the largest strain rate; what sums of a few products leave.
+  /// Rounding limits of sums of a few products, over the largest strain rate.
   static constexpr double no_opening = 1e-11, no_rate = 1e-13;
   static constexpr double smallest_factor = 1e-6, largest_factor = 1e6;
   const Problem& problem_;

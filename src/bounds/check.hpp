@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a field proves, by itself: nothing here knows how it was found.
+// Verification of the fields of both bounds: the factor that a given field proves, whatever the solver it came from.
 
 #include "bounds/problem.hpp"
 #include "bounds/velocities.hpp"
@@ -9,44 +9,45 @@ namespace talus::bounds {
 
 // The fields of both bounds.
 
-/// Effective stress at the corners of the triangles.
+/// Effective stress at the corners of the triangles, linear between them.
 struct StressField {
   std::vector<std::array<Stress, 3>> stress;  ///< [Pa]
 };
 
-/// Velocities at the nodes of the six-node triangles, of any size.
+/// Velocities at the nodes of the six-node triangles, in arbitrary units.
 struct VelocityField {
   Velocities mesh;
   std::vector<Vec<2>> velocity;
 };
 
-/// What rounding may leave of equilibrium, in units of stress.
+/// Rounding error allowed in equilibrium, in units of stress.
 inline constexpr double rounding = 1e-8;
 
-/// Cohesion or largest tension that soil is taken to have where it is given less, in units of stress: at a free surface
-/// soil without them bears no stress at all, and a field may only be so near to none.
+/// Smallest cohesion and tensile strength that soil is given, in units of stress. At a free surface, soil without them
+/// bears no stress at all, which a computed field can only approximate.
 inline constexpr double least_strength = 1e-6;
 
 struct StaticCheck {
-  double factor = 0;  ///< strengths divided by it hold the field everywhere
+  double factor = 0;  ///< the field is admissible everywhere with the strengths divided by it
   double imbalance =
       0;  ///< largest: force per volume inside (times the extent), traction across edges and on the border [Pa]
-  bool holds = false;  ///< imbalance is rounding
+  bool holds = false;  ///< the imbalance is within rounding
 };
 
-/// Divergence, tractions on both sides of every edge and on the border, and the least factor of all corners. The
-/// criterion is convex, so what holds at the corners holds everywhere between them.
+/// Checks a stress field: divergence, tractions on both sides of every edge and on the border; and computes the
+/// smallest factor of all corners (T21.3). The criterion is convex, so that it holds between the corners if it holds
+/// there.
 StaticCheck check(const Problem& problem, const StressField& field);
 
 struct KinematicCheck {
-  double factor = 0;  ///< at this one, and above, the loads do more work than the soil can take up; infinite: for none
-  double work = 0;    ///< of weights, loads and pore pressures [W/m per unit of velocity]
-  double dissipation = 0;  ///< with strengths divided by the factor
-  bool holds = false;      ///< the field is continuous, supports are held, and there is such a factor
+  double factor = 0;       ///< at this factor and above the loads do more work than the dissipation; infinity: none
+  double work = 0;         ///< of weights, loads and pore pressures [W/m per unit of velocity]
+  double dissipation = 0;  ///< with the strengths divided by the factor
+  bool holds = false;      ///< the field is continuous, satisfies the supports, and has a finite factor
 };
 
-/// Strain rates at the corners, linear between them; the flow rule there; work exactly; dissipation, which is convex,
-/// by corners, so not less than it is.
+/// Checks a velocity field: flow rule at the corners, between which strain rates are linear, and exact work. The
+/// dissipation is summed over the corners; as it is convex, the sum is not below the exact one.
 KinematicCheck check(const Problem& problem, const VelocityField& field);
 
 }  // namespace talus::bounds

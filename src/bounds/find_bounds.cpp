@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both bounds on one mesh after another.
+// Search for the factors of both bounds on a sequence of refined meshes.
 #include "bounds/find_bounds.hpp"
 
 #include <fmt/format.h>
@@ -18,11 +18,12 @@
 
 namespace talus::bounds {
 
-// The lack grows with the factor, and its derivative is known: Newton's method, kept between what is known already.
+// Newton's method for m(F) = 0 (T21.2). The lacking cohesion m grows with the factor and its derivative is known; the
+// steps are kept inside the bracket of stable and failed factors.
 
 namespace {
 
-/// Lack that the tolerance of the solver cannot tell from none, in units of stress.
+/// Lacking cohesion that counts as zero within the tolerance of the solver, in units of stress.
 constexpr double no_lack = 2e-6;
 constexpr int most_trials = 40;
 
@@ -43,13 +44,13 @@ bool FactorSearch::try_factor(double factor) {
                : "the solver of the cone programs stopped: " + trial.solution.why;
     return false;
   }
-  // Between the two nothing is decided: what is computed is neither a field nor a lack of one.
+  // In between the trial is undecided: it proves neither stability nor failure.
   const bool falls = trial.lack > no_lack + trial.doubt;
   const bool stands = trial.lack + trial.doubt <= no_lack || trial.lack + trial.doubt < 0;
   if (stands) stood_ = std::max(stood_.value_or(0), factor);
   if (falls) fell_ = std::min(fell_.value_or(factor), factor);
   is_undecided_ = !stands && !falls;
-  // Without cohesion nothing lacks below the root, and only what fell points at it.
+  // Without cohesion the lack is zero at every factor below the root, and only failed trials indicate its position.
   if (std::abs(trial.lack) > no_lack + trial.doubt && trial.rate > 0) root_ = factor - trial.lack / trial.rate;
   if (root_ && stood_ && *root_ < *stood_) root_ = stood_;
   if (root_ && fell_ && *root_ > *fell_) root_ = fell_;
@@ -68,7 +69,8 @@ bool FactorSearch::approach(double start, double tolerance) {
       if (std::abs(*root_ - factor) <= tolerance * factor) return true;
       next = *root_;
     }
-    // Newton's steps are long where the lack bends; between what stood and what fell they go half-way instead.
+    // Newton's steps are too long where m(F) is strongly curved; a step out of the bracket is replaced by its geometric
+    // mean.
     if (stood_ && fell_ && (next <= *stood_ || next >= *fell_)) next = std::sqrt(*stood_ * *fell_);
     next = std::clamp(next, range_.smallest, range_.largest);
     if (next == factor) break;
@@ -88,24 +90,25 @@ bool FactorSearch::approach(double start, double tolerance) {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-/// How near the first mesh comes to its root, of the factor.
+/// Relative tolerance of the root on the first mesh.
 constexpr double rough = 5e-3;
-/// How near later meshes come before the last one, of the factor: usually one trial each, so that the bound follows one
-/// mesh behind.
+/// Relative tolerance on later meshes before the last one: usually one trial each, so that the bound lags one mesh
+/// behind.
 constexpr double loose = 0.1;
-/// The trials that are to prove lie so far outside the root, of the factor; further after each that did not.
+/// Relative distances outside the root of the trials that are to prove the bound, increasing after each one that does
+/// not.
 constexpr double proofs[] = {5e-5, 2e-4, 8e-4, 3.2e-3};
-/// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
-/// flows, the flow rule of a factor larger by that share holds.
+/// Margin by which the strain rates of a mechanism stay inside the flow rule, as multipliers of the program; and the
+/// relative increase of the factor for which the flow rule is satisfied.
 constexpr double room_of_rates = 1e-8, flow_room = 2e-5;
-/// Triangles around a corner of the border are no wider [rad].
+/// Largest angle of a triangle at a corner of the border [rad].
 constexpr double widest_fan = 0.2;
-/// Of the gap, in the triangles that are made finer; and of the triangles, which they are at least.
+/// Fraction of the gap in the triangles that are refined, and the smallest fraction of triangles that are refined.
 constexpr double refined_share = 0.65, fewest_refined = 0.1;
 
-/// What each triangle contributes to the gap: the strain rates of one field times the strength that the other leaves
-/// there. The other way round, too: where the lower bound alone has found what fails first, nothing moves yet in the
-/// upper one.
+/// Returns the contribution of each triangle to the gap: the strain rates of the mechanism times the strength that the
+/// stress field leaves there. The product with exchanged roles is added, since the lower bound alone may have found the
+/// critical mechanism, where the upper one has no motion yet.
 std::vector<double> find_contributions(const Problem& problem, const ConicSolution& holding,
                                        const ConicSolution& moving) {
   std::vector<double> part(problem.size(), 0);
@@ -120,7 +123,7 @@ std::vector<double> find_contributions(const Problem& problem, const ConicSoluti
   return part;
 }
 
-/// The fewest triangles that make the share of the gap, but no fewer than are worth a new mesh.
+/// Marks the fewest triangles that contribute refined_share of the gap, but at least fewest_refined of all.
 std::vector<bool> mark(const std::vector<double>& parts) {
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -173,7 +176,7 @@ class BoundsSearch {
             fmt::format("the fields of {} meshes prove a wider interval than their programs have", unproven);
         break;
       }
-      // The meshes are nested: what a coarser one has proven, a finer one has too, however far Newton's step goes.
+      // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       tolerance = loose;
       opening_.forget();
@@ -186,7 +189,7 @@ class BoundsSearch {
   }
 
  private:
-  /// The programs of one bound share nothing with those of the other but the problem, which they read.
+  /// Runs the programs of both bounds in parallel; they only read the common problem.
   template <class Lower, class Upper>
   void run_both(Lower lower, Upper upper) const {
     parallel_tasks(2, options_.threads, [&](int i) {
@@ -203,11 +206,11 @@ class BoundsSearch {
   }
 
   Trial solve_program(Bound bound, double factor) {
-    // The lack is needed to a share of the unit of stress, not of itself: it is near zero.
+    // The tolerance of the lack refers to the unit of stress and not to the lack itself, which is near zero.
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
     ConicProgram program = make_program(result_.problem, bound, factor, units_);
-    // The solver measures in the largest entry of the right side, which a strong soil makes larger than the loads.
+    // The solver's tolerance refers to the largest entry of the right side, which in strong soil exceeds the loads.
     double largest = 1;
     for (const double b : program.right) largest = std::max(largest, std::abs(b));
     options.tolerance /= largest;
@@ -222,14 +225,14 @@ class BoundsSearch {
     return trial;
   }
 
-  /// Without cohesion a stress field at the root of the last mesh says nothing of the next: one at the other bound's
-  /// root falls.
+  /// Starts the lower bound on a refined mesh. Without cohesion a stress field at the root of the last mesh gives no
+  /// information on the new root; a trial at the root of the upper bound does, since it fails.
   static bool approach(FactorSearch& holding, double low, double high, double tolerance) {
     return tolerance < 1 ? holding.approach(low, tolerance)
                          : holding.try_factor(low) && (holding.has_root() || holding.approach(high, tolerance));
   }
 
-  /// Trials just outside the root, until one proves.
+  /// Runs trials just outside the root until one proves the bound.
   void finish(FactorSearch& search, Bound bound) {
     for (const double outside : proofs) {
       const double aim = search.root() * (bound == Bound::lower ? 1 - outside : 1 + outside);
@@ -238,11 +241,11 @@ class BoundsSearch {
                                      : result_.upper <= aim + 2 * outside * aim;
       };
       if (is_near()) return;
-      search.try_factor(aim);  // where the solver stops, the next one is further from the degenerate root
+      search.try_factor(aim);  // if the solver stalls, the next trial is further from the degenerate root
     }
   }
 
-  /// A bound of an earlier mesh stays one where the search stopped on a later mesh.
+  /// Keeps the bound of an earlier mesh if the search stopped on a later one.
   void mark_end() {
     if (result_.lower > 0) result_.stopped = std::exchange(result_.no_lower, "");
     if (!std::isfinite(result_.upper)) return;
@@ -250,9 +253,9 @@ class BoundsSearch {
     result_.no_upper.clear();
   }
 
-  /// Two proofs that contradict each other are none, and nobody is to read them as such.
+  /// Withdraws both bounds if they contradict each other.
   void refuse_contradiction() {
-    constexpr double least_strengths = 1e-3;  ///< what soil that is taken to have a little strength may differ
+    constexpr double least_strengths = 1e-3;  ///< tolerance for soil that was given the least strength
     if (result_.lower <= result_.upper * (1 + least_strengths)) return;
     result_.no_lower = result_.no_upper =
         "the two bounds contradict each other, which is a fault of the program; please report it with the case";
@@ -264,7 +267,8 @@ class BoundsSearch {
            2 * (result_.upper - result_.lower) <= options_.gap * (result_.upper + result_.lower);
   }
 
-  /// Only what the checks of the fields say counts. The bounds of coarser meshes stay bounds.
+  /// Records the factor that the check of the field proves, if it narrows the interval. The bounds of coarser meshes
+  /// remain valid.
   void prove(Bound bound, const Trial& trial) {
     const Problem& problem = result_.problem;
     if (bound == Bound::lower) {
@@ -295,7 +299,7 @@ class BoundsSearch {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   BoundsResult result_;
   Units units_;
-  OpeningSearch opening_;  ///< of the mesh
+  OpeningSearch opening_;  ///< of the current mesh
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The interval that holds the factor of safety: both programs, on meshes that become finer where the gap is.
+// The interval of the factor of safety by limit analysis: both programs, on meshes that are refined where the gap is.
 
 #include <functional>
 #include <limits>
@@ -12,32 +12,33 @@
 
 namespace talus::bounds {
 
-// The factor at which the least lacking cohesion is zero, on one mesh.
+// The root of the least lacking cohesion m(F) on one mesh (T21.2).
 
-/// A factor that was tried.
+/// Result of one factor.
 struct Trial {
   double factor = 0;
   double lack = 0;   ///< least m [units of stress]
-  double doubt = 0;  ///< what the solver leaves between the bounds of the least m [units of stress]
-  double rate = 0;   ///< its derivative by the factor
+  double doubt = 0;  ///< difference of the primal and the dual value of m [units of stress]
+  double rate = 0;   ///< dm/dF
   ConicSolution solution;
 };
 
-/// Range in which factors are looked for.
+/// Range of the factors that are searched.
 struct FactorRange {
   double smallest = 0.05, largest = 20;
 };
 
 class FactorSearch {
  public:
-  /// `solve`: ends with end == solved, or the search ends with its sentence.
+  /// `solve` computes the trial of a factor. If its program is not solved, the search ends and why() gives the reason.
   using Solve = std::function<Trial(double)>;
   FactorSearch(const FactorRange& range, Solve solve) : range_(range), solve_(std::move(solve)) {}
 
-  /// Newton's method between the factors that stood and those that fell, until the last trial is no further from the
-  /// root than `tolerance` of it. False with why() when there is no root in the range, or a program has no solution.
+  /// Searches the root by Newton's method between the stable and the failed factors, until the last trial is within
+  /// `tolerance` (relative) of it. Returns false, with why(), if there is no root in the range or a program has no
+  /// solution.
   bool approach(double start, double tolerance);
-  /// One trial.
+  /// Evaluates one factor.
   bool try_factor(double factor);
 
   bool has_root() const { return root_.has_value(); }
@@ -52,37 +53,38 @@ class FactorSearch {
   Solve solve_;
   std::optional<Trial> last_;
   std::optional<double> stood_, fell_, root_;
-  bool is_undecided_ = false;  ///< the last trial
+  bool is_undecided_ = false;  ///< of the last trial
   std::string why_;
   int programs_ = 0, iterations_ = 0;
 };
 
 struct BoundsOptions {
-  double gap = 0;          ///< of the interval over its middle, at which the meshes end
-  int most_triangles = 0;  ///< a mesh with as many is the last
-  double start = 1;        ///< a factor to begin with
-  /// Meshes on which the programs come within the gap but their fields prove a wider interval, before the search stops.
+  double gap = 0;          ///< width of the interval over its middle at which the refinement ends
+  int most_triangles = 0;  ///< a mesh with as many triangles is the last one
+  double start = 1;        ///< first factor
+  /// Number of meshes whose programs reach the gap but whose fields prove a wider interval, after which the search
+  /// stops.
   int most_unproven = std::numeric_limits<int>::max();
-  int threads = 1;  ///< 2: both programs of a mesh at once
+  int threads = 1;  ///< 2: both programs of a mesh in parallel
   FactorRange range;
 };
 
-/// One mesh.
+/// Results on one mesh.
 struct BoundsLevel {
   int triangles = 0;
   double lower = 0, upper = 0;  ///< proven
   int programs = 0, iterations = 0;
-  double seconds = 0;  ///< since the beginning
+  double seconds = 0;  ///< since the start
 };
 
 struct BoundsResult {
-  /// Largest factor of a field that holds, smallest factor of one that moves: of all meshes. 0 and infinite where none
-  /// was found.
+  /// Largest factor proven by a stress field and smallest one proven by a mechanism, of all meshes; 0 and infinity if
+  /// there is none.
   double lower = 0, upper = 0;
-  std::string no_lower, no_upper;  ///< why there is none; empty where there is one
-  std::string stopped;             ///< why no finer mesh followed, but the gap or the size; empty else
+  std::string no_lower, no_upper;  ///< reason why there is none; empty where there is one
+  std::string stopped;             ///< reason why no finer mesh followed, other than gap or size; else empty
   Problem problem;                 ///< the finest mesh
-  /// The fields that prove, with the meshes they are on.
+  /// The fields that prove the bounds, with their meshes.
   Problem stress_problem, velocity_problem;
   StressField stress;
   VelocityField velocity;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Units of the programs of limit analysis.
 #include "bounds/problem.hpp"
 
 #include <algorithm>

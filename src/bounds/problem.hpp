@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A section as limit analysis sees it: triangles with strength, weight, pore pressures, loads and supports. Plane
-// strain; lengths in metres, x to the right, y up. Stress is positive in tension: xx, yy, xy. Pore pressure is positive
-// in compression.
+// The section of limit analysis: triangles with strength, weight, pore pressures, loads and supports, in plane strain.
+// Lengths are in metres, x to the right, y up. Stress is positive in tension: xx, yy, xy. Pore pressure is positive in
+// compression.
 
 #include <algorithm>
 #include <array>
@@ -17,21 +17,21 @@
 namespace talus::bounds {
 
 using Triangle = std::array<int, 3>;
-/// xx, yy, xy [Pa]
+/// Components xx, yy, xy [Pa].
 using Stress = std::array<double, 3>;
 
-/// Of the soil at a corner of a triangle: |t| ≤ c − σ' tan φ on every plane, and no effective tension above `tension`.
+/// Strength at a corner of a triangle: |τ| ≤ c − σ' tan φ on every plane, and no effective tension above `tension`.
 struct Strength {
   double cohesion = 0;            ///< c [Pa]
   double tan_friction = 0;        ///< tan φ
-  std::optional<double> tension;  ///< largest effective tension, divided as c and tan φ are [Pa]
+  std::optional<double> tension;  ///< largest effective tension, divided by F like c and tan φ [Pa]
 };
 
 /// An edge of the border of the soil.
 struct Side {
   int from = 0, to = 0;  ///< its nodes
   bool holds_normal = false, holds_along = false;
-  std::array<Vec<2>, 2> traction{};  ///< on the mixture, at `from` and `to` [Pa]; taken where it is not held
+  std::array<Vec<2>, 2> traction{};  ///< total, at `from` and `to` [Pa]; used in free directions
 };
 
 struct Problem {
@@ -39,14 +39,14 @@ struct Problem {
   std::vector<Triangle> triangles;                   ///< counterclockwise
   std::vector<int> region;                           ///< of each triangle
   std::vector<std::array<Strength, 3>> strength;     ///< at its corners, linear between them
-  std::vector<Vec<2>> body_force;                    ///< of each triangle, with its water [N/m³]
+  std::vector<Vec<2>> body_force;                    ///< of each triangle, with its pore water [N/m³]
   std::vector<std::array<double, 3>> pore_pressure;  ///< at its corners, linear between them [Pa]
-  std::vector<Side> sides;                           ///< all of the border; a side that is not named is free
+  std::vector<Side> sides;                           ///< of the border; a side that is not listed is free
 
   std::size_t size() const { return triangles.size(); }
 };
 
-/// Twice the area, and the gradients of the three corners' shape functions [1/m].
+/// Area, and gradients of the shape functions of the three corners [1/m].
 struct Shape {
   double area = 0;
   std::array<Vec<2>, 3> gradient{};
@@ -65,7 +65,8 @@ inline Shape find_shape(const Problem& problem, std::size_t e) {
   return shape;
 }
 
-/// Gradients of the six quadratic shape functions (corners, then middles of 0–1, 1–2, 2–0) at corner c [1/m].
+/// Returns the gradients of the six quadratic shape functions (corners, then middles of 0–1, 1–2, 2–0) at corner c
+/// [1/m].
 inline std::array<Vec<2>, 6> find_quadratic_gradients(const Shape& shape, std::size_t c) {
   std::array<Vec<2>, 6> g{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -83,13 +84,13 @@ struct Units {
   double stress = 1;  ///< [Pa]
 };
 
-/// Numbers of about one: the height of the section, and the largest weight over it or load.
+/// Returns the units that make the numbers of a program about one: the height of the section, and the largest load or
+/// overburden.
 Units find_units(const Problem& problem);
 
-// Mohr–Coulomb's criterion in plane strain with the strength divided by F, and the F that a stress or a strain rate
-// allows.
+// Mohr–Coulomb's criterion in plane strain with the strength divided by F (T21.1), and the F that a stress allows.
 
-/// Half the difference of the principal stresses, R, and their mean.
+/// Radius R and centre σ_m of Mohr's circle.
 struct Circle {
   double radius = 0, mean = 0;
 };
@@ -98,12 +99,12 @@ inline Circle find_circle(const Stress& s) {
   return {std::hypot(0.5 * (s[0] - s[1]), s[2]), 0.5 * (s[0] + s[1])};
 }
 
-/// Divided strength in the program of the lower bound is at most so many units of stress: a block of steel beside soil
-/// without cohesion would leave the soil below the tolerance of the solver. A field that holds in weaker soil holds in
-/// stronger soil too.
+/// Upper limit of the divided strength in the program of the lower bound, in units of stress: a block of steel beside
+/// soil without cohesion would leave the soil below the tolerance of the solver. The limit is safe, as a field that is
+/// admissible in weaker soil is so in stronger soil too.
 inline constexpr double most_strength = 30;
-/// Soil of a triangle with more cohesion, in units of stress, moves as a rigid body in the upper bound: fewer motions
-/// give no smaller upper bound.
+/// Cohesion, in units of stress, above which the soil of a triangle moves as a rigid body in the upper bound. The limit
+/// is safe, as a restriction of the velocities does not lower the upper bound.
 inline constexpr double rigid_strength = 100;
 
 inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units) {
@@ -113,8 +114,8 @@ inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units)
   });
 }
 
-/// The largest F with R cos φ_F-criterion fulfilled: R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is
-/// F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ; and R + σ'_m ≤ tension/F. 0 where no F is small enough, infinite without shear.
+/// Returns the largest F with R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ
+/// (T21.3), and R + σ'_m ≤ tension/F; 0 if no F is small enough, infinity without shear.
 inline double find_factor(const Strength& soil, const Stress& effective) {
   const Circle circle = find_circle(effective);
   constexpr double any = std::numeric_limits<double>::infinity();
@@ -134,19 +135,19 @@ inline double find_factor(const Strength& soil, const Stress& effective) {
 
 // Edges of a triangulation, with the triangles on both sides.
 
-/// An edge by its corners, the smaller number first.
+/// An edge by its two nodes, the smaller number first.
 using EdgeKey = std::pair<int, int>;
 inline EdgeKey make_key(int a, int b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
 struct Edge {
-  int from = 0, to = 0;        ///< counterclockwise of `triangle`
-  int triangle = 0, side = 0;  ///< its side from corner `side` to the next
+  int from = 0, to = 0;        ///< its nodes, counterclockwise in `triangle`
+  int triangle = 0, side = 0;  ///< the edge runs from corner `side` of `triangle` to the next
   int other = -1;              ///< triangle on the other side; -1: the border
 };
 
-/// In the order in which the triangles meet them.
+/// Returns the edges in the order in which the triangles first have them.
 inline std::vector<Edge> list_edges(const std::vector<Triangle>& triangles) {
   std::vector<Edge> edges;
   std::map<EdgeKey, std::size_t> known;
@@ -163,7 +164,7 @@ inline std::vector<Edge> list_edges(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-/// Number of a node among the corners of a triangle.
+/// Returns the index of a node among the corners of a triangle.
 inline std::size_t find_corner(const Triangle& triangle, int node) {
   return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
 }

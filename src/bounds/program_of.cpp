@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows of both programs: equilibrium, work, and the cones that they share.
+// Rows of the programs of both bounds: equilibrium, virtual work, and the cones that they have in common; and the
+// conversion of solutions to fields.
 #include "bounds/program_of.hpp"
 
 #include <algorithm>
@@ -22,30 +23,30 @@ std::map<EdgeKey, const Side*> index_sides(const Problem& problem) {
   return sides;
 }
 
-/// The mean over the triangle of a linear field times the shape function of corner i, times three: what a sum over
-/// corners takes.
+/// Returns three times the mean over the triangle of a linear field times the shape function of corner i: its weight in
+/// a sum over the corners.
 double find_weighted(const std::array<double, 3>& field, std::size_t i) {
   return 0.25 * (field[0] + field[1] + field[2] + field[i]);
 }
 
-/// Of the strengths of a triangle those at its corners; or those that the dissipation of a corner takes, which is not
-/// less than that of the fields between the corners.
+/// Strengths of the cones: those at the corners (lower bound), or weighted ones, with which the sum over the corners is
+/// not less than the dissipation of the field (upper bound).
 enum class Strengths { own, weighted };
 
-/// 0 ≤ available + lacking · m − mean (σx + σy) is not less than half the difference of the principal stresses; and the
-/// derivatives of the three by the factor.
+/// The cone 0 ≤ available + lacking · m − mean (σx + σy) that must not be less than half the difference of the
+/// principal stresses, with the derivatives of its three coefficients by the factor.
 struct Cone {
   double mean = 0, lacking = 0, available = 0;
   double mean_rate = 0, lacking_rate = 0, available_rate = 0;
 };
 
-/// use(triangle, corner, cone): Mohr–Coulomb's, and that of the largest tension after it.
+/// Calls use(triangle, corner, cone) for Mohr–Coulomb's cone and then for that of the tension cut-off, if there is one.
 template <class Use>
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
-    // A rigid triangle has no part in the equations of the upper bound. Its cones must not let its mean stress go to
-    // infinity, where the room that leave_room() asks for would reward that.
+    // A rigid triangle has no part in the equations of the upper bound. Its cones must keep its mean stress finite,
+    // which the cost of leave_room() would otherwise drive to infinity.
     if (strengths == Strengths::weighted && is_rigid(own, units)) {
       for (std::size_t i = 0; i < 3; ++i)
         for (int cone = own[i].tension ? 2 : 1; cone > 0; --cone) use(e, i, Cone{0, 1, 1, 0, 0, 0});
@@ -82,7 +83,7 @@ class ProgramBuilder {
     program_.cost.back() = 1;
   }
 
-  /// A row of a corner: adds to what is added already for this equation.
+  /// Adds the coefficients of a corner to the current equation.
   void add(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
     add_unknowns(triangle, corner, {row[0] + row[1], row[0] - row[1], row[2]}, times);
   }
@@ -91,7 +92,7 @@ class ProgramBuilder {
     ++program_.equations;
   }
 
-  /// The criterion at every corner of every triangle, with m more cohesion.
+  /// Adds the criterion at every corner of every triangle, with the cohesion increased by m.
   ConicProgram finish(Strengths strengths) {
     const int lack = program_.variables - 1;
     visit_cones(problem_, factor_, units_, strengths, [&](std::size_t e, std::size_t i, const Cone& cone) {
@@ -101,7 +102,7 @@ class ProgramBuilder {
   }
 
  private:
-  /// Coefficients of the mean stress, half the difference and the shear stress.
+  /// Adds coefficients of the mean stress, half the difference and the shear stress.
   void add_unknowns(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
     for (int d = 0; d < 3; ++d)
       if (row[static_cast<std::size_t>(d)] != 0)
@@ -126,7 +127,7 @@ class ProgramBuilder {
   std::vector<std::pair<int, double>> entries_;
 };
 
-/// Normal and shear traction of a stress on an edge, per unit of length.
+/// Normal and shear traction on an edge as coefficients of a stress.
 struct EdgeRows {
   Row normal, along;
   Vec<2> n, t;
@@ -264,7 +265,7 @@ ConicProgram make_program(const Problem& problem, Bound bound, double factor, co
                                : make_kinematic_program(problem, factor, units);
 }
 
-// z = z' + room · e of each cone: Aᵀz + q = Aᵀz' + (q + room Σ first rows).
+// With z = z' + room · e in each cone, Aᵀz + q = Aᵀz' + (q + room Σ first rows).
 void leave_room(ConicProgram& program, double room) {
   int row = program.equations;
   for (const int size : program.cones) {
@@ -285,11 +286,11 @@ double use_room(const ConicProgram& program, double room, ConicSolution& solutio
   return lack;
 }
 
-// Least changes of a solution.
+// Smallest changes that turn a solution into an admissible field.
 
 namespace {
 
-/// The least of `opening` that every corner needs to keep the flow rule of this factor.
+/// Adds the smallest multiple of the opening field with which every corner satisfies the flow rule of this factor.
 void open_soil(const Problem& problem, const Velocities& mesh, double factor, double length, OpeningSearch& openings,
                std::vector<double>& numbers) {
   auto find_lack = [&](const std::vector<Strain>& strains, std::size_t i) {
@@ -312,7 +313,8 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] += share * (*opening)[n];
 }
 
-/// Changes of velocities that also move soil with friction are dear: its flow rule would need more opening.
+/// Returns the weights of the changes of velocities. Changes that also affect soil with friction are penalised, since
+/// its flow rule would then need more opening.
 std::vector<double> weigh_changes(const Problem& problem, const Velocities& mesh) {
   constexpr double weight_of_friction = 1e6;
   const Units units = find_units(problem);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The two cone programs of a problem. Unknown are the effective stresses at the corners of the triangles, three each:
-// (σx + σy)/2, (σx − σy)/2 and τxy, so that the mean stress of soil without friction is in no cone. The last unknown is
-// the cohesion m that every corner lacks: the least m with which there is equilibrium under all loads. The
-// slope stands with strengths divided by F where m ≤ 0. (A multiplier of gravity, as in the literature, has no value in
-// soil without cohesion; m has one always.)
+// The cone programs of both bounds (T21.2). The unknowns are the effective stresses at the corners of the triangles,
+// three each: (σx + σy)/2, (σx − σy)/2 and τxy, so that the mean stress of soil without friction is in no cone. The
+// last unknown is the cohesion m that every corner lacks, and the program minimises it under equilibrium with all
+// loads. The slope is stable with strengths divided by F where m ≤ 0. (The usual multiplier of gravity has no finite
+// value in soil without cohesion; m always has one.)
 
 #include "bounds/check.hpp"
 #include "bounds/conic/cones.hpp"
@@ -14,35 +14,35 @@
 namespace talus::bounds {
 
 enum class Bound {
-  lower,  ///< stresses linear in each triangle, in equilibrium inside, across every edge and with the loads: a field
-          ///< that holds
-  upper   ///< equilibrium with every quadratic field of velocities on six-node triangles: its multipliers are such a
-          ///< field, and the strength is needed at the corners of the triangles only
+  lower,  ///< a statically admissible stress field, linear in each triangle, in equilibrium inside, across every edge
+          ///< and with the loads
+  upper   ///< equilibrium in the mean with every quadratic velocity field on six-node triangles; the multipliers are a
+          ///< kinematically admissible velocity field, and the criterion is imposed at the corners only
 };
 
 ConicProgram make_program(const Problem& problem, Bound bound, double factor, const Units& units);
 
-/// Asks for multipliers of the cones that are inside them by `room`: with what the solver leaves of its equations they
-/// still are inside.
+/// Changes the cost so that the multipliers of the solution lie inside their cones by `room` and stay inside in spite
+/// of the solver's residual.
 void leave_room(ConicProgram& program, double room);
 
-/// Adds the room to the multipliers of a solution of the changed program. Returns the lack that they prove of the
-/// unchanged one.
+/// Adds the room to the multipliers of a solution of the changed program. Returns the lack that they prove for the
+/// original one.
 double use_room(const ConicProgram& program, double room, ConicSolution& solution);
 
-/// The derivative of the least m by the factor, at a solution of that program.
+/// Returns the derivative of the least m by the factor, at a solution of that program.
 double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
                       const ConicSolution& solution);
 
-// From what the solver found to fields that a check can be asked of.
+// Conversion of solutions to fields that check() can verify.
 
-/// The field of a solution of the lower bound's program, moved by the least squares of stress into equilibrium.
+/// Returns the stress field of a solution of the lower bound, moved into equilibrium by least squares.
 StressField read_stress(const Problem& problem, const ConicProgram& program, const ConicSolution& solution,
                         const Units& units);
 
-/// The field of a solution of the upper bound's program for this factor: its velocities, moved by the least squares
-/// into constant volume where the soil has no friction, and opened everywhere by as much as the worst corner lacks of
-/// its flow rule. `opening` is that of the mesh.
+/// Returns the velocity field of a solution of the upper bound for this factor, moved by least squares to constant
+/// volume where the soil has no friction, and opened everywhere by as much as the worst corner violates its flow rule.
+/// `opening` belongs to the mesh.
 VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution,
                             OpeningSearch& opening);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bisection of longest edges.
+// Bisection of longest edges, and the corners of the border where stress may jump.
 #include "bounds/refine.hpp"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ class Refiner {
  public:
   explicit Refiner(const Problem& problem) : from_(problem), to_(problem) {}
 
-  /// The edge is halved.
   void mark(const Key& edge) { middles_[edge] = -1; }
   bool has_marked() const { return !middles_.empty(); }
 
-  /// Of equals the one of the smallest numbers: both triangles at an edge take the same.
+  /// Returns the longest edge; of equal ones that with the smallest node numbers, so that both triangles of an edge
+  /// choose alike.
   Key find_longest(const Triangle& t) const {
     Key longest{-1, -1};
     double length = -1;
@@ -42,7 +42,7 @@ class Refiner {
     return longest;
   }
 
-  /// `keeps_shape`: triangles with a halved edge have their longest edge halved too, so that no angle becomes small.
+  /// `keeps_shape`: a triangle with a bisected edge has its longest edge bisected too, so that no angle becomes small.
   Problem run(bool keeps_shape) {
     for (bool grows = keeps_shape; grows;) {
       grows = false;
@@ -78,11 +78,11 @@ class Refiner {
   }
 
  private:
-  using Weights = std::array<std::array<double, 3>, 3>;  ///< of each corner, in corners of the parent
+  using Weights = std::array<std::array<double, 3>, 3>;  ///< per corner: its barycentric coordinates in the parent
   static Vec<2> halve(const Vec<2>& a, const Vec<2>& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}; }
   const Vec<2>& get(int node) const { return to_.nodes[static_cast<std::size_t>(node)]; }
 
-  /// Cuts by the longest of its halved edges, again and again.
+  /// Bisects the longest of the marked edges, recursively.
   void split(const Triangle& t, const Weights& w) {
     std::size_t side = 3;
     double length = 0;
@@ -151,12 +151,12 @@ Problem fan_out(const Problem& problem, const std::vector<int>& nodes, double wi
 }
 
 std::vector<int> find_corners(const Problem& problem) {
-  // Of each node of the border: what its sides bear and hold, and where they point.
+  // For each node of the border: direction, traction and support of its two sides.
   struct End {
     Vec<2> direction, traction;
     bool holds_normal, holds_along;
   };
-  constexpr double rounding = 1e-9;  ///< of the largest traction
+  constexpr double rounding = 1e-9;  ///< over the largest traction
   double largest = 0;
   std::map<std::pair<int, int>, const Side*> sides;
   for (const Side& s : problem.sides) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Middles of the edges, and what supports leave free.
+// Nodes and degrees of freedom of the velocities, opening fields, and least-squares corrections.
 #include "bounds/velocities.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -15,7 +15,7 @@ namespace talus::bounds {
 
 namespace {
 
-/// The body of each node of the six-node triangles, −1 where it is in none.
+/// Returns the rigid body of each node of the six-node triangles; −1 if it belongs to none.
 std::vector<int> find_bodies(const Problem& problem, const Velocities& v, const Units& units) {
   std::vector<int> body(v.nodes.size(), -1), parent(v.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -36,18 +36,18 @@ std::vector<int> find_bodies(const Problem& problem, const Velocities& v, const 
   return body;
 }
 
-/// Motions of a body that its supports leave: `held`, the directions in which some of its nodes are held.
+/// Motions that the supports leave to a rigid body. `held`: directions in which some of its nodes are fixed.
 struct BodyMotion {
   std::vector<Vec<2>> held;
   Vec<2> centre{};
-  int first = -1;  ///< number of its first motion
+  int first = -1;  ///< number of the first degree of freedom
 };
 
 bool are_parallel(const Vec<2>& a, const Vec<2>& b) {
   return std::abs(a[0] * b[1] - a[1] * b[0]) < 1e-9;
 }
 
-/// Freedoms of a node at `x` that moves with its body.
+/// Returns the degrees of freedom of a node at `x` that moves with its body.
 std::vector<Velocities::Freedom> move_with(const BodyMotion& body, const Vec<2>& x, double length) {
   if (body.held.size() > 1) return {};
   if (body.held.size() == 1) return {{{-body.held[0][1], body.held[0][0]}, body.first}};
@@ -76,7 +76,7 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
       v.triangles[e][i] = a;
       v.triangles[e][3 + i] = middles.at(make_key(a, b));
     }
-  // Directions that are held, at most two that differ.
+  // Fixed directions of each node, at most two different ones.
   std::vector<std::vector<Vec<2>>> held(v.nodes.size());
   auto hold = [&](int node, const Vec<2>& direction) {
     auto& own = held[static_cast<std::size_t>(node)];
@@ -121,11 +121,11 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
   return v;
 }
 
-// Lifting, and the program of the largest margin.
+// Opening fields: the lifting field, and the program of the largest margin.
 
 namespace {
 
-/// Coefficients of one number in ε_x, ε_y and γ at corner c of triangle e.
+/// Calls `use` for each degree of freedom with its coefficients in ε_x, ε_y and γ at corner c of triangle e.
 template <class Use>
 void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e, std::size_t c, Use use) {
   const auto gradients = find_quadratic_gradients(find_shape(problem, e), c);
@@ -136,7 +136,8 @@ void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e
     }
 }
 
-/// Largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, where the mean of their ε_v is one.
+/// Returns the program of the largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, where the mean of their
+/// ε_v is one.
 ConicProgram make_program(const Problem& problem, const Velocities& mesh, double factor, double length) {
   const Units units = find_units(problem);
   ConicProgram program;
@@ -184,7 +185,8 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   return program;
 }
 
-/// Corners that may not open keep their volume to `rounding_of_volume` of the largest strain.
+/// Returns true if the flow rule is satisfied with a margin. Corners that may not open must have constant volume, to
+/// `rounding_of_volume` of the largest strain.
 bool opens_everywhere(const Problem& problem, const Velocities& mesh, double factor, double length,
                       const std::vector<double>& numbers) {
   constexpr double least = 1e-6;  ///< margin over the mean
@@ -203,7 +205,7 @@ bool opens_everywhere(const Problem& problem, const Velocities& mesh, double fac
   return true;
 }
 
-/// Each node by its height above the lowest one.
+/// Returns the lifting field, in which each node moves up by its height above the lowest one.
 std::vector<double> lift(const Problem& problem, const Velocities& mesh, double length) {
   double lowest = problem.nodes.front()[1];
   for (const Vec<2>& x : problem.nodes) lowest = std::min(lowest, x[1]);
@@ -214,7 +216,7 @@ std::vector<double> lift(const Problem& problem, const Velocities& mesh, double 
   return numbers;
 }
 
-/// The field of the largest margin; nothing where the solver finds none.
+/// Returns the field of the largest margin; nothing if the solver finds none.
 std::optional<std::vector<double>> open_most(const Problem& problem, const Velocities& mesh, double factor,
                                              double length) {
   const ConicProgram program = make_program(problem, mesh, factor, length);
@@ -274,12 +276,13 @@ const std::vector<double>* OpeningSearch::find(const Problem& problem, const Vel
   return found_ ? &*found_ : nullptr;
 }
 
-// The system of the least change, solved again for what it leaves.
+// Least-squares correction, with refinement of its linear system.
 
 namespace {
 
 constexpr int most_rounds = 8;
-/// Small diagonals in place of the rows' zero: one that is too small has no factors where rows repeat one another.
+/// Small diagonals in place of the zeros of the rows, tried in turn: with too small a one, redundant rows cannot be
+/// factorised.
 constexpr double shifts[] = {1e-10, 1e-8, 1e-6};
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -297,7 +300,7 @@ Matrix make_matrix(const SparseRows& a, int rows, const std::vector<double>& wei
   return matrix;
 }
 
-/// right − A x.
+/// Returns right − A x.
 Eigen::VectorXd find_left(const SparseRows& a, int rows, const std::vector<double>& right, const Eigen::VectorXd& x) {
   Eigen::VectorXd left(rows);
   for (int r = 0; r < rows; ++r) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The velocities of the upper bound: nodes of quadratic triangles, and the directions in which each may move.
+// The velocities of the upper bound: nodes of quadratic triangles, their degrees of freedom, and fields that open the
+// soil.
 
 #include <map>
 #include <optional>
@@ -13,64 +14,63 @@ namespace talus::bounds {
 
 struct Velocities {
   std::vector<Vec<2>> nodes;                  ///< corners, then middles of edges
-  std::vector<std::array<int, 6>> triangles;  ///< corners, then the middles after them (0–1, 1–2, 2–0)
-  /// Of each node the directions in which it may move, with their numbers; none where it is held. The nodes of a rigid
-  /// body share its translations and its rotation.
+  std::vector<std::array<int, 6>> triangles;  ///< corners, then the middles of 0–1, 1–2, 2–0
+  /// A direction in which a node may move, with the number of the degree of freedom; a fixed node has none. The nodes
+  /// of a rigid body share its translations and its rotation.
   struct Freedom {
     Vec<2> direction;
     int number;
   };
   std::vector<std::vector<Freedom>> freedoms;
-  std::map<EdgeKey, int> middles;  ///< of the edges
+  std::map<EdgeKey, int> middles;  ///< node at the middle of each edge
   int count = 0;
 };
 
-/// Every velocity that supports leave free has a number. Touching rigid triangles (is_rigid()) are one body; one that
-/// is held in one direction alone moves across it without turning, and one that is held otherwise does not move.
+/// Numbers the degrees of freedom that the supports leave. Adjoining rigid triangles (is_rigid()) form one body: one
+/// that is fixed in a single direction moves across it without rotation, and one that is fixed otherwise does not move.
 Velocities number_velocities(const Problem& problem, const Units& units);
 
-// Velocities that open the soil: a little of them takes back what rounding leaves of the flow rule.
+// Fields that open the soil. A small multiple of one restores the flow rule where rounding violates it.
 
-/// At a corner of a triangle: ε_v, and √((ε_x − ε_y)² + γ²) [1/m per unit of velocity].
+/// Strain rates at a corner of a triangle: ε_v, and √((ε_x − ε_y)² + γ²) [1/m per unit of velocity].
 struct Strain {
   double opening = 0, shear = 0;
 };
 
-/// Of the corners, three of each triangle, under the velocities with these numbers.
+/// Returns the strain rates of the corners, three of each triangle, for the velocities `numbers`.
 std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh, const std::vector<double>& numbers);
 
-/// Soil without friction and without a largest tension keeps its volume, and rigid soil keeps its shape: only the other
-/// corners may open.
+/// Returns true if a corner may open. Soil without friction and tension cut-off keeps its volume, and rigid soil its
+/// shape.
 inline bool may_open(const Problem& problem, std::size_t e, std::size_t c, const Units& units) {
   const Strength& soil = problem.strength[e][c];
   return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], units);
 }
 
-/// sin φ with tan φ divided by the factor.
+/// Returns sin φ_F of tan φ divided by the factor.
 double find_sine(const Strength& soil, double factor);
 
-/// Rows of div u = 0 at the corners that may not open, times the length of the section.
+/// Returns the rows of div u = 0 at the corners that may not open, times the length of the section.
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length);
 
-/// Velocities of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
-/// others: lifting the soil by its height above the lowest node, or, where supports or other soil forbid that, the
-/// field of the largest margin.
+/// Velocity field of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
+/// others: the lifting field, or, where supports or other soil do not permit that, the field of the largest margin.
 class OpeningSearch {
  public:
-  /// Numbers of the velocities; nothing where there are none. Those of an earlier factor are kept where they suffice: a
-  /// larger factor asks for less.
+  /// Returns the velocities by degree of freedom; nullptr if there are none. Those of an earlier factor are reused if
+  /// they suffice, since a larger factor requires less dilation.
   const std::vector<double>* find(const Problem& problem, const Velocities& mesh, double factor, double length);
-  /// The mesh is another one now.
+  /// Discards the field after a change of mesh.
   void forget() { found_.reset(); }
 
  private:
   std::optional<std::vector<double>> found_;
 };
 
-// From nearly to exactly: equations that a solver fulfils to its tolerance, fulfilled to rounding.
+// Correction of equations that a solver satisfies within its tolerance, so that they hold to rounding.
 
-/// The least change of x (weighted sum of squares) with A x = b, for the first `rows` rows of A: [W Aᵀ; A −δ] again and
-/// again, which takes δ's effect away. Rows may repeat one another. No weights are weights of one.
+/// Applies the smallest change of x (weighted sum of squares) with A x = b, for the first `rows` rows of A, by repeated
+/// solution with [W Aᵀ; A −δ], which removes the effect of δ. Rows may be redundant. Without `weights` all are one.
 void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x,
             const std::vector<double>& weights = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elimination of the cones, factors of the quasi-definite rest, and refinement.
+// Elimination of cones and local variables, factorisation of the quasi-definite remainder, and iterative refinement.
 #include "bounds/conic/kkt.hpp"
 
 #include <Eigen/Dense>
@@ -15,7 +15,7 @@ namespace talus::bounds {
 namespace {
 
 constexpr int most_changes = 8;
-/// A variable in more cones is no local one; nor are those of a larger group.
+/// Limits of the local variables: a variable in more cones, or in a larger group, is not eliminated.
 constexpr int most_cones = 2;
 constexpr std::size_t largest_group = 6;
 
@@ -28,7 +28,7 @@ std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
 struct Kkt::Library {
   Eigen::SparseMatrix<double> matrix;  ///< lower triangle
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors;
-  std::vector<double> fixed;  ///< values of the equations' rows
+  std::vector<double> fixed;  ///< values of the rows of the equations
 };
 
 Kkt::Kkt(const ConicProgram& program, const KktAccuracy& accuracy)
@@ -63,7 +63,7 @@ void Kkt::find_blocks() {
   }
 }
 
-/// Variables that share a cone belong together, where all of them are in few cones.
+/// Groups variables that share a cone, if each of them is in few cones.
 void Kkt::find_groups() {
   const auto n = static_cast<std::size_t>(program_.variables);
   std::vector<int> cones(n, 0), parent(n);
@@ -104,8 +104,8 @@ void Kkt::find_groups() {
     if (group_of_[c] < 0) rank_of_[c] = globals_++;
 }
 
-/// A group is coupled with the other variables of its cones, and with the equations that name it. The coefficients of
-/// equations do not change between factorisations.
+/// Lists the unknowns that each group is coupled with: the other variables of its cones, and the equations in which it
+/// occurs. The coefficients of equations do not change between factorisations.
 void Kkt::list_neighbours() {
   for (const Block& block : blocks_)
     for (const int own : block.columns) {
@@ -210,7 +210,8 @@ void Kkt::find_pattern() {
   library_->factors.analyzePattern(m);
 }
 
-// W⁻¹ times the block: its own product with itself is Aᵀ H⁻¹ A, symmetric and positive whatever is rounded.
+// Adds Aᵀ H⁻¹ A of a block as the product of W⁻¹ A with itself, which is symmetric and positive semidefinite in spite
+// of rounding.
 void Kkt::add_products(const Block& block, const Scaling& scaling, std::vector<double>& scaled) {
   const std::size_t n = block.columns.size(), rows = static_cast<std::size_t>(block.rows);
   double* values = library_->matrix.valuePtr();
@@ -229,7 +230,7 @@ void Kkt::add_products(const Block& block, const Scaling& scaling, std::vector<d
     }
 }
 
-// L Lᵀ of the group's own matrix; the neighbours lose (L⁻¹ U)ᵀ (L⁻¹ U).
+// Factorises the matrix of a group as L Lᵀ and subtracts (L⁻¹ U)ᵀ (L⁻¹ U) from that of its neighbours.
 bool Kkt::eliminate(const Group& group) {
   const std::size_t k = group.variables.size(), q = group.neighbours.size();
   double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
@@ -334,7 +335,7 @@ bool Kkt::solve_reduced(const std::vector<double>& f, const std::vector<double>&
   return true;
 }
 
-// x of the group becomes L⁻¹ x, and the rest loses its part.
+// Forward substitution: x of the group becomes L⁻¹ x, and its contribution is subtracted from the rest.
 void Kkt::reduce_right(const Group& group, std::vector<double>& x, double* right) const {
   const std::size_t k = group.variables.size(), q = group.neighbours.size();
   const double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
@@ -346,7 +347,7 @@ void Kkt::reduce_right(const Group& group, std::vector<double>& x, double* right
   }
 }
 
-// L⁻ᵀ (L⁻¹ x − L⁻¹ U y).
+// Back substitution: L⁻ᵀ (L⁻¹ x − L⁻¹ U y).
 void Kkt::recover(const Group& group, const double* rest, std::vector<double>& x) const {
   const std::size_t k = group.variables.size(), q = group.neighbours.size();
   const double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
@@ -358,9 +359,9 @@ void Kkt::recover(const Group& group, const double* rest, std::vector<double>& x
   }
 }
 
-// GMRES with the factors as its preconditioner: the small diagonal changes few directions, but those by much, and such
-// an iteration finds them where repeated refinement would creep. What is left is measured in the rows as they stand,
-// with H: in those of the elimination, with H⁻¹, it would drown in the rounding of the largest.
+// GMRES preconditioned by the factors. The shift of the diagonal perturbs few directions but those strongly; GMRES
+// resolves them, where repeated refinement would converge slowly. The residual is computed with the original rows, with
+// H: in the eliminated form, with H⁻¹, it would be lost in the rounding of the largest terms.
 bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                 std::vector<double>& z) const {
   const Eigen::Index n = static_cast<Eigen::Index>(f.size()), size = n + static_cast<Eigen::Index>(g.size());

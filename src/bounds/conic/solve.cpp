@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The iteration: residuals, scalings, affine and combined direction, step.
+// The interior point iteration: equilibration, residuals, scalings, affine and combined direction, step.
 #include "bounds/conic/solve.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 
 namespace talus::bounds {
 
-// Ruiz' equilibration (CERFACS report 2001): each row and column divided by the root of its largest entry, again and
-// again.
+// Ruiz' equilibration (CERFACS report 2001): each row and column is repeatedly divided by the root of its largest
+// entry.
 
 namespace {
 
@@ -31,7 +31,7 @@ double find_largest(const std::vector<double>& v) {
   return largest;
 }
 
-/// Rows of one cone share a factor, or the cone would be another one.
+/// Gives the rows of one cone a common factor, as different ones would change the cone.
 void share(const ConicProgram& program, std::vector<double>& largest) {
   std::size_t row = static_cast<std::size_t>(program.equations);
   for (const int size : program.cones) {
@@ -85,7 +85,7 @@ double dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
-/// out = A u.
+/// Computes out = A u.
 void multiply(const SparseRows& a, const Vector& u, Vector& out) {
   out.assign(static_cast<std::size_t>(a.count()), 0);
   for (std::size_t r = 0; r < out.size(); ++r)
@@ -93,7 +93,7 @@ void multiply(const SparseRows& a, const Vector& u, Vector& out) {
       out[r] += a.value[k] * u[static_cast<std::size_t>(a.column[k])];
 }
 
-/// out = Aᵀ u.
+/// Computes out = Aᵀ u.
 void multiply_transposed(const SparseRows& a, const Vector& u, std::size_t columns, Vector& out) {
   out.assign(columns, 0);
   for (std::size_t r = 0; r < u.size(); ++r)
@@ -101,7 +101,7 @@ void multiply_transposed(const SparseRows& a, const Vector& u, std::size_t colum
       out[static_cast<std::size_t>(a.column[k])] += a.value[k] * u[r];
 }
 
-/// A point of the embedding, or a direction.
+/// A point of the homogeneous embedding, or a direction.
 struct Point {
   Vector x, s, z;
   double tau = 0, kappa = 0;
@@ -149,7 +149,7 @@ class InteriorPoint {
     return MutablePart(v).subspan(first_[c], static_cast<std::size_t>(program_.cones[c]));
   }
 
-  /// Moved along the axes of the cones until every one is inside by at least one.
+  /// Shifts u along the axes of the cones until its margin is at least one in every cone.
   void move_inside(Vector& u) const {
     double margin = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < scalings_.size(); ++c) margin = std::min(margin, measure_margin(part(u, c)));
@@ -183,8 +183,8 @@ class InteriorPoint {
       at_.s[r] = start.s[r] * scale_.row[r] * scale_.right;
       at_.z[r] = start.z[r] / scale_.row[r] * scale_.cost;
     }
-    // A solution stands on the cones' surfaces: each point goes inside by a little of the whole, so that no step begins
-    // in a corner.
+    // A solution lies on the surfaces of the cones. It is shifted inside by a fraction of its size, so that no step
+    // starts from a corner.
     constexpr double inside = 0.03;
     for (Vector* u : {&at_.s, &at_.z}) {
       const double least = inside * (find_largest(*u) + 1e-3);
@@ -200,7 +200,7 @@ class InteriorPoint {
     return (dot(at_.s, at_.z) + at_.tau * at_.kappa) / (static_cast<double>(scalings_.size()) + 1);
   }
 
-  /// rx = Aᵀz + qτ, rz = A x + s − bτ, rt = qᵀx + bᵀz + κ.
+  /// Computes rx = Aᵀz + qτ, rz = A x + s − bτ, rt = qᵀx + bᵀz + κ.
   void find_residuals() {
     multiply_transposed(program_.rows, at_.z, at_.x.size(), atz_);
     multiply(program_.rows, at_.x, ax_);
@@ -220,7 +220,7 @@ class InteriorPoint {
     return true;
   }
 
-  /// One direction for right sides (1 − centring) times the residuals, ds, and dk.
+  /// Computes a direction for the right sides (1 − centring) times the residuals, ds, and dk.
   bool find_direction(double centring, const Vector& ds, double dk, Point& d) {
     const double part_of = 1 - centring;
     Vector f = rx_, g = rz_;
@@ -237,7 +237,7 @@ class InteriorPoint {
     return std::isfinite(d.tau);
   }
 
-  /// Δs = −ds − H Δz
+  /// Computes Δs = −ds − H Δz.
   void find_slack_step(const Vector& ds, Point& d) const {
     std::fill_n(d.s.begin(), program_.equations, 0.0);
     for (std::size_t c = 0; c < scalings_.size(); ++c) {
@@ -289,14 +289,14 @@ class InteriorPoint {
     for (std::size_t j = 0; j < at_.x.size(); ++j) at_.x[j] += length_ * step_.x[j];
     for (std::size_t r = 0; r < at_.z.size(); ++r) at_.z[r] += length_ * step_.z[r], at_.s[r] += length_ * step_.s[r];
     at_.tau += length_ * step_.tau, at_.kappa += length_ * step_.kappa;
-    // Only the ray counts: numbers stay near one.
+    // Points are defined up to a positive factor; they are scaled so that the larger of τ and κ is one.
     const double size = 1 / std::max(at_.tau, at_.kappa);
     for (Vector* u : {&at_.x, &at_.s, &at_.z})
       for (double& v : *u) v *= size;
     at_.tau *= size, at_.kappa *= size;
   }
 
-  /// In the units that were asked for, divided by `by`.
+  /// Returns the point divided by `by`, in the units of the given program.
   ConicSolution read(double by) const {
     ConicSolution r;
     r.x.resize(at_.x.size()), r.s.resize(at_.s.size()), r.z.resize(at_.z.size());
@@ -316,7 +316,7 @@ class InteriorPoint {
     for (double v : rx_) dual_residual = std::max(dual_residual, std::abs(v) / tau);
     for (double v : rz_) primal_residual = std::max(primal_residual, std::abs(v) / tau);
     const double primal = dot(program_.cost, at_.x) / tau, dual = -dot(program_.right, at_.z) / tau;
-    // The largest entries of cost and right side are one.
+    // The largest entries of cost and right side are one after the equilibration.
     dual_residual /= 1 + find_largest(atz_) / tau, primal_residual /= 1 + find_largest(ax_) / tau;
     const double gap = std::abs(primal - dual) / (options_.value_size + std::min(std::abs(primal), std::abs(dual)));
     auto fill = [&](ConicSolution r, ConicEnd end) {
@@ -335,7 +335,7 @@ class InteriorPoint {
     return {};
   }
 
-  /// A certificate has size one in the units that were asked for.
+  /// Returns a certificate, scaled to size one in the units of the given program.
   ConicSolution read_proof(double by) const {
     ConicSolution r = read(by);
     const double size = r.dual > 0 && r.dual >= -r.primal ? r.dual : -r.primal;
@@ -345,7 +345,7 @@ class InteriorPoint {
     return r;
   }
 
-  /// What was reached counts where it is nearly as good as was asked for.
+  /// Accepts the last point if it is within 1000 times the tolerances; otherwise reports why the iteration stalled.
   ConicSolution end_stalled(const std::string& why) const {
     if (rx_.size() == at_.x.size())
       if (auto near = judge(1e3 * options_.tolerance, 1e3 * options_.proof)) return *near;
