@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Application of partial factors to soils, loads and weights, and the statement of the over-design factor.
 #include "ground/design_values.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ std::vector<results::PartialFactor> list_values(const input::PartialFactorValues
           {"resistance", "resistance", "γ_R;e", v.resistance}};
 }
 
-/// Changes numbers of one soil and records each change.
+/// Divides the strength parameters of one soil by the partial factors and records each change.
 class SoilFactors : public material::PartialDivision {
  public:
   SoilFactors(const std::string& name, const input::PartialFactorValues& v, std::vector<results::DesignValue>& out)
@@ -97,7 +98,7 @@ DesignValues apply_partial_factors(const input::Case& data) {
   for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, out.materials);
   for (input::Roots& roots : result.data.roots) {
     if (roots.cohesion) *roots.cohesion /= v.cohesion;
-    if (roots.bundle)  // the cohesion of a bundle is proportional to the roots' strength
+    if (roots.bundle)  // the cohesion of a bundle is proportional to the tensile strength of the roots
       for (double& strength : roots.bundle->strengths) strength /= v.cohesion;
   }
   for (input::Stage& stage : result.data.stages)
@@ -137,7 +138,7 @@ std::string describe_factored_quake(const input::Case& data) {
 }
 
 void state_over_design(results::DesignStatement& statement, double resistance, double factor) {
-  constexpr double rounding = 1e-9;  // of the quotient
+  constexpr double rounding = 1e-9;  // tolerance of the quotient
   const double over_design = factor / resistance;
   statement.over_design = over_design;
   statement.text = fmt::format(

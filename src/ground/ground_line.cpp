@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The upper limit of polygons, interval by interval between all places where an edge begins, ends or crosses another.
+// The ground line as the upper limit of the polygons, steep faces of cohesionless soil, and implausible water tables.
 #include "ground/ground_line.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace talus::ground {
 
 namespace {
 
-/// Lengths below this share of the section's width are nothing.
+/// Lengths below this fraction of the section's width count as zero.
 constexpr double nothing = 1e-9;
 
 struct Edge {
@@ -43,7 +43,7 @@ std::vector<Edge> list_edges(const mesh::Plan& plan, double least) {
   return edges;
 }
 
-/// All x at which the order of the edges may change.
+/// Returns all x at which the order of the edges may change.
 std::vector<double> list_breaks(const std::vector<Edge>& edges, double least) {
   std::vector<double> breaks;
   for (const Edge& e : edges) {
@@ -63,12 +63,12 @@ std::vector<double> list_breaks(const std::vector<Edge>& edges, double least) {
   return distinct;
 }
 
-/// Throws where the soil at `x` has a gap below its upper limit. `levels`: elevations of the edges there with their
-/// polygons.
+/// Throws Error (wrong_input) if the soil at `x` has a gap below its upper limit. `levels`: elevations of the edges at
+/// x, with their polygons.
 void check_column(std::vector<std::pair<double, int>> levels, double x, double least) {
   std::sort(levels.begin(), levels.end());
   std::vector<std::array<double, 2>> filled;
-  std::vector<std::pair<int, double>> open;  // polygon, where it begins
+  std::vector<std::pair<int, double>> open;  // polygon, elevation of its lower limit
   for (const auto& [y, polygon] : levels) {
     const auto begun =
         std::find_if(open.begin(), open.end(), [polygon = polygon](const auto& o) { return o.first == polygon; });
@@ -154,10 +154,10 @@ double find_slope_height(const mesh::Plan& plan, const Polyline& ground) {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-/// Rounded coordinates of a slope at the angle of repose are not steeper [rad].
+/// Tolerance for rounded coordinates of a slope at the angle of repose [rad].
 constexpr double rounding = 0.1 * degree;
 
-/// The material below a place of the ground: of the smallest polygon there; nullptr where there is none.
+/// Returns the material of the smallest polygon at a point; nullptr if there is none.
 const std::string* find_material(const input::Case& data, const Point& below) {
   const std::string* found = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -172,7 +172,7 @@ const std::string* find_material(const input::Case& data, const Point& below) {
   return found;
 }
 
-/// φ of a soil that nothing but friction holds; nothing: it has cohesion, suction or no strength of that kind.
+/// Returns φ of a soil without cohesion and suction; nothing for other soils.
 std::optional<double> find_bare_friction(const input::Material& m) {
   const auto strength = material::find_slice_strength(m.model, m);
   if (!strength || strength->cohesion > 0 || strength->cohesion_gradient > 0) return std::nullopt;
@@ -194,13 +194,13 @@ std::vector<SteepFace> find_steep_faces(const input::Case& data) {
   try {
     ground = find_ground(data.mesh);
   } catch (const Error&) {
-    return faces;  // finite elements and material points take sections with overhangs
+    return faces;  // FEM and MPM accept sections with overhangs
   }
   for (std::size_t i = 1; i < ground.size(); ++i) {
     const Point &a = ground[i - 1], &b = ground[i];
     const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
     if (!(length > 0) || dy == 0) continue;
-    // Just behind the face.
+    // A point just behind the face.
     const double depth = 1e-4 * length;
     const Point below{(a[0] + b[0]) / 2 + depth * dy / length, (a[1] + b[1]) / 2 - depth * dx / length};
     const std::string* material = find_material(data, below);
@@ -224,20 +224,20 @@ std::string describe(const SteepFace& face) {
 
 namespace {
 
-/// Fraction of the relief of the ground: shallower water may be a line drawn along the ground, and a smaller difference
+/// Fraction of the relief of the ground. Shallower water may be a line drawn along the ground, and a smaller difference
 /// of levels a rounded number.
 constexpr double noticeable = 0.02;
-/// Fraction of the relief: water that stands higher above the crest is probably in other units or coordinates.
+/// Fraction of the relief. Water higher than this above the crest is probably in other units or coordinates.
 constexpr double far_above = 2;
 
-/// Water that stands on the ground.
+/// Water standing on the ground.
 struct Standing {
   double from = 0, to = 0;         ///< x [m]
-  double lowest = 0, highest = 0;  ///< level [m]
-  double depth = 0;                ///< largest [m]
+  double lowest = 0, highest = 0;  ///< elevation of its surface [m]
+  double depth = 0;                ///< largest depth [m]
 };
 
-/// A water table over the ground.
+/// Checks a water table against the ground.
 class Table {
  public:
   Table(const Polyline& table, const Polyline& ground, std::string name)
@@ -274,7 +274,7 @@ class Table {
   double left() const { return ground_.front()[0]; }
   double right() const { return ground_.back()[0]; }
 
-  /// To a millimetre: crossings of lines have more digits than a reader needs.
+  /// Formats to a millimetre, as intersections have more digits than a message needs.
   static std::string write(double x) { return format_coordinate(std::round(x * 1e3) / 1e3); }
 
   template <class... Args>
@@ -291,7 +291,7 @@ class Table {
     return found;
   }
 
-  /// Ends of the lines, and places where they cross.
+  /// Finds the vertices of both lines and their intersections.
   void find_breaks() {
     for (const Polyline* line : {&table_, &ground_})
       for (const Point& p : *line)
@@ -332,7 +332,7 @@ class Table {
     open.reset();
   }
 
-  /// True where the table slopes at its end and its level continuation covers lower ground.
+  /// Returns true if the table slopes at its end and its horizontal continuation covers lower ground.
   bool floods(bool at_right) const {
     if (table_.size() < 2) return false;
     const Point &end = at_right ? table_.back() : table_.front(),
@@ -382,9 +382,9 @@ std::vector<std::string> find_odd_water(const input::Case& data) {
   try {
     ground = find_ground(data.mesh);
   } catch (const Error&) {
-    return {};  // finite elements and material points take sections with overhangs
+    return {};  // FEM and MPM accept sections with overhangs
   }
-  // Far below dry ground a water table is the source of suction.
+  // A water table far below dry ground is the reference level of suction.
   const bool has_suction = std::any_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
     return entry.second.water.is_wet() || entry.second.slices.suction_strength == input::SuctionStrength::phi_b;
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The ground of a plane section: the upper limit of all soil polygons, from left to right.
+// The ground of a plane section, the upper limit of all soil polygons, and warnings on steep faces and water tables.
 
 #include <array>
 #include <string>
@@ -14,44 +14,46 @@ namespace talus::ground {
 using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
 
-/// A vertical step has two points with the same x. Throws Error (wrong_input) when the soil has a gap, overhangs or
-/// holds a cavity, with the place: methods of slices need soil from the ground down.
+/// Returns the ground from left to right; a vertical step has two points of the same x. Throws Error (wrong_input),
+/// with the place, if the soil has a gap, an overhang or a cavity, since methods of slices need soil from the ground
+/// down.
 Polyline find_ground(const mesh::Plan& plan);
 
-/// Elevation of the ground at x [m]; of a step its upper end. Level beyond the ends.
+/// Returns the elevation of the ground at x [m]; at a step that of its upper end. Level beyond the ends.
 double find_level(const Polyline& ground, double x);
 
-/// Lowest elevation of the soil [m].
+/// Returns the lowest elevation of the soil [m].
 double find_base(const mesh::Plan& plan);
 
-/// Difference between the highest and the lowest level of the ground [m]: H. The height of the soil itself where the
+/// Returns H, the difference between the highest and the lowest level of the ground [m]; the height of the soil if the
 /// ground is level.
 double find_slope_height(const mesh::Plan& plan, const Polyline& ground);
 
-// Faces of soil without cohesion that are steeper than its friction angle: unstable by inspection.
+// Faces of cohesionless soil that are steeper than its friction angle, and therefore unstable.
 
 struct SteepFace {
   Point lower{}, upper{};  ///< [m]
   std::string material;
   double slope = 0;           ///< β [rad]
   double friction_angle = 0;  ///< φ [rad]
-  /// tan φ / tan β, the factor of a long slope of dry soil.
+  /// Returns tan φ / tan β, the factor of an infinite slope of dry soil.
   double factor() const;
 };
 
-/// From left to right; of a plane section without overhangs. Soil with suction or roots is left out: they hold it.
+/// Returns the faces of a plane section from left to right; none for a section with overhangs. Soil with suction or
+/// roots is left out, as these stabilise it.
 std::vector<SteepFace> find_steep_faces(const input::Case& data);
 
-/// "The ground between (…) and (…) rises at 51.8°, …".
+/// Returns the text of a warning: "The ground between (…) and (…) rises at 51.8°, …".
 std::string describe(const SteepFace& face);
 
-// Water tables that are drawn as no water can stand.
+// Water tables that are physically implausible.
 
-/// Sentences on the water tables of a plane case, before and after a drawdown: free water that slopes, ends inside the
-/// section that flood lower ground, water far above the crest, and lines that lie outside the section.
+/// Returns warnings on the water tables of a plane case, before and after a drawdown: free water that slopes, ends
+/// inside the section that flood lower ground, water far above the crest, and lines outside the section.
 std::vector<std::string> find_odd_water(const input::Case& data);
 
-/// The same of one line; `name` begins the sentences: "The water table".
+/// Returns the warnings on one line; `name` begins the sentences: "The water table".
 std::vector<std::string> find_odd_water(const Polyline& table, const Polyline& ground, double base,
                                         const std::string& name);
 

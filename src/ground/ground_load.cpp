@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Integration of loads over the sides of the ground, and the corners by which a mesh conforms to them.
 #include "ground/ground_load.hpp"
 
 #include <algorithm>
@@ -15,20 +16,20 @@ namespace talus::ground {
 
 namespace {
 
-/// Parts of a triangle along each of its edges, over which its load is summed up.
+/// Divisions of each edge of a triangle for the integration of its load.
 constexpr int triangle_parts = 8;
-/// Places nearer to each other are one, as a fraction of the section's width.
+/// Tolerance of the place on a side or of x, as a fraction of the length or of the section's width.
 constexpr double same_place = 1e-9;
 
-/// A place on a side by its shape functions, and the fraction of the side that it stands for.
+/// An integration point on a side: shape functions, and weight as a fraction of the side.
 template <int D>
 struct Sample {
   std::array<double, D> shape{};
   double weight = 0;
 };
 
-/// Gauss's rule of two points on each part between `cuts`, places from 0 to 1 in ascending order: exact for the moments
-/// of a load that is linear between them.
+/// Returns Gauss's rule of two points on each part between `cuts` (places from 0 to 1 in ascending order), which is
+/// exact for the moments of a load that is linear in each part.
 std::vector<Sample<2>> sample_side(const std::vector<double>& cuts) {
   const double offset = 0.5 / std::numbers::sqrt3;
   std::vector<Sample<2>> samples;
@@ -42,7 +43,7 @@ std::vector<Sample<2>> sample_side(const std::vector<double>& cuts) {
   return samples;
 }
 
-/// Strang and Fix's rule of three points in each part of a triangle: exact for the moments of a linear load.
+/// Returns Strang and Fix's rule of three points in each part of a triangle, exact for the moments of a linear load.
 std::vector<Sample<3>> sample_triangle() {
   constexpr double n = triangle_parts;
   std::vector<Sample<3>> samples;
@@ -62,8 +63,8 @@ std::vector<Sample<3>> sample_triangle() {
   return samples;
 }
 
-/// The traction, linear on the side, that has the forces and moments of `load` there; nothing when it is zero. `cuts`:
-/// in 2D the places on the side between which the load is linear, see sample_side().
+/// Returns the traction, linear on the side, with the forces and moments of `load`; nothing if it is zero. `cuts`: in
+/// 2D the places between which the load is linear, see sample_side().
 template <int D>
 std::optional<std::array<Vec<D>, D>> fit_traction(const mesh::Mesh<D>& mesh, const std::array<int, D>& nodes,
                                                   const std::function<Vec<D>(const Vec<D>&)>& load,
@@ -87,7 +88,7 @@ std::optional<std::array<Vec<D>, D>> fit_traction(const mesh::Mesh<D>& mesh, con
     acts = acts || norm(t) > 0;
   }
   if (!acts) return std::nullopt;
-  // ∫ N_i N_j = (1 + δ_ij)/(D(D+1)) of the side's area.
+  // ∫ N_i N_j = (1 + δ_ij)/(D(D+1)) of the area of the side.
   for (std::size_t d = 0; d < D; ++d) {
     double sum = 0;
     for (std::size_t c = 0; c < D; ++c) sum += moments[c][d];
@@ -96,7 +97,7 @@ std::optional<std::array<Vec<D>, D>> fit_traction(const mesh::Mesh<D>& mesh, con
   return traction;
 }
 
-/// visit(nodes, outward unit normal) of each side of the soil without soil behind it.
+/// Calls visit(side) for each side of the soil without soil behind it.
 template <int D, class Visit>
 void visit_faces(const mesh::Mesh<D>& mesh, Visit visit) {
   for (int e = 0; e < mesh.element_count(); ++e) {
@@ -116,7 +117,7 @@ void visit_faces(const mesh::Mesh<D>& mesh, Visit visit) {
 
 constexpr double steepest = 1e-6;
 
-/// Vertical steps of the ground, on which standing water presses too; not the ends of the section.
+/// Returns the vertical steps of the ground, on which standing water acts too, without the ends of the section.
 template <int D>
 std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline& ground) {
   std::vector<GroundSide<D>> steps;
@@ -130,7 +131,7 @@ std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline&
   return steps;
 }
 
-/// Places between which all loads on the ground are linear, but where a water level meets the ground [m].
+/// Returns the x between which all loads on the ground are linear [m], except where a water level meets the ground.
 std::vector<double> list_breaks(const input::Case& data, const std::vector<Pond>& ponds, const Polyline& table) {
   std::vector<double> breaks;
   for (const input::Surcharge& s : data.surcharges) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
@@ -140,7 +141,7 @@ std::vector<double> list_breaks(const input::Case& data, const std::vector<Pond>
   return breaks;
 }
 
-/// The side from 0 to 1, cut at the breaks, and where `depth` of the water over it changes its sign between them.
+/// Returns the places from 0 to 1 at which a side is cut: the breaks, and the zeros of the water `depth` between them.
 std::vector<double> cut_side(const Point& a, const Point& b, const std::vector<double>& breaks,
                              const std::function<double(double)>& depth) {
   std::vector<double> cuts{0, 1};
@@ -153,7 +154,7 @@ std::vector<double> cut_side(const Point& a, const Point& b, const std::vector<d
   if (!depth) return cuts;
   const std::size_t parts = cuts.size() - 1;
   for (std::size_t i = 0; i < parts; ++i) {
-    // Linear inside the part; at its ends the level may jump.
+    // The depth is linear inside the part; at its ends the level may jump.
     const double length = cuts[i + 1] - cuts[i], p = depth(cuts[i] + length / 3), q = depth(cuts[i] + 2 * length / 3);
     const double at = p == q ? -1 : 1.0 / 3 + p / (3 * (p - q));
     if (at > same_place && at < 1 - same_place) cuts.push_back(cuts[i] + at * length);
@@ -227,7 +228,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
     const double weight = find_water_weight(data),
                  beside = ground.empty() ? 0 : same_place * (ground.back()[0] - ground.front()[0]);
     for (const GroundSide<D>& step : list_steps(mesh, ground)) sides.push_back(step);
-    // A step has the water that stands beside it.
+    // A step is loaded by the water beside it.
     const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
       const bool is_step = side.normal[1] <= steepest;
       const auto level = find_standing_level(ponds, table, ground, x[0] + (is_step ? beside * side.normal[0] : 0));
@@ -268,10 +269,10 @@ TALUS_INSTANTIATE(3)
 
 namespace {
 
-/// A place nearer to a corner is that corner, as a fraction of the section's width.
+/// Distance from a corner below which a place coincides with it, as a fraction of the section's width.
 constexpr double same_corner = 1e-7;
 
-/// Adds the places where the water table meets the ground, and its breaks above the ground.
+/// Adds the intersections of the water table with the ground, and its vertices above the ground.
 void add_table(const Polyline& table, const Polyline& ground, std::vector<double>& places) {
   std::vector<double> breaks;
   for (const Point& x : table) breaks.push_back(x[0]);
@@ -303,7 +304,7 @@ std::vector<Point> list_places(const input::Case& data, const Polyline& ground) 
   return on_ground;
 }
 
-/// The corners of a polygon and those of `places` that lie on its outline.
+/// Returns the corners of a polygon together with those of `places` that lie on its outline.
 Polyline add_corners(const Polyline& corners, const std::vector<Point>& places, double least) {
   Polyline all;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Pore pressures at the start from a water table, seepage, a known state or a season; ponds and water tables for
+// LEM.
 #include "ground/initial_water.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +26,7 @@ bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
   return soil != nullptr && soil->water.is_wet();
 }
 
-/// Pressure at `x` under the water table of the case [Pa].
+/// Returns the pressure at `x` under the water table of the case [Pa].
 template <int D>
 double find_table_pressure(const input::Case& data, const Vec<D>& x) {
   const double height = x[1] - find_water_table(data.initial.water.water_table, x[0]);
@@ -51,7 +53,7 @@ void set_from_seepage(const input::Case& data, const mesh::Mesh<D>& mesh, const 
   }
 }
 
-/// The pressure in the middle of wet elements, and the velocity that belongs to it.
+/// Sets the pressure at the middle of wet elements, and the velocity, from a known state.
 void set_from_known(const input::Case& data, const mesh::Mesh<2>& mesh, InitialWater<2>& water) {
   MappedWater mapped = map_water(*data.initial.water.known, mesh);
   water.nodal = std::move(mapped.pressure);
@@ -65,7 +67,7 @@ void set_from_known(const input::Case& data, const mesh::Mesh<2>& mesh, InitialW
   }
 }
 
-/// Heads of the nodes in the state that the season begins with [m].
+/// Returns the heads of the nodes at the start of the season [m].
 template <int D>
 std::vector<double> find_first_heads(const input::Case& data, const mesh::Mesh<D>& mesh, const InitialWater<D>& water) {
   if (water.seepage) return water.seepage->head;
@@ -90,7 +92,7 @@ void follow_season(const input::Case& data, const mesh::Mesh<D>& mesh, const fem
   water.season = std::move(season.record);
 }
 
-/// Level above the place x (z in 3D as well) of the side that covers it; nothing when it lies beside the side.
+/// Returns the level, above the point x (in 3D also z), of the side that covers it; nothing beside the side.
 template <int D>
 std::optional<double> find_level(const std::array<Vec<D>, D>& c, const Vec<D>& x) {
   constexpr double edge = 1e-9;
@@ -133,7 +135,7 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
       return water;
     }
   }
-  // A state from another result already contains its weather.
+  // The state of another result includes its weather.
   const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
   const bool seeps = data.initial.water.pressure == input::InitialPressure::seepage;
   mesh::Mesh<D> wet_mesh;
@@ -177,7 +179,7 @@ std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Me
 template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points) {
-  constexpr double steepest = 1e-6;  // a vertical wall carries no water on its back
+  constexpr double steepest = 1e-6;  // smallest vertical component of a normal: a vertical face bears no water above it
   std::vector<double> load(points.size(), 0.0);
   const WaterSides<D> sides = find_water_sides<D>(mesh, data);
   std::vector<WaterSide<D>> ground;
@@ -225,12 +227,13 @@ TALUS_INSTANTIATE(3)
 
 namespace {
 
-/// Columns in which the water table is looked for.
+/// Columns in which the water table is traced.
 constexpr int columns = 400;
-/// Of the length of what begins at a time: a series that jumps there has its first value still.
+/// Time before the start, over the duration of what follows, at which a series that jumps at the start has its earlier
+/// value.
 constexpr double just_before = 1e-9;
 
-/// The line of that name, or the top of the box, where soil may reach up to it. Nothing lies on its other sides.
+/// Returns the line of that name, or the top of the box, which soil may reach. Other sides of the box bear no pond.
 std::optional<mesh::Line> find_line(const mesh::Plan& plan, const std::string& name) {
   for (const mesh::Line& line : plan.lines)
     if (line.name == name) return line;
@@ -366,7 +369,7 @@ lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2
     const input::Material* soil = find_soil(data, mesh, e);
     if (soil == nullptr) continue;
     std::array<int, 3> nodes = mesh.elements[e];
-    if (!takes_water(data, *soil)) {  // nodes of its own, at zero
+    if (!takes_water(data, *soil)) {  // separate nodes with zero pressure
       for (int& i : nodes) {
         grid.nodes.push_back(mesh.nodes[i]);
         grid.pressure.push_back(0);
@@ -389,7 +392,7 @@ Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond
     const int first = std::max(0, static_cast<int>(std::ceil((low - left) / width * columns - 1e-9))),
               last = std::min(columns, static_cast<int>(std::floor((high - left) / width * columns + 1e-9)));
     for (int c = first; c <= last; ++c) {
-      // The two places where the column meets the triangle's sides.
+      // The intersections of the column with the sides of the triangle.
       double y[2] = {0, 0}, u[2] = {0, 0};
       int met = 0;
       for (int k = 0; k < 3; ++k) {

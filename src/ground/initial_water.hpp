@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water at the start: pressures by [initial], from a water table or from steady seepage on the same mesh, and the
-// weather that followed.
+// Pore water at the start: pressures by [initial] (water table, or steady seepage on the same mesh) and the weather
+// after that, in the forms that MPM, FEM and LEM use.
 
 #include <optional>
 #include <string>
@@ -18,92 +18,92 @@
 
 namespace talus::ground {
 
-/// By element; zero where there is no pore water.
+/// Pore water at the start, per element; zero where there is none.
 template <int D>
 struct InitialWater {
-  std::vector<double> pressure;                  ///< in the middle of the element, positive in tension [Pa]
-  std::vector<Vec<D>> velocity;                  ///< of the water in the pores, against the grains [m/s]
-  std::optional<fem::SeepageResult<D>> seepage;  ///< steady, before the season
+  std::vector<double> pressure;                  ///< at the middle of the element, positive in tension [Pa]
+  std::vector<Vec<D>> velocity;                  ///< of the pore water relative to the grains [m/s]
+  std::optional<fem::SeepageResult<D>> seepage;  ///< steady state, before the season
   std::optional<SeasonRecord> season;
   std::vector<double> nodal;  ///< at the nodes, of the seepage or at the end of the season [Pa]; else empty
 };
 
-/// Throws Error (wrong_input) when gravity is inclined where levels matter, and what solve_steady_seepage() and
-/// run_season() throw.
+/// Returns the pore water at the start. Throws Error (wrong_input) if gravity is inclined where levels matter, and as
+/// solve_steady_seepage() and run_season().
 template <int D>
 InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 
-/// The same at the nodes, NaN where no wet element is near; empty for dry soil.
+/// Returns the same pressures at the nodes, NaN where no adjoining element is wet; empty for dry soil.
 template <int D>
 std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Mesh<D>& mesh,
                                          const InitialWater<D>& water);
 
-/// Level of the water table at x [m]: linear between its points, horizontal beyond its ends.
+/// Returns the level of the water table at x [m]: linear between its points, horizontal beyond its ends.
 double find_water_table(const std::vector<std::array<double, 2>>& table, double x);
 
-/// What steady seepage through the case is: materials by region, [[hydraulic]] by boundary; regions without pore water
-/// take no part. `wet_mesh` receives the mesh with those regions empty, and must live as long as the model.
+/// Returns the model of steady seepage: materials by region, [[hydraulic]] by boundary; regions without pore water take
+/// no part. `wet_mesh` receives the mesh with those regions empty, and must outlive the model.
 template <int D>
 fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh);
 
-/// Pressure [Pa] of water that stands on the ground above each point, from the total heads and pressures at time 0 of
-/// the surfaces that face upwards. Zero for all in a case without.
+/// Returns the pressure [Pa] of the water standing on the ground above each point, from the total heads and pressures
+/// at time 0 on the sides that face upwards; zero without any.
 template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points);
 
-// Pore water at the start as slices and finite elements take it: pressures at the nodes of a mesh, or a water table,
-// and the water that stands on the ground.
+// Pore water at the start for LEM and FEM: pressures at the nodes of a mesh, or a water table, and the water standing
+// on the ground.
 
 /// Water over a stretch of the ground, from a total head or a pressure on a named line.
 struct Pond {
-  Point from{}, to{};                   ///< on the ground, from left to right [m]
-  double level_from = 0, level_to = 0;  ///< of the water there [m]
+  Point from{}, to{};                   ///< ends on the ground, from left to right [m]
+  double level_from = 0, level_to = 0;  ///< level of the water there [m]
 };
-/// The time that the methods begin with [s]: 0, and just before it where a timeline follows, whose series may jump at
-/// 0.
+/// Returns the time at which the methods start [s]: 0, or just before it if a timeline follows, whose series may jump
+/// at 0.
 double find_first_time(const input::Case& data);
 
-/// The same of the weather: just before the season, where there is one [s].
+/// Returns the time at which the weather starts [s]: just before the season if there is one, else find_first_time().
 double find_weather_start(const input::Case& data);
 
-/// As it stands at `time` [s].
+/// Returns the ponds at `time` [s].
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time);
 
-/// Sentences on ponds without a bank, where the ground beside them is lower than their water.
+/// Returns warnings on ponds without a bank, where the ground beside them is lower than their water.
 std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);
 
-/// Level of the water that stands over the ground at x [m]: a pond's, or that of the water table; nothing where the
-/// ground is dry. `table` may be empty.
+/// Returns the level of the water standing over the ground at x [m], that of a pond or of the water table; nothing
+/// where the ground is dry. `table` may be empty.
 std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const Polyline& table, const Polyline& ground,
                                           double x);
 
-/// Whether pore pressures follow from a flow calculation and need a mesh.
+/// Returns true if pore pressures result from a flow calculation and therefore need a mesh.
 bool needs_seepage(const input::Case& data);
 
-/// Whether water acts in this material: where some soil of the case has pore water only in those that have, as for
-/// material points; else in all.
+/// Returns true if water acts in this material. If some soil of the case has pore water, it acts in those soils only,
+/// as in MPM; else in all.
 bool takes_water(const input::Case& data, const input::Material& soil);
 
-/// Pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water. With a season before
-/// the run: of its end. `told` receives what results keep of them.
+/// Returns the pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water, and that
+/// at the end of a season if there is one. `summary` receives the results on the water.
 template <int D>
 std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
                                         WaterResult* summary = nullptr);
 
-/// The case with bottom, left and right side held where it names no boundary at all: water does not pass them unless a
-/// [[hydraulic]] opens them.
+/// Returns the case with bottom, left and right side fixed if it names no boundary at all: they are impermeable unless
+/// a [[hydraulic]] opens them.
 input::Case close_sides(input::Case data);
 
-/// Pressures of a mesh for slices; soil that takes no water has zero.
+/// Returns the pressures on a mesh for LEM; soil in which no water acts has zero.
 lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2>& mesh,
                                      const std::vector<double>& pressure);
 
-/// The line of zero pressure in such a grid, with the water that stands on the ground, as a water table [m].
+/// Returns the line of zero pressure of a grid as a water table, together with the water standing on the ground [m].
 Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond>& ponds, const Polyline& ground,
                            double base);
 
-/// A water table with the levels of ponds where they are.
+/// Returns a water table with the levels of the ponds where there are any.
 Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground);
 
 }  // namespace talus::ground

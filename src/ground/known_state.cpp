@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Interpolation of the stress and the pore water of an earlier result.
 #include "ground/known_state.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace talus::ground {
 StressReader::StressReader(const input::KnownStress& known, const mesh::Mesh<2>& mesh)
     : known_(known), mesh_(mesh), same_mesh_(mesh.nodes == known.mesh.nodes && mesh.elements == known.mesh.elements) {}
 
-/// The nearest triangle with soil: near the ground a place of one mesh may lie in the air of another.
+/// Returns the nearest triangle with soil: near the ground a point of one mesh may lie outside the soil of another.
 int StressReader::find_soil(const Vec<2>& x) const {
   const mesh::Mesh<2>& mesh = known_.mesh;
   const int found = mesh::find_element(mesh, x, last_);
@@ -36,7 +37,7 @@ StressAt StressReader::read(int e, const Vec<2>& xi) {
   const std::array<double, 3> corner{1 - at[0] - at[1], at[0], at[1]};
   const auto& element = known_.elements[static_cast<std::size_t>(e)];
   StressAt here;
-  // The linear field that has its values where one of the coordinates is 2/3 and the others are 1/6.
+  // The linear field through the values at the integration points, where one coordinate is 2/3 and the others are 1/6.
   for (std::size_t q = 0; q < corner.size(); ++q)
     for (std::size_t k = 0; k < here.stress.size(); ++k)
       here.stress[k] += (2 * corner[q] - 1.0 / 3) * element.stress[q][k];
@@ -47,7 +48,7 @@ StressAt StressReader::read(int e, const Vec<2>& xi) {
 
 namespace {
 
-/// The element that holds `x`, or whose least shape function there is the greatest of all.
+/// Returns the element that contains `x`, or the one whose smallest shape function at x is largest.
 int find_nearest_element(const mesh::Mesh<2>& mesh, const Vec<2>& x, int start) {
   const int found = mesh::find_element(mesh, x, start);
   if (found >= 0) return found;

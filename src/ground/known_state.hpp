@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Stress that finite elements found before as the start of another calculation, on any mesh of the same section.
+// Stress and pore water of an earlier result as the start of another calculation, on any mesh of the same section.
 
 #include <array>
 #include <vector>
@@ -12,17 +12,17 @@ namespace talus::ground {
 
 struct StressAt {
   std::array<double, 6> stress{};  ///< effective, positive in tension [Pa]
-  double plastic_strain = 0;       ///< accumulated, deviatoric [-]
+  double plastic_strain = 0;       ///< accumulated deviatoric [-]
 };
 
-/// Reads known stress at places of a mesh: that of the triangle that holds the place, linear between its integration
-/// points, with the plastic strain of the nearest of them. On the mesh that the stress is from, the triangle of that
-/// number. Places outside of all take the triangle with soil whose least shape function there is the greatest.
+/// Interpolates a known stress field: linear between the integration points of the triangle that contains the point,
+/// with the plastic strain of the nearest of them. On the mesh of the field it is the triangle of the same number.
+/// Points outside all triangles take the triangle with soil whose smallest shape function at the point is largest.
 class StressReader {
  public:
   StressReader(const input::KnownStress& known, const mesh::Mesh<2>& mesh);
 
-  /// At the local coordinates `xi` of element `e` of the mesh.
+  /// Returns the state at the local coordinates `xi` of element `e` of the mesh.
   StressAt read(int e, const Vec<2>& xi);
 
  private:
@@ -34,15 +34,16 @@ class StressReader {
   int last_ = 0;
 };
 
-// Pore water that was found before as the start of another calculation, on any mesh of the same section.
+// Pore water of an earlier result as the start of another calculation, on any mesh of the same section.
 
 struct MappedWater {
   std::vector<double> pressure;  ///< at the nodes, positive in tension [Pa]
-  std::vector<Vec<2>> seepage;   ///< by element, Darcy's, of the whole area [m/s]
+  std::vector<Vec<2>> seepage;   ///< Darcy velocity per element [m/s]
 };
 
-/// At the nodes of `mesh` linear in the triangle that holds them, or that is nearest where a rounding is outside of
-/// all; in its elements that of the triangle around their middle. On the mesh that it is from, the same numbers.
+/// Maps known water to `mesh`. Nodes: linear in the triangle that contains them, or in the nearest one for points that
+/// rounding puts outside of all. Elements: the velocity of the triangle around their middle. On the mesh of the known
+/// water the numbers are unchanged.
 MappedWater map_water(const input::KnownWater& known, const mesh::Mesh<2>& mesh);
 
 }  // namespace talus::ground

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Elements and normals at named sides, and the search of the nearest side by bounding balls.
 #include "ground/mesh_sides.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace talus::ground {
 
 namespace {
 
-/// Sides whose normals differ by less than this are one smooth line: a node between them gets their mean.
+/// Sides whose normals differ by a smaller angle form a smooth line: nodes between them get the mean normal.
 const double smooth_cosine = std::cos(20 * 3.14159265358979 / 180);
 
 }  // namespace
@@ -138,7 +139,7 @@ Vec<D> subtract(const Vec<D>& a, const Vec<D>& b) {
   return r;
 }
 
-/// Distance from the segment a-b, in any number of dimensions.
+/// Returns the distance of x from the segment a-b, in any number of dimensions.
 template <int D>
 double find_segment_distance(const Vec<D>& a, const Vec<D>& b, const Vec<D>& x) {
   const Vec<D> along = subtract<D>(b, a);
@@ -150,7 +151,7 @@ double find_segment_distance(const Vec<D>& a, const Vec<D>& b, const Vec<D>& x) 
 
 constexpr std::size_t group_size = 32;
 
-/// Whether something in the ball may be nearer to `x` than `distance`.
+/// Returns true if something in the ball may be nearer to `x` than `distance`.
 template <int D>
 bool is_in_reach(const Ball<D>& ball, const Vec<D>& x, double distance) {
   const Vec<D> away = subtract<D>(x, ball.centre);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Water laws of the soils, and constant pore pressures and unit weights per element.
 #include "ground/pore_water.hpp"
 
 #include <fmt/format.h>
@@ -73,10 +74,10 @@ template const input::Material* find_soil<3>(const input::Case&, const mesh::Mes
 
 namespace {
 
-/// Parts of an element's edge, for means over elements that the water table cuts.
+/// Divisions of an element's edge, for means over elements that the water table cuts.
 constexpr int element_parts = 5;
 
-/// The mean over an element of something that follows from the pore pressure, linear between its corners.
+/// Returns the mean over an element of a function of the pore pressure, which is linear between the corners.
 template <int D, class F>
 double find_mean(const std::array<double, D + 1>& corners, const F& find) {
   double sum = 0;

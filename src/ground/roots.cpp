@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Root content and cohesion at points, and the integration of the distribution of water uptake over the elements.
 #include "ground/roots.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 using Rows = std::vector<std::array<double, 2>>;
 
-/// Linear between rows, constant beyond them; 1 without rows.
+/// Interpolates linearly between the rows, constant beyond them; returns 1 without rows.
 double interpolate(const Rows& rows, double at) {
   input::TimeTable table;
   for (const auto& [x, value] : rows) {
@@ -70,7 +71,7 @@ std::optional<double> find_ground_cohesion(const input::Roots& roots) {
   const bool breaks_one_by_one = bundle.model == input::RootBundleModel::fibre_bundle;
   std::vector<material::RootClass> classes;
   for (std::size_t i = 0; i < bundle.area_ratios.size(); ++i) {
-    const double diameter = i < bundle.diameters.size() ? bundle.diameters[i] : 0;  // the plain sum does not use it
+    const double diameter = i < bundle.diameters.size() ? bundle.diameters[i] : 0;  // unused by Wu and Waldron
     classes.push_back({diameter, bundle.area_ratios[i], bundle.strengths.at(i)});
   }
   return breaks_one_by_one ? material::find_fibre_bundle_cohesion(classes, bundle.orientation)
@@ -82,7 +83,7 @@ std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& me
                                 const std::vector<const input::Material*>& soils) {
   const auto takes_content = [&](std::size_t i) { return soils[i]->traits().roots == material::RootEffect::content; };
   const auto takes_cohesion = [&](std::size_t i) { return soils[i]->traits().roots == material::RootEffect::cohesion; };
-  std::vector<std::size_t> rooted;  // the places that may have roots
+  std::vector<std::size_t> rooted;  // indices of the places that may have roots
   for (std::size_t i = 0; i < places.size(); ++i)
     if (takes_content(i) || takes_cohesion(i)) rooted.push_back(i);
   std::vector<RootsAt> result(places.size());
@@ -151,10 +152,11 @@ TALUS_INSTANTIATE(3)
 
 namespace {
 
-/// Points per edge of the lattice that an element is sampled with: root zones are thinner than many an element.
+/// Divisions per edge of the lattice of samples in an element, as root zones are thinner than many an element.
 constexpr int lattice = 8;
 
-/// Barycentric coordinates of equal weights: lattice (lattice+1)/2 points of a triangle, exact for linear functions.
+/// Returns the barycentric coordinates of samples with equal weights: lattice (lattice+1)/2 points of a triangle, exact
+/// for linear functions.
 template <int D>
 std::vector<std::array<double, D + 1>> list_samples() {
   std::vector<std::array<double, D + 1>> samples;
@@ -175,7 +177,7 @@ std::vector<std::array<double, D + 1>> list_samples() {
   return samples;
 }
 
-/// A named line of the ground: how deep a place is under it, and how steep the nearest part is.
+/// A named line of the ground, for the depth of a point below it and the inclination of its nearest part.
 template <int D>
 class Ground {
  public:
@@ -186,7 +188,7 @@ class Ground {
   }
   double covered() const { return covered_; }
 
-  /// Distance [m], and the horizontal projection of a unit of the nearest ground [-].
+  /// Returns the distance [m], and the horizontal projection per unit area of the nearest ground [-].
   std::pair<double, double> find(const Vec<D>& x) {
     const NearestSides nearest = set_.find_nearest(x, 0, guess_);
     double projection = 0;
@@ -198,7 +200,7 @@ class Ground {
  private:
   double share_along(double x) const { return find_root_share(along_, 0, x); }
   SideSet<D> collect(const mesh::Mesh<D>& mesh, const std::string& name) {
-    find_depths<D>(mesh, name, {});  // says when there is no such line
+    find_depths<D>(mesh, name, {});  // throws if there is no such line
     std::vector<LabelledSide<D>> sides;
     for (const auto& side : mesh.sides.at(name)) {
       std::array<Vec<D>, D> c;
@@ -220,7 +222,7 @@ class Ground {
     return SideSet<D>(std::move(sides));
   }
 
-  input::Roots along_;  ///< the block without its profile
+  input::Roots along_;  ///< the block with a uniform profile over the depth
   std::vector<double> horizontal_, area_;
   std::vector<Vec<D>> centre_;
   SideSet<D> set_;
@@ -228,7 +230,7 @@ class Ground {
   std::size_t guess_ = 0;
 };
 
-/// Adds ∫ β N dV of element `e`, before β is scaled; returns their sum.
+/// Adds ∫ β N dV of element `e` for the unscaled β to `weights`, and returns the sum.
 template <int D>
 double add_element(const mesh::Mesh<D>& mesh, int e, const input::Roots& roots, Ground<D>& ground,
                    const std::vector<std::array<double, D + 1>>& samples, std::array<double, D + 1>& weights) {
@@ -242,7 +244,7 @@ double add_element(const mesh::Mesh<D>& mesh, int e, const input::Roots& roots, 
   std::array<double, D + 1> equal;
   equal.fill(1.0 / (D + 1));
   const Vec<D> middle = mix(equal);
-  double reach = 0;  // of the element from its middle
+  double reach = 0;  // radius of the element about its middle
   for (const int node : mesh.elements[e]) {
     Vec<D> away = mesh.nodes[node];
     for (std::size_t d = 0; d < D; ++d) away[d] -= middle[d];
@@ -308,7 +310,7 @@ RootDistribution<D> find_root_distribution(const input::Case& data, const input:
 }
 
 input::TimeTable make_transpiration_rate(const input::Transpiration& transpiration) {
-  input::Hydraulic rows;  // has the same two shapes of a series
+  input::Hydraulic rows;  // a container with the same two forms of a series
   rows.condition = input::WaterCondition::rain;
   rows.rate = transpiration.rate;
   rows.series = transpiration.series;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Transient seepage over the season, and its record by layers under the ground.
 #include "ground/season.hpp"
 
 #include <fmt/format.h>
@@ -17,20 +18,20 @@ namespace talus::ground {
 namespace {
 
 constexpr int intervals = 100;
-/// The states of every tenth interval are kept: more are hardly told apart in a picture.
+/// The states of every tenth interval are kept, as more could hardly be distinguished in a figure.
 constexpr int kept_interval = 10;
-/// Lower limits of the layers of the record, as multiples of the deepest roots, or of a tenth of the soil's
-/// height where nothing grows.
+/// Lower limits of the layers of the record, as multiples of the depth of the deepest roots, or of a tenth of the
+/// height of the soil if there are none.
 constexpr double layer_limits[] = {0.5, 1, 2, 4};
 
-/// The nodes with soil of each layer under the ground, and the soil that each stands for [m³].
+/// The nodes with soil in each layer under the ground, and the volume of soil of each node [m³].
 struct Layers {
   std::vector<double> depths;                   ///< lower limits [m]
   std::vector<std::vector<std::size_t>> nodes;  ///< by layer
   std::vector<double> volume;                   ///< by node
 };
 
-/// Depth of the nodes under the ground of the roots; without roots the level under the highest soil.
+/// Returns the depth of the nodes under the rooted ground; without roots that below the highest point of the soil.
 template <int D>
 std::vector<double> find_node_depths(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<double>& volume, double& unit) {
@@ -118,7 +119,7 @@ fem::SeepageHistory<D> solve(const fem::SeepageModel<D>& model, const std::vecto
   }
 }
 
-/// Where the water stood through the season, and its fields.
+/// Stores the water tables and the fields of the season.
 template <int D>
 void keep_states(const input::Case& data, const fem::SeepageModel<D>& model,
                  const std::vector<fem::SeepageResult<D>>& states, SeasonRecord& record) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The weather before the run: transient seepage with rain and transpiration in soil at rest, docs/theory/16-season.md.
+// The weather before the run: transient seepage with rain and transpiration in rigid soil (docs/theory/16-season.md).
 
 #include <filesystem>
 #include <optional>
@@ -13,29 +13,29 @@
 
 namespace talus::ground {
 
-/// What a season did, in 100 equal intervals. Volumes [m³] (2D: per metre of thickness) count from its start.
+/// Record of a season in 100 equal intervals. Volumes [m³] (2D: per metre of thickness) count from its start.
 struct SeasonRecord {
   struct Suctions {
     double mean = 0, least = 0, greatest = 0;  ///< of a layer; negative is pressure [Pa]
   };
   struct Row {
-    double time = 0;    ///< [s], negative: before the run
-    double stored = 0;  ///< growth of the water in the soil
+    double time = 0;    ///< [s]; negative: before the run
+    double stored = 0;  ///< growth of the water stored in the soil
     double inflow = 0, outflow = 0, runoff = 0;
     double potential = 0, transpired = 0;
     std::vector<Suctions> layers;
   };
   std::vector<double> depths;  ///< lower limits of the layers under the ground [m]
   std::vector<Row> rows;       ///< the first is the start
-  double initial = 0;          ///< water in the soil at the start [m³]
+  double initial = 0;          ///< water stored in the soil at the start [m³]
   std::vector<fem::Discharge> discharges;
   std::vector<fem::Uptake> uptakes;
   int steps = 0, rejected = 0, iterations = 0;
-  /// Where the water stood after each tenth of the season.
+  /// State of the water at the end of each tenth of the season.
   std::vector<results::WaterState> states;
   std::vector<results::WaterField> fields;  ///< of these states; none in 3D
 
-  /// The imbalance inflow - outflow - transpired - growth, as a share of the greatest of them [-].
+  /// Returns the imbalance inflow - outflow - transpired - growth over the largest of these [-].
   double find_error() const;
 };
 
@@ -45,30 +45,30 @@ struct Season {
   SeasonRecord record;
 };
 
-/// Seepage over a time, with what plants draw: states and volumes at the times of `schedule`, and the record of them.
+/// Transient seepage with transpiration: states and volumes at the times of `schedule`, and their record.
 template <int D>
 struct FlowInTime {
   fem::SeepageHistory<D> history;
   SeasonRecord record;  ///< without states and fields
 };
-/// From the heads `initial` per node on. `key` names what asked for it, for errors. Throws what run_season() does.
+/// Runs transient seepage from the heads `initial` per node. `key` names the option that requires it, for messages.
+/// Throws as run_season().
 template <int D>
 FlowInTime<D> follow_flow(const input::Case& data, const fem::SeepageModel<D>& model,
                           const std::vector<double>& initial, const fem::SeepageSchedule& schedule,
                           const std::string& key);
 
-/// Error of a step by which seepage over time chooses the next one [m of water]; a tenth of a kilopascal.
+/// Error of a time step that controls the next one [m of water]: 0.1 kPa.
 inline constexpr double head_tolerance = 0.01;
 
-/// From the heads `initial` per node at the time -season to 0. `mesh` is that of the model, with dry soil empty.
-/// Throws what solve_transient_seepage() and make_root_sinks() throw.
+/// Runs the season from the heads `initial` per node at the time -season to 0. `mesh` of the model has dry soil empty.
+/// Throws as solve_transient_seepage() and make_root_sinks().
 template <int D>
 Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
 
-/// Its results.
 results::Season make_season_result(const SeasonRecord& record);
 
-/// season.csv: the rows. Throws Error (cannot_write).
+/// Writes season.csv, the rows of the record. Throws Error (cannot_write).
 void write_season(const std::filesystem::path& path, const SeasonRecord& record);
 
 }  // namespace talus::ground

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steady seepage as the case describes it.
+// The sides of the wet soil with their hydraulic conditions, and the model of seepage of a case.
 #include "ground/seepage_model.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 
 using input::WaterCondition;
 
-/// A plane condition holds a side whose normal is within 20° of the plane's.
+/// A plane condition applies to sides whose normal is within 20° of its own.
 constexpr double parallel_cosine = 0.9397;
 
 template <int D>
@@ -35,7 +35,7 @@ Side<D> sort_nodes(Side<D> side) {
   return side;
 }
 
-/// What the case says about named sides, by side.
+/// The walls and conditions that the case assigns to named sides.
 template <int D>
 class NamedSides {
  public:
@@ -58,7 +58,7 @@ class NamedSides {
     }
   }
   bool is_wall(const Side<D>& sorted) const { return walls_.contains(sorted); }
-  /// Number of the condition, or 0.
+  /// Returns the number of the condition, or 0.
   int get_condition(const Side<D>& sorted) const {
     const auto found = conditions_.find(sorted);
     return found == conditions_.end() ? 0 : found->second;
@@ -67,7 +67,7 @@ class NamedSides {
  private:
   static int choose(const input::Case& data, int a, int b) {
     const auto rank = [&](int number) {
-      constexpr double lowest = -1e300;  // a head is a head below its level
+      constexpr double lowest = -1e300;  // below its level, where a head is not a seepage face
       return find_rank(make_surface_condition(data.hydraulics[static_cast<std::size_t>(number) - 1]), lowest, true);
     };
     return rank(b) < rank(a) ? b : a;
@@ -109,7 +109,7 @@ Side<D> get_side(const mesh::Mesh<D>& mesh, int e, int opposite) {
   return side;
 }
 
-/// The sides of boundaries that stand still, but not those that a [[hydraulic]] opens.
+/// Adds the sides of fixed boundaries, except those that a [[hydraulic]] opens.
 template <int D>
 void add_held_walls(const mesh::Mesh<D>& mesh, const input::Case& data, const NamedSides<D>& named,
                     WaterSides<D>& result) {
@@ -213,7 +213,7 @@ WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& dat
         if (is_no_flow(number) && e < behind) lines[static_cast<std::size_t>(number)].push_back(side);
         continue;
       }
-      if (wall && (number == 0 || is_no_flow(number))) continue;  // held
+      if (wall && (number == 0 || is_no_flow(number))) continue;  // impermeable
       is_met[static_cast<std::size_t>(number)] = true;
       result.open.push_back({side, mesh.elements[e][k], find_outward_normal(mesh, e, k).first, wall, number});
     }
@@ -250,7 +250,7 @@ fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& regi
   const input::Material& m = data.materials.at(given->second);
   if (!m.water.is_wet()) return soil;
   soil.porosity = m.porosity;
-  // Darcy's k under the model's gravity: a head of one metre presses harder there.
+  // Darcy's k depends on gravity: the pressure gradient per unit of head is proportional to it.
   soil.conductivity.fill(input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
   soil.retention = input::make_retention(m.water);
   const bool in_time = data.timeline || data.initial.water.season > 0;
@@ -278,8 +278,8 @@ fem::HydraulicKind to_kind(WaterCondition c) {
   return fem::HydraulicKind::no_flow;
 }
 
-/// Which sides without a name are the ground: not the base, whose normal points down, and not the outer sides of the
-/// model, which cut through soil that goes on.
+/// Selects the unnamed sides that are the ground: not the base, whose normal points down, and not the outer sides of
+/// the model, at which it is cut off from the surrounding soil.
 template <int D>
 class Ground {
  public:
@@ -330,8 +330,8 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
   model.mesh = &wet_mesh;
   for (const std::string& region : mesh.region_names) model.soils.push_back(make_soil<D>(data, region));
   model.unit_weight = find_water_weight(data);
-  // The same sides and the same precedence as on the moving soil. Sides without a name are seepage faces on the ground,
-  // and closed elsewhere.
+  // The same sides and the same precedence as in MPM. Unnamed sides are seepage faces on the ground and impermeable
+  // elsewhere.
   const Ground<D> ground(mesh);
   const WaterSides<D> sides = find_water_sides<D>(mesh, data);
   for (std::size_t number = 0; number < sides.surfaces.size(); ++number) {

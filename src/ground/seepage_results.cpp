@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Discharges, water tables, ponds and fields of seepage, season and water at rest, rounded for the results files.
 #include "ground/seepage_results.hpp"
 
 #include <algorithm>
@@ -13,9 +14,10 @@ namespace talus::ground {
 
 namespace {
 
-/// A mesh with more elements would be the largest part of the folder, and too fine to be seen.
+/// Largest mesh whose fields are stored; a larger one would dominate the size of the results and be too fine for a
+/// figure.
 constexpr std::size_t most_elements = 60000;
-/// Columns and rows of the triangles on which water at rest is told.
+/// Columns and rows of the triangles of the field of water at rest.
 constexpr int columns = 120, rows = 30;
 
 template <std::size_t D>
@@ -23,14 +25,14 @@ std::vector<double> to_list(const std::array<double, D>& x) {
   return {x.begin(), x.end()};
 }
 
-/// Six digits: as many as a picture or a comparison needs.
+/// Rounds to six significant digits, enough for figures and comparisons.
 double shorten(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
   return std::round(value / unit) * unit;
 }
 
-/// To a hundredth of a millimetre, whatever the origin: six digits of a map's coordinate would be metres.
+/// Rounds to 0.01 mm, independent of the origin: six significant digits of map coordinates would be metres.
 results::Point shorten_place(double x, double y) {
   constexpr double per_metre = 1e5;
   return {std::round(x * per_metre) / per_metre, std::round(y * per_metre) / per_metre};
@@ -43,7 +45,7 @@ void add_side_discharges(const fem::SeepageResult<D>& r, std::vector<results::Di
   for (const fem::FaceExtent<D>& e : r.exits) exits.push_back({e.name, to_list(e.highest), to_list(e.lowest)});
 }
 
-/// Nothing where slices would find no ground: only pictures want it here.
+/// Returns the ground; empty where find_ground() throws, as it only serves figures here.
 Polyline look_for_ground(const input::Case& data) {
   if (data.mesh.dimension != 2 || data.mesh.polygons.empty()) return {};
   try {
@@ -59,7 +61,7 @@ std::vector<results::StandingWater> make_ponds_result(const std::vector<Pond>& p
   return result;
 }
 
-/// The elements of soil with pore water; `mesh` is that of the flow calculation.
+/// Returns the elements of soil with pore water; `mesh` is that of the flow calculation.
 template <int D>
 std::vector<std::vector<int>> list_elements(const mesh::Mesh<D>& mesh) {
   std::vector<std::vector<int>> list;
@@ -69,7 +71,7 @@ std::vector<std::vector<int>> list_elements(const mesh::Mesh<D>& mesh) {
   return list;
 }
 
-/// The places at which table and ground may cross or bend, from left to right.
+/// Returns the x at which table and ground may intersect or bend, from left to right.
 std::vector<double> list_breaks(const Polyline& table, const Polyline& ground) {
   const double left = ground.front()[0], right = ground.back()[0], step = 1e-7 * (right - left);
   std::vector<double> breaks{left, right};
@@ -88,7 +90,7 @@ std::vector<double> list_breaks(const Polyline& table, const Polyline& ground) {
   return all;
 }
 
-/// A point straight on from the last piece takes the place of its end.
+/// Appends a point to a line, or replaces its end if the point continues the last segment.
 void extend(std::vector<results::Point>& line, const Point& x) {
   const auto n = line.size();
   if (n > 1) {
@@ -99,7 +101,7 @@ void extend(std::vector<results::Point>& line, const Point& x) {
   line.push_back(x);
 }
 
-/// A table that lies above the ground in places: the part in the soil, and the ponds over it.
+/// Splits a table that is partly above the ground into the parts in the soil and the ponds over it.
 void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground,
                  results::WaterState& state) {
   const std::vector<double> breaks = list_breaks(table, ground);
@@ -125,7 +127,7 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
   }
 }
 
-/// The water table of the case; nothing in a case without.
+/// Returns the state under the water table of the case; nothing in a case without one.
 std::optional<results::WaterState> make_table_state_result(const input::Case& data, double time) {
   const input::InitialWater& initial = data.initial.water;
   if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return std::nullopt;
@@ -139,7 +141,7 @@ std::optional<results::WaterState> make_table_state_result(const input::Case& da
   return state;
 }
 
-/// Water at rest under the table of the case, on triangles between the ground and the lower end of the soil.
+/// Returns the field of water at rest under the table of the case, on triangles between the ground and the lowest soil.
 results::WaterFields lay_fields(const input::Case& data, const Polyline& ground) {
   const double base = find_base(data.mesh), left = ground.front()[0], right = ground.back()[0];
   std::vector<double> places;
@@ -236,7 +238,7 @@ WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh
                               const std::optional<fem::SeepageResult<D>>& steady,
                               const std::optional<SeasonRecord>& season) {
   WaterResult result;
-  if (data.initial.water.known) return result;  // who found it has told of it
+  if (data.initial.water.known) return result;  // the earlier result has it
   if (!steady && !season) return make_water_table_result(data);
   const double start = season ? season->rows.front().time : 0;
   std::vector<results::WaterState>& states = result.states.emplace();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Saturation, unit weight and suction stress of soil, and the weight of pools on a mesh.
 #include "ground/weights.hpp"
 
 #include <algorithm>
@@ -13,11 +14,11 @@ namespace talus::ground {
 
 namespace {
 
-/// Khalili and Khabbaz (1998).
+/// Exponent of χ = (s/s_e)^-0.55 (Khalili and Khabbaz 1998).
 constexpr double khalili_exponent = -0.55;
 
 double find_saturation(const input::Material& soil, double p) {
-  if (!soil.water.is_wet()) return p > 0 ? 0 : 1;  // dry above the water table, full below
+  if (!soil.water.is_wet()) return p > 0 ? 0 : 1;  // dry above the water table, saturated below
   return material::saturation(input::make_retention(soil.water), p);
 }
 
