@@ -14,20 +14,20 @@
 namespace talus::run {
 namespace {
 
-/// As wide as `width` characters; letters outside ASCII count once.
+/// Pads to `width` characters; a letter outside ASCII counts once.
 std::string pad(const std::string& text, std::size_t width) {
   const auto length = static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
   return text + std::string(length < width ? width - length : 1, ' ');
 }
 
-/// " [1.391, 1.426]", rounded outward; empty where there is no interval.
+/// " [1.391, 1.426]", rounded outward; empty without an interval.
 std::string write_interval(const std::optional<results::ElementInterval>& interval) {
   if (!interval) return "";
   return fmt::format(" [{:.3f}, {:.3f}]", results::show_lower(interval->lower), results::show_upper(interval->upper));
 }
 
-/// The check of a design set: what is compared with 1 is the factor of safety over γ_R.
+/// Formats the check of a design set, in which the factor of safety over γ_R is compared with 1.
 std::string write_design_check(const results::RunResult& run) {
   if (!run.methods || !run.methods->partial_factors || !run.methods->partial_factors->over_design) return "";
   const results::DesignStatement& design = *run.methods->partial_factors;
@@ -39,12 +39,12 @@ std::string write_design_check(const results::RunResult& run) {
                      *design.over_design < 1 ? "below 1: the slope is NOT verified" : "at least 1: verified");
 }
 
-/// The factor that governs, with its method and surface.
+/// Formats the governing factor with its method and surface.
 std::string write_main_factor(const results::RunResult& run) {
   const std::optional<double> factor = results::find_main_factor(run);
   const auto surface = results::find_governing_surface(run);
   if (!factor || !run.methods) return "";
-  // The governing number of bounds is one end of an interval.
+  // The governing number of limit analysis is one end of an interval.
   if (run.slices && run.slices->referee && run.slices->referee->is_interval() && !surface &&
       results::find_slices_factor(run) == factor)
     return fmt::format(
@@ -61,7 +61,8 @@ std::string write_main_factor(const results::RunResult& run) {
   const results::TimedReduction* later = run.timeline ? results::find_least_reduction(*run.timeline) : nullptr;
   if (later != nullptr && later->runs.front().factor == factor)
     return fmt::format("Factor of safety {:.3f}{} (finite elements, at {})\n", *factor,
-                       write_interval(later->runs.front().interval), results::format_moment(*run.timeline, later->time));
+                       write_interval(later->runs.front().interval),
+                       results::format_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
   const results::ElementRun* elements = results::find_governing_elements(run);
@@ -73,7 +74,7 @@ std::string write_main_factor(const results::RunResult& run) {
                                    : "material points");
 }
 
-/// Rapid drawdown: the same slip surface in the stages before the one that counts.
+/// Formats the stages of rapid drawdown before the governing one, on the same slip surface.
 std::string write_drawdown(const results::RunResult& run) {
   const auto surface = results::find_governing_surface(run);
   if (!surface || !surface->found->drawdown || !run.slices->drawdown) return "";
@@ -84,7 +85,7 @@ std::string write_drawdown(const results::RunResult& run) {
   return text + "\n";
 }
 
-/// "1.441", "1.432–1.446" of what is proven, "none".
+/// "1.441"; "1.432–1.446" for a proven interval; "none".
 std::string write_factor(const results::MethodRow& row) {
   if (row.factor) return fmt::format("{:6.3f}", *row.factor);
   if (row.method != Method::bounds) return "  none";
@@ -94,7 +95,7 @@ std::string write_factor(const results::MethodRow& row) {
   return row.upper ? fmt::format("≤ {:.3f}", upper) : "  none";
 }
 
-/// The factors of all methods side by side, and the sentences on their differences.
+/// Formats the factors of all methods as a table, and the sentences on their differences.
 std::string write_method_table(const results::MethodComparison& methods) {
   if (methods.table.empty()) return "";
   constexpr std::size_t method_width = 30, criterion_width = 52;
@@ -116,7 +117,7 @@ std::string write_factors(const results::PointFactors& factors) {
   if (factors.frozen) {
     const results::FrozenFactor& f = *factors.frozen;
     text += f.factor ? fmt::format("Factor of safety {:.3f}", *f.factor) : "Factor of safety: none, " + f.note;
-    // Outward: an interval that is shown must not be narrower than the one that was found.
+    // Intervals are rounded outward, so that the printed one is not narrower than the computed one.
     if (f.uncertainty) text += fmt::format(" ± {:.2f}", std::ceil(100 * *f.uncertainty - 1e-9) / 100);
     if (!f.factor) {
       text += " (at frozen geometry)";
@@ -143,7 +144,7 @@ std::string write_factors(const results::PointFactors& factors) {
   return text;
 }
 
-/// Lengths, volumes and suctions in the units of the case: cubic feet beside lengths in feet or inches.
+/// Formats lengths, volumes and suctions in the units of the case: cubic feet with lengths in feet or inches.
 class Units {
  public:
   explicit Units(const results::RunResult& run) : names_(run.units), is_solid_(run.mesh && run.mesh->dimension == 3) {}
@@ -157,7 +158,7 @@ class Units {
   std::string write_stress(double pascals) const {
     return fmt::format("{:.3g} {}", pascals / units::get_si_factor(names_.stress), names_.stress);
   }
-  /// In plane strain of a metre or a foot of the slope.
+  /// In plane strain the volume is per metre or foot of the slope.
   std::string write_volume(double volume, std::optional<double> uncertainty) const {
     if (uncertainty) *uncertainty /= volume_unit();
     return format_uncertain(volume / volume_unit(), uncertainty) + " " + volume_name();
@@ -221,10 +222,10 @@ std::string write_runouts(const results::RunResult& run, const Units& in) {
   return text;
 }
 
-/// What leaves where in the state that the methods began with, and how high water stands on the ground.
+/// Formats the outflow by boundary in the initial state of the methods, and the depth of standing water.
 std::string write_state(const results::WaterState& state, const Units& in) {
   std::string text;
-  const double least = 1e-6 * std::max(state.inflow, state.outflow);  // below it is the solver's rounding
+  const double least = 1e-6 * std::max(state.inflow, state.outflow);  // smaller flows are rounding errors of the solver
   for (const results::Discharge& d : state.discharges) {
     for (const auto& [flow, way] : {std::pair{d.inflow, "in"}, std::pair{d.outflow, "out"}})
       if (flow > least)

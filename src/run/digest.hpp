@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A run in a few lines, for the person at the terminal.
+// Summary of a run in a few lines, for the terminal.
 
 #include <string>
 

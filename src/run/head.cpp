@@ -84,7 +84,7 @@ results::Unit find_unit(const std::string& unit, const input::Output& output) {
   return {shown, units::get_si_factor(shown)};
 }
 
-/// A computed value, and what a reader must know about how it was found.
+/// A computed value, with remarks on how it was obtained.
 struct Found {
   std::optional<double> value;
   std::string note;
@@ -106,7 +106,7 @@ results::Comparison compare_with(const input::Case& data, const input::Compare& 
   out.tolerance_text = compare.tolerance.text;
   out.source = compare.source;
   out.note = found.value || !result ? found.note : "the run did not reach this result";
-  // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.
+  // A difference equal to the tolerance passes, regardless of rounding in the last digit.
   out.passes = found.value && std::abs(*found.value - out.published) <= out.tolerance * (1 + 1e-12);
   return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The head of the results of every run: title block, program, machine, units, input.
+// The head of the results of every run: title block, program, machine, units and input; and named results with their
+// comparison to expected values.
 
 #include <cmath>
 #include <optional>
@@ -14,41 +15,38 @@
 
 namespace talus::run {
 
-/// The title block of the report.
+/// Title block of the report.
 results::Project make_project(const input::Case& data);
 
-/// Program, build, machine and input: where a number comes from.
+/// Origin of the numbers: program, build, machine and input.
 results::Provenance make_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
 
-/// The units of display.
 results::DisplayUnits make_display_units(const input::Output& output);
 
-/// Title, project, provenance, units, outlines and input.
+/// Makes a result with title, project, provenance, units, outlines and input.
 results::RunResult begin_result(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
 
-/// A length in sentences, in the unit of the case: "1.22 m", "4 ft".
+/// Formats a length for a sentence, in the unit of the case: "1.22 m", "4 ft".
 std::string format_length(const results::RunResult& run, double metres, int digits = 3);
 
-// Numbers that files need not keep to the last digit.
-
-/// `value` to 1/`digits`: digits = 1e6 keeps six digits after the point.
+/// Rounds `value` to 1/`digits` for files: digits = 1e6 keeps six decimal places.
 inline double round_to(double value, double digits) {
   return std::round(value * digits) / digits;
 }
 
-// Results under the names of input/case/result_names.hpp, and how they compare with what the case expects.
+// Names of results are those of input/case/result_names.hpp.
 
-/// The result `name` of a run [SI]; nothing when the run did not reach it. The displacement of a trial that was not
-/// calculated is interpolated between its neighbours on the curve.
+/// Returns the result `name` of a run [SI]; nullopt if the run did not reach it. The displacement of a trial that was
+/// not run is interpolated between its neighbours on the curve.
 std::optional<double> find_result(const results::RunResult& run, const std::string& name);
 
-/// All results that the case yields and the run reached, with the units in which they are shown.
+/// Lists all results that the case yields and the run reached, with their display units.
 std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run);
 
-/// The case's [[compare]] of results of a run, each with the computed value, the tolerance in SI, and whether it
-/// passes.
+/// Evaluates [[compare]] of the case for a run, each entry with the computed value, the tolerance in SI, and whether
+/// it passes.
 std::vector<results::Comparison> compare_results(const input::Case& data, const results::RunResult& run);
-/// The same of element tests: a run has none of theirs, and they are no part of a run.
+/// Evaluates [[compare]] for element tests, which are not part of a run.
 std::vector<results::Comparison> compare_results(const input::Case& data, const results::PointTests& tests);
 
 }  // namespace talus::run

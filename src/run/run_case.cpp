@@ -46,7 +46,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* summary_file = "summary.json";
 
-/// Whether material points need finite elements, for their first stress or the time at which they take over.
+/// Returns true if MPM needs FEM, for its initial stress or its time of release.
 bool asks_for_elements(const input::Case& data) {
   if (!input::uses(data, Method::mpm)) return false;
   return data.initial.stress == input::InitialStress::elements ||
@@ -54,7 +54,7 @@ bool asks_for_elements(const input::Case& data) {
           data.timeline->release->criterion == input::ReleaseCriterion::equilibrium);
 }
 
-/// Sentences on ground and water that no method can make right.
+/// Returns warnings of faults of ground and water that affect every method.
 std::vector<std::string> list_ground_warnings(const input::Case& data) {
   std::vector<std::string> sentences = ground::find_odd_water(data);
   for (const ground::SteepFace& face : ground::find_steep_faces(data)) sentences.push_back(ground::describe(face));
@@ -85,7 +85,7 @@ class CaseRun {
       const Failure failure = explain_failure(std::current_exception());
       run_.status = find_status(failure.code);
       run_.error = failure.sentence;
-      // A disk that is full for the results is full for this too; the first error is the one to report.
+      // If the disk is full for the results, this fails too, and the first error is the one to report.
       try {
         finish();
       } catch (...) {
@@ -103,13 +103,13 @@ class CaseRun {
     return code == ExitCode::unstable ? results::Status::unstable : results::Status::failed;
   }
 
-  /// All that can be wrong with the case is found here, before anything is written.
+  /// Finds all faults of the case before anything is written.
   void prepare() {
     const input::Case& data = design_.data;
     const bool alone = data.methods.size() == 1;
     const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem),
                has_bounds = input::uses(data, Method::bounds);
-    // A fault of the finite elements is reported before the hours that material points may take.
+    // Faults of FEM and limit analysis are reported before MPM, which may take hours.
     if (has_points && (has_elements || asks_for_elements(data))) check_solid(data);
     if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
@@ -130,8 +130,7 @@ class CaseRun {
     if (data.timeline) timeline_.emplace(data, options_, hash_);
   }
 
-  /// The case of the points: with one direction of an earthquake, and with the stress of finite elements where they
-  /// begin with it.
+  /// Returns the case of MPM: with one direction of an earthquake, and with the initial stress of FEM if required.
   std::unique_ptr<const input::Case> make_point_case(const input::Case& data, results::RunResult& run,
                                                      std::vector<std::string>& notes) const {
     auto own = std::make_unique<input::Case>(data);
@@ -145,7 +144,8 @@ class CaseRun {
     return own;
   }
 
-  /// Points follow one motion: that in which circles have the smaller factor. Returns the sentence that says so.
+  /// MPM needs one direction of the earthquake: that in which circles have the smaller factor. Returns the sentence
+  /// that states it.
   std::string choose_direction(input::Earthquake& quake, const input::Case& data) const {
     if (options_.progress) options_.progress->show("earthquake: weaker direction by circles");
     const auto weaker = find_weaker_direction(data, options_.threads);
@@ -163,7 +163,7 @@ class CaseRun {
         *weaker == input::EarthquakeDirection::left ? "smaller" : "larger");
   }
 
-  /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
+  /// MPM runs released later are prepared at their time; their faults are found here, at time 0.
   void check_points(const input::Case& data) const {
     RunOptions fresh = options_;
     fresh.resume = false;
@@ -172,7 +172,7 @@ class CaseRun {
   }
 
   void calculate() {
-    if (slices_ && !points_) calculate_slices();  // alone they may find no surface: then nothing is written
+    if (slices_ && !points_) calculate_slices();  // LEM alone may find no surface, and then nothing is written
     open();
     if (slices_) {
       if (points_) calculate_slices();
@@ -192,14 +192,14 @@ class CaseRun {
     for (ReleaseCase& other : beside_) run_beside(other);
   }
 
-  /// The search, and the referee of what it found.
+  /// Runs the search, and the referee on its result.
   void calculate_slices() {
     slices_->calculate();
     if (slices_->needs_referee()) slices_->take_referee(search_referee_interval(design_.data, find_start(), options_));
     if (options_.progress) options_.progress->clear();
   }
 
-  /// Finite elements at times of the timeline, each in a folder of its own.
+  /// Runs FEM at times of the timeline, each in a folder of its own.
   void reduce_in_time() {
     for (ReductionCase& reduction : timeline_->list_reductions()) {
       RunOptions options = options_;
@@ -219,7 +219,7 @@ class CaseRun {
     }
   }
 
-  /// Material points of the time at which they take over.
+  /// Runs MPM from the time of release.
   void release() {
     beside_ = timeline_->list_releases();
     if (beside_.empty()) return;
@@ -231,7 +231,7 @@ class CaseRun {
     points_->open();
   }
 
-  /// The same at another time, in a folder of its own.
+  /// Runs a release at another time, in a folder of its own.
   void run_beside(ReleaseCase& other) {
     RunOptions options = options_;
     options.folder = join_name(options.folder, other.summary.folder);
@@ -273,17 +273,17 @@ class CaseRun {
     out.limits = run.runout->limits;
   }
 
-  /// A factor for the bounds to begin with; they do not depend on it.
+  /// Returns a factor from which limit analysis starts; the bounds do not depend on it.
   std::optional<double> find_start() const {
     const auto governing = slices_ ? results::find_governing_surface(slices_->result(), nullptr)
                                    : std::optional<results::GoverningSurface>();
     return governing ? governing->found->surface.factor : std::nullopt;
   }
 
-  /// The folder, before the first result.
+  /// Opens the folder before the first result.
   void open() {
     lock_.take();
-    check_folder(loaded_, options_);  // another run may have ended there since the first look
+    check_folder(loaded_, options_);  // another run may have ended there since the first check
     if (options_.overwrite)
       replace_folder(
           options_.folder, [this](const auto& file) { return is_of_run(loaded_.data, file); }, options_.progress);
@@ -320,7 +320,7 @@ class CaseRun {
     if (timeline_) timeline_->forget();
   }
 
-  /// Finite elements with ψ = φ estimate the factor that limit analysis bounds, where both take the same tension.
+  /// Compares FEM with ψ = φ with the proven interval, if both have the same tensile strength.
   void judge_elements() {
     const input::Case& data = design_.data;
     if (!run_.elements || !run_.bounds || !run_.bounds->is_interval() || run_.bounds->is_davis ||
@@ -344,7 +344,7 @@ class CaseRun {
     timeline_->write_result(run_);
   }
 
-  /// water.json: the fields of the water that the methods began with; timeline_water.json: those in time.
+  /// Writes water.json, the fields of the initial water of the methods, and timeline_water.json, those in time.
   void keep_water() const {
     const results::WaterFields* fields = points_ ? points_->water_fields() : nullptr;
     if (fields == nullptr && slices_) fields = slices_->water_fields();
@@ -355,7 +355,7 @@ class CaseRun {
       results::write_file(options_.folder / "timeline_water.json", *in_time, -1);
   }
 
-  /// Seconds of a run without material points.
+  /// Lists the times of a run without MPM [s].
   std::vector<results::TimedPart> list_parts() const {
     std::vector<results::TimedPart> parts;
     if (run_.slices) parts.push_back({"lem", "limit equilibrium", run_.slices->seconds});
@@ -364,7 +364,7 @@ class CaseRun {
     return parts;
   }
 
-  /// Material points alone, with the values of the case, have nothing to be compared with.
+  /// MPM alone, with the values of the case, has no other method to be compared with.
   void compare() {
     if (points_ && !slices_ && !elements_ && !bounds_ && !design_.statement) return;
     run_.methods =
@@ -388,19 +388,19 @@ class CaseRun {
   std::optional<ElementRun<D>> elements_;
   std::optional<BoundsRun> bounds_;
   std::optional<TimelineRun> timeline_;
-  bool releases_ = false;  ///< material points take over from the timeline
+  bool releases_ = false;  ///< MPM is released from the timeline
   std::unique_ptr<const ReleaseCase> released_;
   std::vector<ReleaseCase> beside_;
   std::vector<results::Release> results_beside_;  ///< of those that ran
-  bool is_followed_ = false;                      ///< the material points of the run itself came to their end
+  bool is_followed_ = false;                      ///< MPM of the run itself was completed
   std::unique_ptr<const input::Case> point_case_;
-  std::vector<std::string> point_notes_;  ///< of the earthquake that the points follow, and of their coarser mesh
+  std::vector<std::string> point_notes_;  ///< on the earthquake direction of MPM, and on its coarser mesh
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };
 
-/// The comparisons of a finished run, the results from its files and its title block may have changed since. None
-/// of them needs the run again.
+/// Renews the parts of a finished run that may have changed since and do not need the run again: comparisons, results
+/// from files, and the title block.
 results::RunResult renew(results::RunResult run, const input::Case& data, const RunOptions& options) {
   const FileList files(options.folder);
   const nlohmann::json before = results::to_json(run);
@@ -440,14 +440,14 @@ void check_ready_mesh(const input::LoadedCase& loaded) {
 }
 
 void check_methods(const input::Case& data) {
-  // Levels before and after a drawdown are compared in the section; steady seepage is found for it in seconds.
+  // Levels before and after a drawdown are compared in the section; its steady seepage takes seconds.
   const bool is_meshed = is_meshed_in_a_moment(data.mesh);
   const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
   if (input::uses(data, Method::lem) && (compares_levels || !ground::needs_seepage(data))) prepare_slope(data);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
-  // A coarse mesh, and what lies on it.
+  // This makes a coarse mesh and checks its loads.
   if (is_meshed && !ground::needs_seepage(data)) make_bounds_problem(data);
 }
 

@@ -39,7 +39,7 @@ bool has(const Names& names, const std::string& name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Folders of finite elements in time: elements_1 and so on.
+/// Returns true for folders of FEM in time: elements_1 and so on.
 bool is_reduction(const std::string& name) {
   const std::string begin = "elements_";
   return name.size() > begin.size() && name.starts_with(begin) &&
@@ -47,14 +47,14 @@ bool is_reduction(const std::string& name) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// A path without links.
+/// Resolves symbolic links.
 fs::path find_real(const fs::path& path) {
   std::error_code unknown;
   const fs::path real = fs::weakly_canonical(path, unknown);
   return real.has_filename() ? real : real.parent_path();
 }
 
-/// Throws Error (folder_exists) when `target` is or holds what nobody wants to replace by results.
+/// Throws Error (folder_exists) if `target` is or holds something that must not be replaced by results.
 void check_target(const input::LoadedCase& loaded, const fs::path& target) {
   const fs::path folder = find_real(target), home = fs::path(loaded.file).parent_path();
   const auto holds = [&](const fs::path& path) {
@@ -78,7 +78,7 @@ void check_target(const input::LoadedCase& loaded, const fs::path& target) {
   if (fs::exists(folder / ".git", unknown)) refuse("is a repository (.git)");
 }
 
-/// Throws Error (folder_exists) naming a file that stays and is in the way of a new one.
+/// Throws Error (folder_exists) with the name of a foreign file that is in the way of a new one.
 void refuse_obstacles(const SortedFiles& files, const IsWritten& is_written) {
   for (const fs::path& file : files.foreign) {
     const std::string path = (files.folder / file).string();
@@ -98,7 +98,7 @@ void refuse_obstacles(const SortedFiles& files, const IsWritten& is_written) {
 
 void check_empty(const input::LoadedCase& loaded, const RunOptions& options) {
   const input::Initial& initial = loaded.data.initial;
-  std::error_code unknown;  // of a folder that is not there yet
+  std::error_code unknown;  // of a folder that does not exist yet
   if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
     throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
                                                      "give another folder with -o",
@@ -163,7 +163,7 @@ void require_list(const fs::path& folder) {
 void check_kept(const fs::path& folder) {
   check_listed(folder, [&](const std::string& name) {
     const fs::path file = name;
-    if (file.filename() == end_state_file) return fs::exists(folder / file);  // it may be deleted
+    if (file.filename() == end_state_file) return fs::exists(folder / file);  // the end state may be deleted
     const fs::path end = file.extension();
     return file.filename() != "report.html" && end != ".svg" && end != ".png" && end != ".gp";
   });

@@ -17,7 +17,7 @@ namespace talus::run {
 
 namespace {
 
-/// Places are kept to so many parts of a metre, stresses to so many of a pascal, and shares to so many of one.
+/// Stored values are rounded to this many parts of a metre, a pascal, and one.
 constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6;
 
 results::Point round_place(const Vec<2>& x) {
@@ -41,7 +41,8 @@ results::HoldingField make_stress_result(const bounds::Problem& problem, const b
   return result;
 }
 
-/// The shear strain rate of a triangle is the mean of √((ε_x − ε_y)² + γ²) at its corners.
+/// Makes the velocity field of the mechanism. The shear strain rate of a triangle is the mean of √((ε_x − ε_y)² + γ²)
+/// at its corners.
 results::MovingField make_velocity_result(const bounds::Problem& problem, const bounds::VelocityField& field) {
   results::MovingField result;
   double fastest = 0, most = 0;
@@ -73,7 +74,7 @@ results::MovingField make_velocity_result(const bounds::Problem& problem, const 
   return result;
 }
 
-/// The lines along which the mechanism slides, found as those of finite elements are.
+/// Returns the slip lines of the mechanism, found in the same way as those of FEM.
 std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const bounds::VelocityField& field) {
   fem::QuadraticMesh<2> mesh;
   mesh.nodes = field.mesh.nodes;
@@ -86,7 +87,8 @@ std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const 
     mesh.linear_element.push_back(static_cast<int>(e));
     const bounds::Shape shape = bounds::find_shape(problem, e);
     for (std::size_t c = 0; c < 3; ++c) {
-      // Linear in the triangle: at the point nearest corner c two thirds of it and a sixth of each other corner.
+      // The field is linear in the triangle: the point nearest corner c has the weight 2/3 of it and 1/6 of each other
+      // corner.
       std::array<double, 6> strain{};
       Vec<2> place{0, 0};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -169,7 +171,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char *bounds_file = "bounds.json", *bounds_title = "proven bounds";
 
-/// Whether some soil bears less tension than the apex of its criterion.
+/// Returns true if a soil has a tensile strength below the apex of its criterion.
 bool has_tension_limit(const bounds::Problem& problem) {
   return std::any_of(problem.strength.begin(), problem.strength.end(), [](const auto& corners) {
     return std::any_of(corners.begin(), corners.end(), [](const bounds::Strength& s) { return s.tension.has_value(); });
@@ -222,7 +224,8 @@ results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const boun
                             data_.bounds.gap);
 }
 
-/// The result is of the direction with the smaller upper bound; its lower bound holds in both.
+/// Searches the other direction of the earthquake. The result is that of the direction with the smaller upper bound;
+/// its lower bound holds for both.
 void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
   const auto directed = [&](input::EarthquakeDirection direction) {
     input::Case data = data_;
@@ -241,7 +244,7 @@ void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
   results::BoundsResult& out = file_.summary;
   out.earthquake = results::EarthquakeSide{was_left == is_first_governing ? -1 : 1, other.summary.lower};
   if (!out.lower || (other.summary.lower && *other.summary.lower >= *out.lower)) return;
-  // What leaves the other direction's bound low leaves this interval wide.
+  // The reason for the low bound of the other direction is the reason for the width of this interval.
   out.lower = other.summary.lower;
   out.no_lower = other.summary.no_lower;
   for (const std::string& warning : other.summary.warnings)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Proven bounds in a run: calculated or taken from an interrupted run, and kept in the folder.
+// Limit analysis in a run: computed or read from an interrupted run, and stored in the folder.
 
 #include <chrono>
 #include <optional>
@@ -14,24 +14,23 @@
 
 namespace talus::run {
 
-// The results of proven bounds.
-
-/// Bounds, meshes, fields and the lines of the mechanism; warnings where a bound is missing, or the interval is wider
-/// than the gap that was asked for.
+/// Converts bounds, meshes, fields and slip lines of the mechanism; adds warnings if a bound is missing, or the
+/// interval is wider than the requested gap.
 results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap);
 
 class BoundsRun {
  public:
-  /// `data`: what is calculated. `alone`: the case has no other method.
+  /// `data`: the case or its design values. `alone`: the case has no other method.
   BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
-  /// The first mesh; nothing is written. Throws Error (interrupted); where bounds answer alone, what
-  /// make_bounds_problem() throws, else the reason stands in the result.
+  /// Prepares the first mesh; writes nothing. Throws Error (interrupted); if limit analysis is the only method, what
+  /// make_bounds_problem() throws, otherwise the reason is part of the result.
   void prepare();
-  /// Both bounds from a factor that another method found (or 1), kept in the folder. Throws Error (interrupted).
+  /// Computes both bounds, starting from the factor of another method (or 1), and stores them. Throws Error
+  /// (interrupted).
   void calculate(std::optional<double> start);
   void write_result(results::RunResult& run) const;
-  /// As of SliceRun.
+  /// See SliceRun.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
  private:

@@ -24,11 +24,11 @@ namespace talus::run {
 
 namespace {
 
-/// A normal that points along an axis to this is along it.
+/// Least component of a unit normal that counts as parallel to an axis.
 constexpr double along_axis = 1 - 1e-9;
-/// A side that rises more steeply is vertical: its run over its length, and over the width of the section.
+/// A side with a smaller run, over its length and over the width of the section, counts as vertical.
 constexpr double vertical = 1e-9;
-/// Cohesion of soil that cannot yield, as slices take it [Pa].
+/// Cohesion of soil that does not yield, as in LEM [Pa].
 constexpr double unyielding = 1e9;
 
 void check_material(const std::string& name, const input::Material& m) {
@@ -47,9 +47,10 @@ void check_boundary(const input::Boundary& b) {
                           b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
 }
 
-/// A first mesh of more triangles than the last one may have is a slip of the pen, and takes all memory.
+/// Throws if the first mesh has more triangles than allowed for the last one, which is usually a typing error and
+/// would use all memory.
 void check_size(const input::Case& data) {
-  constexpr double slack = 4;  // a finer mesh may have four times the triangles of the one before
+  constexpr double slack = 4;  // a mesh may have four times as many triangles as the one before
   if (!data.bounds.size || !data.mesh.file.empty()) return;
   const double size = *data.bounds.size, count = count_elements(mesh::resize(data.mesh, size)).soil,
                most = slack * data.bounds.triangles;
@@ -89,7 +90,7 @@ class ProblemBuilder {
     return data_.materials.at(data_.regions.at(region));
   }
 
-  /// Those with soil, on nodes of their own numbers.
+  /// Adds the triangles with soil, with nodes numbered anew.
   void add_triangles() {
     const ground::HeldWater<2> water = ground::find_held_water<2>(data_, mesh_, &made_.water);
     Vec<2> direction{data_.gravity.direction[0], data_.gravity.direction[1]};
@@ -193,7 +194,7 @@ class ProblemBuilder {
     }
   }
 
-  /// The certificates are of the given problem.
+  /// Checks the loads against the case, because the certificates are those of the given problem.
   void check_loads(const std::map<bounds::EdgeKey, bounds::Side>& border) const {
     if (ground_.empty()) return;
     std::vector<LoadedSide> sides;
@@ -205,7 +206,7 @@ class ProblemBuilder {
       throw Error(ExitCode::wrong_input, "limit analysis: " + *wrong);
   }
 
-  /// Sides that face upwards, and vertical ones between the ends of the ground.
+  /// Returns true for sides that face upwards, and for vertical ones between the ends of the ground.
   bool is_ground(const bounds::Side& side) const {
     const auto &from = made_.problem.nodes[static_cast<std::size_t>(side.from)],
                &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
@@ -236,7 +237,7 @@ class ProblemBuilder {
   const input::Case& data_;
   Supports supports_;
   const mesh::Mesh<2> mesh_;
-  std::vector<int> number_;  ///< of the nodes of the mesh; -1: of no soil
+  std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
   ground::Polyline ground_, table_;
   std::vector<ground::Pond> ponds_;
   ProblemOfCase made_;
@@ -257,13 +258,13 @@ ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports) {
 
 namespace {
 
-/// Differences up to this fraction of the largest load are rounding, and up to this fraction of the pressure of water
-/// as deep as the ground is wide: a water table along the ground is a load of rounding alone.
+/// Differences up to this fraction of the largest load, or of the pressure of water as deep as the ground is wide, are
+/// rounding errors. The second one applies to a water table along the ground, whose load consists of rounding errors.
 constexpr double rounding_of_loads = 1e-6, rounding_of_water = 1e-12;
-/// Places at which a side is looked at.
+/// Number of places at which a side is checked.
 constexpr int side_samples = 9;
 
-/// A polyline at x, level beyond its ends; `y` of equal length.
+/// Interpolates a polyline at x, level beyond its ends; `ys` has the length of `xs`.
 double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto after = static_cast<std::size_t>(std::upper_bound(xs.begin(), xs.end(), x) - xs.begin());
   if (after == 0) return ys.front();
@@ -310,7 +311,7 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
     const double run = side.from[0] - side.to[0], rise = side.to[1] - side.from[1], length = std::hypot(run, rise);
     const Vec<2> normal{rise / length, run / length};
     left = std::min({left, side.from[0], side.to[0]}), right = std::max({right, side.from[0], side.to[0]});
-    if (normal[1] < 1e-6) continue;  // a vertical step has its water beside it
+    if (normal[1] < 1e-6) continue;  // the water beside a vertical step counts for it
     for (int i = 1; i <= side_samples; ++i) {
       const double s = static_cast<double>(i) / (side_samples + 1);
       const Vec<2> x{side.from[0] - s * run, side.from[1] + s * rise};

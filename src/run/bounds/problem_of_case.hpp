@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A case as limit analysis sees it.
+// The problem of limit analysis of a case: mesh, strength, weight, pore pressures, loads and supports, and the check
+// of its loads.
 
 #include <array>
 #include <optional>
@@ -17,34 +18,35 @@ namespace talus::run {
 
 struct ProblemOfCase {
   bounds::Problem problem;
-  ground::WaterResult water;       ///< that pore pressures are from
-  std::vector<std::string> notes;  ///< what the bounds cannot take from the case as it is, in sentences
+  ground::WaterResult water;       ///< origin of the pore pressures
+  std::vector<std::string> notes;  ///< sentences on what limit analysis does not take from the case as it is
 };
 
-/// What holds the section.
+/// Supports of the section.
 enum class Supports {
-  as_given,   ///< [[boundary]]
-  below_soil  ///< base and ends of the section fixed, the ground free: as methods of slices assume
+  as_given,   ///< those of [[boundary]]
+  below_soil  ///< base and ends of the section fixed, the ground free: the assumption of LEM
 };
 
-/// The first mesh, with strength, weight, pore pressures, loads and supports. Pore pressures of steady seepage are
-/// calculated on this mesh. Throws Error (wrong_input) for a material, a boundary or a load that limit analysis does
-/// not have; what mesh::generate() and find_held_water() throw.
+/// Makes the first mesh, with strength, weight, pore pressures, loads and supports. Pore pressures of steady seepage
+/// are computed on this mesh. Throws Error (wrong_input) for a material, a boundary or a load that limit analysis does
+/// not support, and what mesh::generate() and find_held_water() throw.
 ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports = Supports::as_given);
 
-/// Throws Error (wrong_input) for what make_bounds_problem() refuses, without a mesh.
+/// Throws Error (wrong_input) for input that make_bounds_problem() does not support, without a mesh.
 void check_bounds(const input::Case& data);
 
-// The loads of a limit analysis against those of the case: a certificate of another problem proves nothing.
+// The loads of limit analysis are compared with those of the case, since a certificate of another problem proves
+// nothing.
 
-/// A side of the ground, and the traction that surcharges and standing water have there in the programs.
+/// A side of the ground, and its traction by surcharges and standing water in the optimisation problem.
 struct LoadedSide {
-  Vec<2> from{}, to{};               ///< the soil is on the left of the way
-  std::array<Vec<2>, 2> traction{};  ///< at both ends, linear between them [Pa]
+  Vec<2> from{}, to{};               ///< the soil is on the left of the direction from `from` to `to`
+  std::array<Vec<2>, 2> traction{};  ///< at both ends, linear in between [Pa]
 };
 
-/// Evaluates surcharges and water of the case at places of each side, without the mesh. A sentence with the place where
-/// the traction differs most; nothing where all are the same but for rounding.
+/// Evaluates surcharges and water of the case at places of each side, independently of the mesh. Returns a sentence
+/// with the place of the largest difference in traction; nullopt if the differences are rounding errors.
 std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<ground::Pond>& ponds,
                                            const ground::Polyline& table, const std::vector<LoadedSide>& sides);
 

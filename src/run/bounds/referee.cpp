@@ -14,12 +14,12 @@
 namespace talus::run {
 namespace {
 
-/// The search ends at this width of the interval over its middle, or with a mesh of so many triangles: at least twice
-/// those of the first mesh, which pore pressures of a wide section make fine. See BoundsOptions for the third.
+/// The search ends at this relative width of the interval, or with this number of triangles: at least twice those of
+/// the first mesh, which pore pressures of a wide section make fine. For `most_unproven` see BoundsOptions.
 constexpr double judging_gap = 0.03;
 constexpr int most_triangles = 2500, most_unproven = 3;
 
-/// Returns why limit analysis cannot judge this case; nothing where it can.
+/// Returns why limit analysis cannot judge this case; nullopt if it can.
 std::optional<std::string> find_obstacle(const input::Case& data) {
   if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";

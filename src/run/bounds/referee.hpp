@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Limit analysis as the referee of limit equilibrium.
+// Limit analysis as the referee of LEM.
 
 #include "input/case/case.hpp"
 #include "results/bounds.hpp"
@@ -8,9 +8,10 @@
 
 namespace talus::run {
 
-/// The interval of the soil that methods of slices assume: ψ = φ, tension up to the apex, base and ends of the section
-/// fixed. An earthquake is tried in both directions, and the weaker one counts. `start`: a factor near the interval,
-/// where there is one. What limit analysis cannot judge is told in `why_not`. Throws Error (interrupted).
+/// Computes the proven interval under the assumptions of LEM: ψ = φ, tension up to the apex, base and ends of the
+/// section fixed. An earthquake is applied in both directions, and the smaller factor counts. `start`: a factor near
+/// the interval, if known. `why_not` has the reason if limit analysis does not support the case. Throws Error
+/// (interrupted).
 results::Referee search_referee_interval(const input::Case& data, std::optional<double> start,
                                          const RunOptions& options);
 

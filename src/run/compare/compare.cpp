@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The methods that a surface of another method is given to: Spencer and Morgenstern–Price, which satisfy all
-/// equilibrium, and those of the case that suit polylines.
+/// Returns the methods of slices that evaluate the surface of another method: Spencer and Morgenstern–Price, which
+/// satisfy complete equilibrium, and those of the case that suit polylines.
 std::vector<SliceMethod> list_takers(const input::LimitEquilibrium& settings) {
   std::vector<SliceMethod> takers{SliceMethod::spencer, SliceMethod::morgenstern_price};
   for (const SliceMethod method : settings.methods)
@@ -47,10 +47,10 @@ results::MethodRow begin_row(Method method, std::string name, std::string title,
   return row;
 }
 
-/// A factor of slices on the surface of another method that differs by more says that the line is not its mechanism.
+/// If the LEM factor on the surface of another method differs by more than this ratio, the line is not its mechanism.
 constexpr double largest_ratio = 2;
 
-/// Why the factor on a surface that was handed over is not to be believed; empty: it is.
+/// Returns why the LEM factor on the surface of another method is not reliable; empty if it is.
 std::string judge_handed(std::optional<double> factor, std::optional<double> of_giver) {
   if (!factor || !of_giver || !(*of_giver > 0)) return "";
   const double ratio = *factor / *of_giver;
@@ -74,7 +74,7 @@ class Comparison {
     if (run_.slices) add_slices(*run_.slices);
     if (run_.elements) add_elements(*run_.elements);
     if (run_.bounds) add_bounds(*run_.bounds);
-    // Points that take over later have another time's water than the slices and elements of this table.
+    // An MPM run released later has the water of another time than LEM and FEM in this table.
     const bool later = data_.timeline && data_.timeline->release;
     if (input::uses(data_, Method::mpm) && !later) add_points();
     if (slope_ != nullptr) hand_over();
@@ -156,7 +156,7 @@ class Comparison {
     }
   }
 
-  /// No factor: an interval.
+  /// Adds a row with an interval instead of a factor.
   void add_bounds(const results::BoundsResult& bounds) {
     if (bounds.error) return;
     results::MethodRow row =
@@ -183,8 +183,8 @@ class Comparison {
                 *bounds.sides);
   }
 
-  /// A line of finite elements, of the upper bound's mechanism or of material points; where the soil moves to both
-  /// sides the line of each, first the one that lies nearer to the surface of the slices.
+  /// Adds a line of FEM, of the upper bound mechanism or of MPM. If the soil moves to both sides, each has its line,
+  /// and the one nearer to the LEM surface comes first.
   void add_lines(results::MethodSurface line, const std::vector<results::SideLine>& sides) {
     if (sides.size() != 2) {
       results_.surfaces.push_back(std::move(line));
@@ -262,12 +262,12 @@ class Comparison {
   PointsSlipLine find_line() const {
     try {
       return find_points_slip_line(data_, run_, folder_);
-    } catch (const Error&) {  // frames of a run that was stopped may be damaged
+    } catch (const Error&) {  // frames of an interrupted run may be damaged
       return {};
     }
   }
 
-  /// Surfaces of the other methods on slices.
+  /// Evaluates the surfaces of the other methods by LEM.
   void hand_over() {
     const lem::SearchOptions options = make_search_options(data_.lem, threads_);
     const std::vector<results::MethodSurface> given = results_.surfaces;

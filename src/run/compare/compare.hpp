@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The methods beside one another: factors, surfaces, surfaces of one method handed to another.
+// Comparison of the methods: factors, surfaces, and surfaces of one method evaluated by another.
 
 #include <filesystem>
 
@@ -10,16 +10,16 @@
 
 namespace talus::run {
 
-/// From the results of the methods in `run`. `slope`: for surfaces that are handed to slices; may be nullptr.
-/// `folder`: results of material points.
+/// Compares the results of the methods in `run`. `slope` evaluates surfaces by LEM; it may be nullptr. `folder` has
+/// the results of MPM.
 results::MethodComparison compare_methods(const input::Case& data, const lem::Slope* slope,
                                           const results::RunResult& run, const std::filesystem::path& folder,
                                           int threads);
 
-/// Name of the surface along the band of shear strain: "fem.band", "fem.associated.band".
+/// Name of the surface along the shear band: "fem.band", "fem.associated.band".
 const char* name_band(results::Flow flow);
 
-/// "ψ = φ", "ψ = 0°", "ψ as given" of a strength reduction by finite elements.
+/// "ψ = φ", "ψ = 0°", "ψ as given" of a strength reduction by FEM.
 std::string describe_flow(const results::ElementRun& run);
 
 }  // namespace talus::run

@@ -18,23 +18,23 @@ namespace talus::run {
 
 namespace {
 
-/// Circle and polyline further apart are two mechanisms [-].
+/// A larger difference between circle and polyline indicates two mechanisms [-].
 constexpr double far_surfaces = 0.05;
-/// Methods further apart cannot be explained by meshes and flow rules alone [-].
+/// A larger difference between methods is not explained by meshes and flow rules alone [-].
 constexpr double far_methods = 0.10;
-/// Criteria of the finite elements further apart say that the trials were not calculated to their end [-].
+/// A larger difference between the criteria of FEM indicates that trials ended too early [-].
 constexpr double far_criteria = 0.03;
-/// Of the length of a surface in one soil, from which on it follows that soil; and by how much it has more of its
-/// length there than a surface that does not [-].
+/// Fraction of the length of a surface in one soil from which the surface follows that soil, and its least excess over
+/// a surface that does not follow it [-].
 constexpr double following = 0.3, more_than_other = 0.15;
-/// Rows of elements across a layer, below which it is stiffer than it is.
+/// With fewer rows of elements across a layer, the layer is too stiff.
 constexpr double fewest_rows = 3;
 
 double differ(double a, double b) {
   return std::abs(a / b - 1);
 }
 
-/// Share of the base of a surface in each soil.
+/// Fraction of the base of a surface in each soil.
 std::map<std::string, double> share_soils(const results::CriticalSurface& c) {
   std::map<std::string, double> shares;
   double all = 0;
@@ -46,7 +46,7 @@ std::map<std::string, double> share_soils(const results::CriticalSurface& c) {
 /// A soil that a surface follows.
 struct Followed {
   std::string soil;
-  double share = 0;  ///< of the length [-]
+  double share = 0;  ///< fraction of the length [-]
 };
 
 class Warnings {
@@ -66,7 +66,7 @@ class Warnings {
   }
 
  private:
-  /// The method's circle; nullptr where there is none.
+  /// Returns the circle of the method; nullptr if there is none.
   const results::CriticalSurface* find(const std::vector<results::CriticalSurface>& list, SliceMethod method) const {
     const auto found = std::find_if(list.begin(), list.end(), [&](const results::CriticalSurface& c) {
       return c.surface.method == method && c.surface.factor;
@@ -74,7 +74,7 @@ class Warnings {
     return found == list.end() ? nullptr : &*found;
   }
 
-  /// The soil in which `surface` has more of its length than `other`, by most.
+  /// Returns the soil with the largest excess of the length of `surface` over that of `other`.
   static std::optional<Followed> find_followed(const results::CriticalSurface& surface,
                                                const results::CriticalSurface& other) {
     const std::map<std::string, double> own = share_soils(surface);
@@ -119,7 +119,7 @@ class Warnings {
           title, *polyline->surface.factor, of_circle));
   }
 
-  /// A surface that the search would have left through its smallest depth is no minimum.
+  /// Warns of a critical surface at the smallest depth of the search, which is no minimum.
   void warn_of_skin() {
     if (!governing_ || !run_.slices || !run_.slices->search) return;
     const double smallest = run_.slices->search->smallest_depth, depth = governing_->found->depth;
@@ -164,7 +164,7 @@ class Warnings {
             : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
   }
 
-  /// A factor outside what is proven. Finite elements and material points with ψ < φ may be below it.
+  /// Warns of a factor outside the proven interval. FEM and MPM with ψ < φ may be below it.
   void warn_of_bounds() {
     if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis) return;
     const bool flows_less = is_nonassociated(data_);
@@ -195,8 +195,8 @@ class Warnings {
     }
   }
 
-  /// `interval`: what the factor is known to; nothing: the factor alone. `below`: why it may be below the lower bound;
-  /// empty: as it should, and the comparison of the methods says so.
+  /// `interval`: the interval of the factor; nullopt: the factor alone. `below`: the reason why the factor may be
+  /// below the lower bound; empty if this is expected, as the comparison of the methods reports then.
   void warn_outside(const std::string& words, double factor, std::optional<results::ElementInterval> interval,
                     const std::string& above, const std::string& below) {
     const auto &lower = run_.bounds->lower, &upper = run_.bounds->upper;
@@ -211,7 +211,7 @@ class Warnings {
                       words, results::show_lower(*lower), below));
   }
 
-  /// What is known to move a method by the order of the difference.
+  /// Lists known causes of a difference of this order.
   std::vector<std::string> list_causes(double difference) const {
     std::vector<std::string> causes;
     const results::ElementRun *given = nullptr, *associated = nullptr;
@@ -239,7 +239,7 @@ class Warnings {
     return causes;
   }
 
-  /// Soils of the governing surface that are thinner than a few elements.
+  /// Lists soils of the governing surface that are thinner than a few elements.
   std::vector<std::string> list_thin_layers() const {
     std::vector<std::string> thin;
     if (!governing_) return thin;
@@ -249,7 +249,8 @@ class Warnings {
     return thin;
   }
 
-  /// Of the thickest polygon with this soil: twice its area over its perimeter, which is exact for a long layer [m].
+  /// Thickness of the thickest polygon of this soil [m]: twice its area over its perimeter, which is exact for a long
+  /// layer.
   double find_thickness(const std::string& soil) const {
     double thickest = 0;
     for (const mesh::Polygon& polygon : data_.mesh.polygons) {
@@ -302,7 +303,7 @@ std::vector<std::string> warn_of_disagreement(const input::Case& data, const res
 
 namespace {
 
-/// The factors with this verdict, in one sentence; empty where there are none.
+/// Formats the factors with this verdict as one sentence; empty if there are none.
 std::string read_verdicts(const results::SliceResult& slices, results::Verdict verdict, const char* words) {
   std::vector<std::string> list;
   const auto add = [&](const std::vector<results::CriticalSurface>& surfaces, const char* surface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Warnings on factors that lie far apart: of circles and polylines, of the methods, of the criteria of one method.
+// Warnings on large differences between factors: of circles and polylines, of the methods, and of the criteria of one
+// method; and sentences on the referee of LEM.
 
 #include <optional>
 #include <string>
@@ -11,14 +12,13 @@
 
 namespace talus::run {
 
-/// The most important first; each names the factors, their likely cause, and what to do. `methods`: those of `run`.
+/// Returns warnings, the most important first; each names the factors, their likely cause and a remedy. `methods`: the
+/// comparison of `run`.
 std::vector<std::string> warn_of_disagreement(const input::Case& data, const results::RunResult& run,
                                               const results::MethodComparison& methods);
 
-// Sentences on the referee of limit equilibrium.
-
-/// Sentences on the proven interval and on the factors outside it; none without limit equilibrium. `governing`: the
-/// factor of the surface that governs.
+/// Returns sentences on the proven interval and on LEM factors outside it; empty without LEM. `governing`: the factor
+/// of the governing surface.
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing);
 

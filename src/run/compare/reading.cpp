@@ -16,14 +16,14 @@
 namespace talus::run {
 namespace {
 
-/// Factors that differ by less are the same [-].
+/// Factors with a smaller relative difference count as equal [-].
 constexpr double same = 0.01;
-/// Difference among the methods of slices, which usually differ little, from which on it is reported [-].
+/// Methods of slices usually differ little; a larger difference between them is reported [-].
 constexpr double noticeable = 0.02;
-/// Mean distance of two surfaces over the height of the slope that still is one mechanism, where it is more than the
-/// size of the elements [-].
+/// Mean distance of two surfaces, over the height of the slope, up to which they are one mechanism, if it exceeds the
+/// element size [-].
 constexpr double same_surface = 0.06;
-/// Share of suction in the resistance from which on it is reported [-].
+/// Fraction of the resistance due to suction from which it is reported [-].
 constexpr double noticeable_suction = 0.01;
 
 std::string format_share(double part) {
@@ -36,7 +36,7 @@ std::string compare(double factor, double other) {
   return fmt::format("{} {}", format_share(factor / other - 1), factor >= other ? "above" : "below");
 }
 
-/// The critical surface of a method; nullptr where there is none.
+/// Returns the critical surface of a method; nullptr if there is none.
 const results::CriticalSurface* find_surface(const std::vector<results::CriticalSurface>& list, SliceMethod method) {
   for (const results::CriticalSurface& c : list)
     if (c.surface.method == method) return &c;
@@ -98,7 +98,7 @@ class Reading {
     remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
   }
 
-  /// What is proven, and which factors it holds.
+  /// Describes the proven interval and the factors inside it.
   void read_bounds() {
     if (!run_.bounds || !run_.bounds->is_interval()) return;
     const double low = *run_.bounds->lower, high = *run_.bounds->upper;
@@ -125,7 +125,7 @@ class Reading {
       if (run != nullptr && run->verdict == results::Verdict::too_low)
         say("The factor of finite elements with {} ({:.3f}) lies below the lower bound and is impossible.",
             describe_flow(*run), run->factor);
-    // Slices know no dilatancy, and their cases may leave it out.
+    // LEM has no dilatancy, and its cases may leave it out.
     const bool has_flow = input::uses(data_, Method::fem) || input::uses(data_, Method::mpm);
     if (!has_flow || !is_nonassociated(data_)) return;
     std::vector<std::string> below;
@@ -145,7 +145,7 @@ class Reading {
     return found == nullptr ? std::nullopt : found->surface.factor;
   }
 
-  /// One factor of each kind of method: Spencer's circle, finite elements, material points.
+  /// Describes the range of one factor of each kind of method: Spencer's circle, FEM, MPM.
   void read_range() {
     std::vector<std::pair<std::string, double>> parts;
     if (slices_) parts.emplace_back(fmt::format("slices ({}) {:.3f}", name_, *slices_), *slices_);
@@ -168,7 +168,7 @@ class Reading {
 
   void read_search() {
     if (!run_.slices || !run_.slices->search) return;
-    // One sentence for all methods that ended at the same limit.
+    // Methods that ended at the same limit share one sentence.
     std::vector<std::pair<std::string, std::vector<std::string>>> limits;
     for (const results::LimitHit& hit : run_.slices->search->limit_hits) {
       auto known = std::find_if(limits.begin(), limits.end(), [&](const auto& l) { return l.first == hit.limit; });
@@ -220,7 +220,7 @@ class Reading {
           get_title(method), of_polyline, format_share(of_polyline / of_circle - 1));
   }
 
-  /// The share of suction in the resistance on the governing surface.
+  /// Describes the fraction of the resistance due to suction on the governing surface.
   void read_suction() {
     if (surface_ == nullptr) return;
     const results::SliceTable& slices = surface_->slices;
@@ -277,7 +277,7 @@ class Reading {
     }
   }
 
-  /// The interval of two meshes, or that there is none.
+  /// Describes the interval of two meshes, or its absence.
   void read_element_mesh() {
     for (const results::ElementRun* run : {given_, associated_}) {
       if (run == nullptr) continue;
@@ -295,7 +295,7 @@ class Reading {
     }
   }
 
-  /// Finite elements against slices.
+  /// Compares FEM with LEM.
   void read_elements() {
     const results::ElementRun* run = associated_ ? associated_ : given_;
     if (run == nullptr || !slices_) return;
@@ -365,7 +365,7 @@ class Reading {
 
   bool is_extrapolated() const { return run_.factor_of_safety->frozen->extrapolated.has_value(); }
 
-  /// Mechanisms on both sides of a section.
+  /// Describes mechanisms on both sides of a section.
   void read_sides() {
     for (const results::MethodSurface& s : methods_.surfaces) {
       if (!s.beside || !s.direction) continue;
@@ -380,7 +380,7 @@ class Reading {
     }
   }
 
-  /// Whether the methods find one mechanism, and the factors of slices on the surfaces of the others.
+  /// Describes whether the methods find one mechanism, and the LEM factors on the surfaces of the others.
   void read_surfaces() {
     if (surface_ == nullptr || !(height_ > 0)) return;
     const ground::Polyline& own = surface_->surface.points;
@@ -405,14 +405,14 @@ class Reading {
     }
   }
 
-  /// The name of a surface of the finite elements where there are two bands; empty where there is one.
+  /// Name of an FEM surface if there are two bands; empty if there is one.
   std::string name_rule(const results::MethodSurface& s) const {
     if (given_ == nullptr || associated_ == nullptr) return "";
     const bool associated = s.beside.value_or(s.name) == name_band(results::Flow::associated);
     return " with " + describe_flow(associated ? *associated_ : *given_);
   }
 
-  /// Another local minimum of the slices that is this mechanism.
+  /// Describes another local minimum of the LEM search that is this mechanism.
   std::string describe_near_minimum(const ground::Polyline& line, double size) const {
     const auto minima = run_.slices->minima.find(results::to_word(surface_->surface.method));
     if (minima == run_.slices->minima.end()) return "";
@@ -454,7 +454,7 @@ class Reading {
   const results::RunResult& run_;
   const results::MethodComparison& methods_;
   double height_;
-  const results::CriticalSurface* surface_ = nullptr;  ///< that governs the slices
+  const results::CriticalSurface* surface_ = nullptr;  ///< the governing LEM surface
   std::optional<double> slices_, frozen_;
   std::string name_, place_;  ///< of the surface: "Spencer's polyline", "the critical polyline of Spencer"
   const results::ElementRun *given_ = nullptr, *associated_ = nullptr;

@@ -9,12 +9,12 @@
 
 namespace talus::run {
 
-/// Each sentence states what was measured in this case; causes are named only where the numbers show them. From the
-/// results of the methods in `run` and from their table, surfaces and surfaces handed over in `methods`.
+/// Returns sentences that each state a measurement of this case; causes are named only if the numbers show them. The
+/// sources are the results of the methods in `run`, and their table, surfaces and exchanged surfaces in `methods`.
 std::vector<results::Remark> read_differences(const input::Case& data, const results::RunResult& run,
                                               const results::MethodComparison& methods);
 
-/// True where a soil with friction has ψ < φ, for which limit analysis proves nothing.
+/// Returns true if a soil with friction has ψ < φ, for which the bound theorems do not hold.
 bool is_nonassociated(const input::Case& data);
 
 }  // namespace talus::run

@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Distance that a simplified line may keep from the full one, over the width of the line.
+/// Largest distance between a simplified line and the full one, over the width of the line.
 constexpr double simplified = 0.004;
-/// The middle part of a line is compared: its ends are extended to the ground and mean nothing.
+/// Number of points compared. Only the middle part of a line is compared, as its ends are extensions to the ground.
 constexpr int compared_points = 60;
-/// The ends of a line rise to the ground at least so steeply [-].
+/// Least slope of the ends of a line up to the ground [-].
 constexpr double flattest_end = 0.2;
 
-/// Douglas and Peucker.
+/// Douglas–Peucker simplification.
 void simplify(const ground::Polyline& line, std::size_t from, std::size_t to, double tolerance,
               std::vector<bool>& kept) {
   std::size_t farthest = from;
@@ -42,7 +42,7 @@ void simplify(const ground::Polyline& line, std::size_t from, std::size_t to, do
   simplify(line, farthest, to, tolerance, kept);
 }
 
-/// `count` places along the line, equally far apart.
+/// Returns `count` evenly spaced points along the line.
 ground::Polyline resample(const ground::Polyline& line, int count) {
   std::vector<double> along(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
@@ -70,7 +70,7 @@ struct LastFrame {
   double largest = 0;  ///< displacement [m]
 };
 
-/// The last frame of a folder, at the places where the points were before they moved.
+/// Reads the last frame of a folder, with the points at their positions before the motion.
 std::optional<LastFrame> read_last_frame(const fs::path& folder) {
   if (!output::holds_frames(folder)) return std::nullopt;
   const output::ResultsReader reader(folder);
@@ -147,7 +147,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   ground::Polyline line = given;
   if (line.size() < 2) return std::nullopt;
   if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
-  // Only points that lie in the soil and continue to the right.
+  // Keeps points inside the soil that continue to the right.
   ground::Polyline inside;
   for (const ground::Point& x : line) {
     if (x[0] <= slope.left() + least || x[0] >= slope.right() - least) continue;
@@ -162,7 +162,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   ground::Polyline body;
   for (std::size_t i = 0; i < inside.size(); ++i)
     if (kept[i]) body.push_back(inside[i]);
-  // The ends continue in their direction to the ground.
+  // The ends are extended in their direction to the ground.
   const auto lead_on = [&](const ground::Point& end, const ground::Point& before) -> std::optional<ground::Point> {
     const double dx = end[0] - before[0], dy = end[1] - before[1], sign = dx > 0 ? 1 : -1;
     const double slope_out = std::max(dy / std::abs(dx), flattest_end);
@@ -171,7 +171,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
       const double x = end[0] + sign * step * k, y = end[1] + slope_out * step * k;
       if (x <= slope.left() || x >= slope.right()) return std::nullopt;
       if (y < slope.ground(x)) continue;
-      // Between the last two places the line crosses the ground.
+      // The line crosses the ground between the last two places.
       double in = end[0] + sign * step * (k - 1), out = x;
       for (int i = 0; i < 60; ++i) {
         const double middle = (in + out) / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Slip lines of finite elements and material points as surfaces for slices.
+// Slip lines of FEM and MPM as surfaces for LEM.
 
 #include <filesystem>
 #include <optional>
@@ -15,27 +15,27 @@
 
 namespace talus::run {
 
-/// The slip line of a run by material points, and where it is from.
+/// The slip line of an MPM run, and its origin.
 struct PointsSlipLine {
   ground::Polyline line;                 ///< empty: none
-  std::vector<results::SideLine> sides;  ///< where the soil moves to both: their lines; empty: it moves one way
-  double factor = 0;                     ///< that the strength was divided by
+  std::vector<results::SideLine> sides;  ///< lines of both sides; empty: the soil moves to one side
+  double factor = 0;                     ///< strength reduction factor
   std::string source;
 };
 
-/// From the trial at frozen geometry that failed with the smallest factor; else from the trial of the displacement
-/// curve whose largest displacement first reaches the share of the slope's height that counts as failure; of a run
-/// without strength reduction from its last frame.
+/// Returns the slip line of the trial at frozen geometry that failed with the smallest factor; otherwise of the trial
+/// of the displacement curve whose largest displacement first reaches the failure criterion; without strength
+/// reduction that of the last frame.
 PointsSlipLine find_points_slip_line(const input::Case& data, const results::RunResult& run,
                                      const std::filesystem::path& folder);
 
-/// A line made into a surface: from left to right without turning back, its ends extended to the ground, with
-/// few vertices. Nothing when it does not enclose soil.
+/// Converts a line into a surface: from left to right without turning back, with its ends extended to the ground, and
+/// few vertices. Returns nullopt if it does not enclose soil.
 std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::Polyline& line);
 
-/// Largest distance of a point of `a` from the line `b` and the other way round [m].
+/// Largest distance of a point of `a` from the line `b`, or of `b` from `a` [m].
 double find_distance(const ground::Polyline& a, const ground::Polyline& b);
-/// Mean of the same over the shorter one [m].
+/// Mean distance of two lines [m]: the larger of the means over the points of `a` and over those of `b`.
 double find_mean_distance(const ground::Polyline& a, const ground::Polyline& b);
 
 }  // namespace talus::run

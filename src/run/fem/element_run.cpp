@@ -22,11 +22,11 @@ namespace talus::run {
 
 namespace {
 
-/// Safety factor of the grid convergence index for two grids (Roache 1994): error of the fine mesh over what the
-/// extrapolation takes from it. Holds the limit for orders of convergence of 0.42 and more.
+/// Safety factor of the grid convergence index for two grids (Roache 1994): error of the fine mesh over the
+/// extrapolated difference. It covers the limit for orders of convergence of at least 0.42.
 constexpr double spread = 3;
 
-/// Displacements and strains of the fields are kept to so many digits after the point: micrometres and 1e-6.
+/// Displacements and strains of the fields are rounded to this many parts of one: micrometres and 1e-6.
 constexpr double field_digits = 1e6;
 
 }  // namespace
@@ -65,7 +65,7 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
                                                            const results::ElementMeshFactor& fine,
                                                            const LeastMeshError& least) {
   if (!coarse.flowing || !fine.flowing) return std::nullopt;
-  // The difference of the meshes is known to the brackets of both searches, and passed on as the extrapolation does.
+  // The difference between the meshes is uncertain by the brackets of both searches, weighted as in the extrapolation.
   const double rest = find_rest(coarse.size, fine.size), difference = std::max(0.0, coarse.factor - fine.factor),
                fall = rest * (*coarse.flowing - fine.stable + (spread - 1) * difference),
                rise = rest * (*fine.flowing - coarse.stable);
@@ -126,9 +126,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Element size of the coarser of two meshes over that of [fem]: it costs a sixth of the finer one.
+/// Element size of the coarser of two meshes over that of [fem]; the coarser one takes a sixth of the time.
 constexpr double coarse_ratio = 2;
-/// Meshes whose mean sizes differ by less are one mesh: the section is too small for elements of twice the size [-].
+/// Meshes with a smaller ratio of mean sizes count as one mesh, because the section is too small for elements of twice
+/// the size [-].
 constexpr double least_ratio = 1.25;
 
 constexpr const char *element_file = "fem.json", *element_title = "finite elements";
@@ -148,7 +149,7 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
   return options;
 }
 
-/// Whether a soil of the case has ψ < φ.
+/// Returns true if a soil of the case has ψ < φ.
 bool has_less_dilatancy(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const input::Material& m = data.materials.at(region.second);
@@ -205,7 +206,7 @@ auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
   return std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
 }
 
-/// The state of an interrupted run, or the one before the first trial.
+/// Reads the state of an interrupted run, or sets the one before the first trial.
 template <int D>
 void ElementRun<D>::begin() {
   if (options_.resume) {
@@ -278,7 +279,7 @@ LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& fo
   return least;
 }
 
-/// The search on the coarser mesh, and the factors of both extrapolated to h = 0 with the interval.
+/// Searches on the coarser mesh, and extrapolates both factors to h = 0 with the interval.
 template <int D>
 void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
                                 results::ElementRun& run) const {
@@ -373,7 +374,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   if (has_two_meshes()) {
     try {
       extrapolate(words, found, run);
-    } catch (const Error& error) {  // the factor of the mesh of [fem] size stands
+    } catch (const Error& error) {  // the factor on the mesh of the [fem] size remains
       if (error.code() != ExitCode::wrong_input) throw;
       run.warnings.push_back(fmt::format(
           "no second mesh of twice the size, so that the factor is that of one mesh and its error is not known: {}",

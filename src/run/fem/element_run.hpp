@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Strength reduction by finite elements in a run: calculated or taken from an interrupted run, and kept in the folder.
+// Strength reduction by FEM in a run: computed or read from an interrupted run, and stored in the folder.
 
 #include <array>
 #include <chrono>
@@ -17,9 +17,7 @@
 
 namespace talus::run {
 
-// The results of finite elements.
-
-/// Least and greatest ψ of the soils with a strength [rad].
+/// Smallest and largest ψ of the soils with a strength [rad].
 std::array<double, 2> find_dilatancy(const input::Case& data, bool associated);
 
 /// √(⅔ e:e) of a strain with γ as shear components.
@@ -27,21 +25,21 @@ double find_shear_strain(const std::array<double, 6>& e);
 
 results::ElementTrial make_trial_result(const fem::ReductionTrial& trial);
 
-/// The search on one mesh of that mean size [m].
+/// Result of the search on one mesh of that mean size [m].
 template <int D>
 results::ElementMeshFactor make_mesh_factor_result(const fem::ReductionResult<D>& found, double size);
 
-/// Factors of two meshes whose sizes differ by a rounding are this far apart [-].
+/// Scatter of the factor between meshes of practically equal size [-].
 inline constexpr double known_scatter = 0.006;
 
-/// What the error of the fine mesh is at least, over the factor, whatever the difference of two meshes [-].
+/// Least error of the fine mesh, over the factor, regardless of the difference between two meshes [-].
 struct LeastMeshError {
   double below = known_scatter;  ///< the limit may be lower by this
-  double above = 0;              ///< and higher by this; displacement elements with ψ = φ are never too weak
+  double above = 0;  ///< the limit may be higher by this; displacement elements with ψ = φ never underestimate it
 };
 
-/// The interval (T19.11) of the factor that a mesh and one of about twice its size extrapolate to. Nothing where a mesh
-/// has no trial that failed by flow.
+/// Returns the interval (T19.11) of the factor extrapolated from a mesh and one of about twice its element size;
+/// nullopt if a mesh has no trial that failed by flow.
 std::optional<results::ElementInterval> find_mesh_interval(const results::ElementMeshFactor& coarse,
                                                            const results::ElementMeshFactor& fine,
                                                            const LeastMeshError& least = {});
@@ -49,7 +47,7 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
 template <int D>
 results::ElementMesh make_mesh_result(const fem::QuadraticMesh<D>& mesh);
 
-/// Displacement and shear strain at the nodes, and which elements yield.
+/// Displacement and shear strain at the nodes, and the yielding elements.
 template <int D>
 results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
                                           results::Flow flow);
@@ -57,18 +55,18 @@ results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, con
 template <int D>
 class ElementRun {
  public:
-  /// `data`: what is calculated. `alone`: the case has no other method.
+  /// `data`: the case or its design values. `alone`: the case has no other method.
   ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
-  /// Mesh and model; nothing is written. Throws Error (interrupted); where finite elements answer alone, what
-  /// make_solid() throws, else the reason stands in the result.
+  /// Prepares mesh and model; writes nothing. Throws Error (interrupted); if FEM is the only method, what make_solid()
+  /// throws, otherwise the reason is part of the result.
   void prepare();
-  /// The strength reductions, each kept in the folder when it is done. Throws Error (interrupted); where finite
-  /// elements answer alone, Error (wrong_input) when there is no equilibrium at any factor or an element is inverted,
-  /// else the reason stands in the result.
+  /// Runs the strength reductions and stores each when it is finished. Throws Error (interrupted); if FEM is the only
+  /// method, Error (wrong_input) when no factor has equilibrium or an element is inverted, otherwise the reason is
+  /// part of the result.
   void calculate();
   void write_result(results::RunResult& run) const;
-  /// As of SliceRun.
+  /// See SliceRun.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
  private:
@@ -84,12 +82,13 @@ class ElementRun {
   void reduce(results::Flow flow);
   std::unique_ptr<Model> make_model(double share) const;
   /// Tries the other direction of an earthquake at the smallest factor without equilibrium of the first, and searches
-  /// there where it fails. Afterwards model, `data_` and `found` are of the direction that governs.
+  /// there if it fails. Afterwards model, `data_` and `found` are those of the governing direction.
   results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
                                              fem::ReductionResult<D>& found);
   fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
   bool has_two_meshes() const { return data_.fem.meshes > 1 && data_.mesh.file.empty(); }
-  /// What the mesh does to the factor at least: more where thin layers take part, of which `run` warns.
+  /// Returns the least mesh error of the factor, which is larger if thin layers are part of the mechanism; adds a
+  /// warning of them to `run`.
   LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void keep() const;
@@ -103,7 +102,7 @@ class ElementRun {
   std::unique_ptr<Model> model_;
   ground::WaterResult water_;
   results::ElementFile file_;
-  bool is_told_ = false;  ///< the file holds something to tell
+  bool is_told_ = false;  ///< the file has results
   std::chrono::duration<double> spent_{0};
 };
 

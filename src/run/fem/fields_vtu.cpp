@@ -6,7 +6,7 @@
 namespace talus::run {
 namespace {
 
-/// VTK's numbers of quadratic cells.
+/// VTK cell types of quadratic elements.
 constexpr int quadratic_triangle = 22, quadratic_tetrahedron = 24;
 
 std::string write_array(const std::string& name, const char* type, int components, const std::string& values) {
@@ -14,7 +14,7 @@ std::string write_array(const std::string& name, const char* type, int component
                      type, name, components, values);
 }
 
-/// Vectors with three components, whatever the dimension.
+/// Formats vectors with three components in any dimension.
 std::string list_vectors(const std::vector<std::vector<double>>& rows) {
   std::string text;
   for (const std::vector<double>& row : rows)

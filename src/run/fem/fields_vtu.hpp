@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Fields of the finite elements as a file that ParaView opens.
+// Fields of FEM as a file for ParaView.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace talus::run {
 
-/// fem.json as VTK's XML format (.vtu) with quadratic triangles or tetrahedra: displacement and shear strain of each
-/// flow rule at the nodes, plastic elements.
+/// Converts fem.json to VTK's XML format (.vtu) with quadratic triangles or tetrahedra: displacement and shear strain
+/// of each flow rule at the nodes, and plastic elements.
 std::string write_vtu(const results::ElementMesh& file);
 
 }  // namespace talus::run

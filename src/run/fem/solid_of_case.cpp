@@ -21,13 +21,13 @@ namespace talus::run {
 
 namespace {
 
-/// A normal that points along an axis to this is along it.
+/// Least component of a unit normal that counts as parallel to an axis.
 constexpr double along_axis = 1 - 1e-9;
 
-/// What a region's law is made of: the material, and as what model.
+/// Material and model from which the law of a region is made.
 struct RegionSoil {
-  input::Material material;  ///< rooted where cohesion varies from place to place
-  bool varies = false;       ///< takes cohesion from the state of its points
+  input::Material material;  ///< rooted if cohesion varies in space
+  bool varies = false;       ///< cohesion is a state variable of the points
 };
 
 RegionSoil make_region_soil(const input::Case& data, const std::string& region) {
@@ -54,7 +54,7 @@ std::vector<RegionSoil> list_soils(const input::Case& data, const mesh::Mesh<D>&
   return soils;
 }
 
-/// Throws where finite elements have no such boundary.
+/// Throws if FEM does not support this boundary.
 void check_boundary(const input::Boundary& b) {
   if (b.fix == input::Fix::plane &&
       std::none_of(b.normal.begin(), b.normal.end(), [](double n) { return std::abs(n) > along_axis; }))
@@ -107,14 +107,14 @@ class SolidBuilder {
   bool is_soil(int e) const { return mesh_.element_region[e] != mesh::empty_region; }
 
   void find_plane() {
-    if (data_.mesh.polygons.empty()) return;  // a ready mesh: only its sides carry loads
+    if (data_.mesh.polygons.empty()) return;  // a mesh from a file: only its sides carry loads
     ground_ = ground::find_ground(data_.mesh);
     ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
     for (std::string& note : ground::find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
   }
 
-  /// Weights, χ p, saturation.
+  /// Sets unit weights, χp and saturation.
   void set_water() {
     ground::HeldWater<D> water = ground::find_held_water<D>(data_, mesh_, &solid_.water);
     fem::SolidModel<D>& model = solid_.model;
@@ -137,7 +137,7 @@ class SolidBuilder {
     for (std::size_t d = 0; d < D; ++d) solid_.model.direction[d] += added[d];
   }
 
-  /// Vertical effective stress of the column of soil and water above, and K0 of it sideways.
+  /// Sets the vertical effective stress of the overburden of soil and water, and K0 times it horizontally.
   void set_k0_stress() {
     std::vector<mesh::LocalPoint<D>> places;
     Vec<D> middle;
@@ -172,7 +172,7 @@ class SolidBuilder {
     }
   }
 
-  /// Cohesion that varies from place to place is a state variable of the points.
+  /// Cohesion that varies in space is a state variable of the points.
   void set_start() {
     if (std::none_of(soils_.begin(), soils_.end(), [](const RegionSoil& s) { return s.varies; })) return;
     std::vector<material::Law> laws;
@@ -265,11 +265,11 @@ struct Layer {
   double altitudes = 0;  ///< sum over the elements [m]
   double strain = 0;
 
-  /// Twice the area over the perimeter is the thickness of a long layer.
+  /// Rows of elements over the thickness, which for a long layer is twice the area over the perimeter.
   double count_rows() const { return perimeter > 0 ? 2 * area / perimeter / (altitudes / elements) : 0; }
 };
 
-/// Length of the sides of element `e` that border on another region or on nothing [m].
+/// Length of the sides of element `e` at another region or at the boundary [m].
 double find_outline(const mesh::Mesh<2>& mesh, int e) {
   double length = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A case as the finite elements for stress see it.
+// The model of a case for FEM: mesh, supports, laws, water and loads, and the layers that are too thin for their
+// elements.
 
 #include <memory>
 #include <string>
@@ -14,42 +15,42 @@ namespace talus::run {
 
 template <int D>
 struct SolidOfCase {
-  std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< that the model points to
-  fem::SolidModel<D> model;                   ///< with the dilatancy angles as given
-  ground::WaterResult water;                  ///< that pore pressures are from
-  std::vector<std::string> notes;             ///< what finite elements cannot take from the case, in sentences
+  std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< referenced by the model
+  fem::SolidModel<D> model;                   ///< with the given dilatancy angles
+  ground::WaterResult water;                  ///< origin of the pore pressures
+  std::vector<std::string> notes;             ///< sentences on what FEM does not take from the case
 };
 
-/// Mesh, supports, weights, water and loads of a case. Pore pressures of steady seepage are calculated on the same
-/// mesh. `share` of the element size. Throws Error (wrong_input) for a material or a boundary that finite elements at
-/// small strain do not have; what mesh::generate() and find_initial_water() throw.
+/// Makes mesh, supports, weights, water and loads of a case. Pore pressures of steady seepage are computed on the same
+/// mesh. `share`: factor on the element size. Throws Error (wrong_input) for a material or a boundary that FEM at
+/// small strain does not support, and what mesh::generate() and find_initial_water() throw.
 template <int D>
 SolidOfCase<D> make_solid(const input::Case& data, double share = 1);
 
-/// The same on a mesh that is there.
+/// The same on an existing mesh.
 template <int D>
 SolidOfCase<D> make_solid_on(const input::Case& data, std::shared_ptr<const mesh::Mesh<D>> mesh);
 
-/// The laws of the case with ψ = φ instead of ψ as given.
+/// Replaces the laws of the case by those with ψ = φ.
 template <int D>
 void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid);
 
-/// Throws Error (wrong_input) for materials and boundaries that make_solid() refuses, without a mesh.
+/// Throws Error (wrong_input) for materials and boundaries that make_solid() does not support, without a mesh.
 void check_solid(const input::Case& data);
 
-/// The plan that make_solid() meshes: the case's with that share of the element size, and the algorithm, of [fem].
+/// Returns the mesh plan of make_solid(): that of the case with the element size times `share`, and the algorithm, of
+/// [fem].
 mesh::Plan make_fem_plan(const input::Case& data, double share = 1);
 
-// Layers that are too thin for their elements, so that two meshes do not show the error of the factor.
-
-/// A layer needs so many rows of elements over its thickness.
+/// Least number of rows of elements over the thickness of a layer. With fewer rows, two meshes do not show the error
+/// of the factor.
 inline constexpr double fewest_element_rows = 4;
-/// Largest error of the factor with fewer rows, over itself: a weak seam under a toe was 2.7 to 4.5 % high with one row
-/// and 2.0 to 3.8 % with two, by the ends of the proven interval [-].
+/// Largest relative error of the factor with fewer rows: a weak seam under a toe was 2.7 to 4.5 % too high with one
+/// row and 2.0 to 3.8 % with two, by the ends of the proven interval [-].
 inline constexpr double thin_layer_error = 0.05;
 
-/// The regions of the section with fewer rows that take part in the mechanism: an element of theirs strains by the
-/// γ_c of (T19.10) or more. `motion`: ReductionResult::mechanism.
+/// Lists the regions of the section with fewer rows that are part of the mechanism: the strain of one of their
+/// elements is at least γ_c of (T19.10). `motion`: ReductionResult::mechanism.
 std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::QuadraticMesh<2>& quadratic,
                                           const fem::SolidState<2>& motion);
 

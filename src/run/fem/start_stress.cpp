@@ -11,7 +11,7 @@
 namespace talus::run {
 namespace {
 
-/// How near the strength comes to the least that has equilibrium, and where the search for one ends.
+/// Resolution of the least strength factor with equilibrium, and the smallest factor tried.
 constexpr double resolution = 0.01, smallest_factor = 1.0 / 32;
 
 SolidOfCase<2> make_start_solid(const input::Case& data) {
@@ -23,7 +23,7 @@ fem::SolidResult<2> balance(const SolidOfCase<2>& solid, const fem::SolidOptions
   return fem::find_equilibrium<2>(solid.model, options, factor);
 }
 
-/// The equilibrium with the least strength that has one, which is divided by `factor`.
+/// Returns the equilibrium with the least increase of strength that has one; the strength is divided by `factor`.
 fem::SolidResult<2> find_weakest(const SolidOfCase<2>& solid, const fem::SolidOptions& options, double& factor) {
   double fails = 1;
   factor = 1;

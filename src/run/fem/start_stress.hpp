@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Finite elements in equilibrium: whether a case stands with the strength that it has, and the stress that material
-// points begin with ([initial] stress = "elements").
+// FEM equilibrium of a case under its given strength: whether the slope is stable, and the initial stress of MPM
+// ([initial] stress = "elements").
 
 #include <memory>
 
@@ -16,17 +16,17 @@ fem::SolidOptions make_solid_options(const input::FiniteElements& settings, int 
 
 struct Balance {
   bool stands = false;
-  bool undecided = false;  ///< none was found, but the iterations ran out before the soil flowed
+  bool undecided = false;  ///< no equilibrium was found, but the iterations ended before the soil flowed
 };
 
-/// Whether quadratic triangles on the mesh of the material points find equilibrium with weight, water and loads of the
-/// case and its strength as given. Throws what make_solid() throws.
+/// Returns whether quadratic triangles on the MPM mesh find equilibrium with weight, water and loads of the case and
+/// its given strength. Throws what make_solid() throws.
 Balance find_balance(const input::Case& data, int threads);
 
-/// Stress and plastic strain of that equilibrium. Where there is none, the strength is multiplied by the least factor
-/// that has one, to a hundredth. On the points' own mesh the stress is in equilibrium there as well: linear shape
-/// functions are among the quadratic ones, and a linear triangle feels the mean stress alone. Throws Error
-/// (wrong_input) where no strength gives equilibrium, and what make_solid() throws.
+/// Returns stress and plastic strain of that equilibrium. If there is none, the strength is multiplied by the least
+/// factor that has one, to 1 %. On the MPM mesh the stress is in equilibrium as well: linear shape functions are a
+/// subset of the quadratic ones, and the internal force of a linear triangle depends on its mean stress only. Throws
+/// Error (wrong_input) if no strength gives equilibrium, and what make_solid() throws.
 std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& data, int threads,
                                                             results::StressStart& summary);
 

@@ -27,7 +27,8 @@ namespace {
 constexpr int places = 200;
 /// Area of an equilateral triangle over the square of its side.
 constexpr double triangle = std::numbers::sqrt3 / 4;
-/// The same of Gmsh's tetrahedra: 0.176 to 0.201 on slopes of 5,000 to 65,000 elements. Regular ones have 0.118.
+/// The same for tetrahedra by Gmsh: 0.176 to 0.201 on slopes of 5,000 to 65,000 elements. A regular tetrahedron has
+/// 0.118.
 constexpr double tetrahedron = 0.19;
 
 }  // namespace
@@ -69,11 +70,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
+/// Elements with soil of the coarse mesh: enough to fill the lanes of a step, at negligible meshing time.
 constexpr double coarse_elements = 800;
 constexpr double probe_seconds = 0.1, most_seconds = 1;  ///< of a stage, and of all together
 
-/// Ends the stage that is stepped for a moment.
+/// Exception that ends the timed stage.
 struct Enough {};
 
 bool can_be_probed(const input::Case& data) {
@@ -84,7 +85,7 @@ bool can_be_probed(const input::Case& data) {
          data.initial.result.empty() && data.initial.water.season == 0 && !data.stages.empty() && !has_library;
 }
 
-/// Steps of one point in a second of a stage, which is stepped for some `seconds`.
+/// Returns the point steps per second of a stage, measured over `seconds`.
 template <int D>
 double measure(mpm::Body<D>& body, StagePlan<D> plan, double seconds) {
   plan.duration = 1e9;
@@ -127,14 +128,14 @@ Pace probe_in(const input::Case& data) {
   for (const input::Stage& stage : data.stages) {
     const StagePlan<D> plan = make_plan<D>(coarse, stage, height, 1);
     StagePace& here = pace.stages.emplace_back(StagePace{find_step(plan), 0});
-    // A later stage is stepped from where the ones before it were left after a moment, not from where they end.
+    // A later stage starts from the state after the short runs of the earlier ones, not from their ends.
     here.point_steps = measure(body, plan, each);
   }
   StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
   plan.step = data.strength_reduction.curve.step_settings;
   pace.curve = {find_step(plan), pace.stages.back().point_steps};
   pace.frozen = {find_step(make_frozen_plan<D>(coarse, data.strength_reduction.frozen, height, 1)),
-                 pace.stages.front().point_steps};  // its water is held
+                 pace.stages.front().point_steps};  // its pore pressures are fixed
   return pace;
 }
 
@@ -152,29 +153,30 @@ std::optional<Pace> probe(const input::Case& data) {
 
 namespace {
 
-// Peaks of the dry slope, 2,000 to 690,000 elements (docs/performance.md); a mesh is largest while Gmsh makes it.
+// Peak memory of the dry slope with 2,000 to 690,000 elements (docs/performance.md); a mesh takes most memory while
+// Gmsh generates it.
 constexpr double program_bytes = 65e6;
 constexpr double mesh_bytes[] = {1600, 2500};  ///< of a triangle, a tetrahedron
-constexpr double point_bytes[] = {560, 800};   ///< with a copy to return to
+constexpr double point_bytes[] = {560, 800};   ///< including the copies for a retry
 constexpr double coupled_point_bytes[] = {800, 1000};
-/// Seconds in which Gmsh makes an element, on one core.
+/// Meshing time of an element on one core [s].
 constexpr double element_seconds[] = {6e-5, 1e-4};
-/// Seconds of a strength reduction with n unknowns, c n^1.3: with ψ < φ, and with ψ = φ.
+/// Time of a strength reduction with n unknowns, c n^1.3 [s]: with ψ < φ, and with ψ = φ.
 constexpr double reduction_seconds = 1.3e-4, associated_seconds = 4e-5, reduction_power = 1.3, unknowns_per_element = 4;
 /// Bytes of a factorised matrix: c n^1.1.
 constexpr double matrix_bytes = 1600, matrix_power = 1.1;
-/// Seconds of proven bounds up to a last mesh of n triangles, c n^1.5, and bytes of a triangle.
+/// Time of limit analysis up to a last mesh of n triangles, c n^1.5 [s], and bytes per triangle.
 constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
-/// Triangles with which the referee of limit equilibrium usually ends, and the fraction of the allowed triangles with
-/// which a search for bounds does.
+/// Usual final number of triangles of the referee, and the usual fraction of the allowed triangles of a search for
+/// bounds.
 constexpr double referee_triangles = 900, usual_fraction = 0.3;
-/// Seconds from one kept time of seepage to the next, per element.
+/// Time of seepage from one stored time to the next, per element [s].
 constexpr double flow_seconds = 4e-5;
-/// Times of a timeline that are usually chosen, and kept beside the corners of its series.
+/// Usual number of selected times of a timeline, and of stored times in addition to the corners of its series.
 constexpr double chosen_times = 20, kept_times = 128;
 /// Fractions of their time after which stages come to rest, trials rest or fail, and slides come to rest.
 constexpr double until_rest = 0.2, until_decided = 0.2, until_deposited = 0.6;
-/// Seconds of a trial circle by one method with 50 slices.
+/// Time of a trial circle by one method with 50 slices [s].
 constexpr double circle_seconds = 3e-6;
 constexpr double polyline_seconds = 0.3;
 
@@ -182,7 +184,7 @@ std::size_t get_rank(int dimension) {
   return dimension == 2 ? 0 : 1;
 }
 
-/// Seepage up to every time that is kept, and a search at those that are tried; the referee judges a few of them.
+/// Adds seepage up to every stored time, a search at the selected times, and the referee at a few of them.
 void add_timeline(const input::Case& data, double referee, MethodForecast& f) {
   constexpr double most_judged = 6, read_pressures = 4;
   const input::Timeline& timeline = *data.timeline;
@@ -200,7 +202,7 @@ MethodForecast forecast_slices(const input::Case& data, int threads) {
   if (lem.search == input::SurfaceSearch::entry_exit) {
     const input::EntryExit& e = lem.entry_exit;
     const double ends = e.exits + e.entries;
-    // Without ranges, through any two points of the ground.
+    // Without ranges, surfaces pass through any two points of the ground.
     f.surfaces = (e.exit.empty() && e.entry.empty() ? ends * (ends - 1) / 2 : 1.0 * e.exits * e.entries) * e.depths;
   } else if (lem.search == input::SurfaceSearch::grid) {
     f.surfaces = 1.0 * lem.grid.columns * lem.grid.rows * lem.grid.radii;
@@ -231,7 +233,7 @@ MethodForecast forecast_elements(const input::Case& data) {
   const double each = (flow == input::FlowRule::associated ? 0 : reduction_seconds) +
                       (flow == input::FlowRule::as_given ? 0 : associated_seconds);
   if (plan.dimension == 2) f.seconds = each * std::pow(unknowns, reduction_power);
-  if (data.fem.meshes > 1 && plan.file.empty())  // a second mesh, of twice the size
+  if (data.fem.meshes > 1 && plan.file.empty())  // a second mesh, of twice the element size
     f.seconds *= 1 + std::pow(0.25, reduction_power);
   f.most_seconds = f.seconds;
   f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
@@ -239,7 +241,7 @@ MethodForecast forecast_elements(const input::Case& data) {
   return f;
 }
 
-/// Of the mesh that is the last one, whatever the interval.
+/// Returns the forecast for the largest allowed mesh, regardless of the interval.
 MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
   MethodForecast f;
   f.method = input::Method::bounds;
@@ -250,7 +252,7 @@ MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
   return f;
 }
 
-/// Adds the steps of all stages and trials at most, and their time.
+/// Adds the largest number of steps of all stages and trials, and their time.
 void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, double coarse_points) {
   // Each run is repeated on elements twice as large.
   const double twin = data.output.runout_meshes < 2 ? 1 : 1 + std::pow(0.5, f.dimension + 1);
@@ -283,7 +285,7 @@ void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, doub
       add(static_cast<double>(data.stages.size()) * z.window, until_rest, finer, points, 1);
     }
   }
-  // Points that take over from a timeline do so a little earlier and later as well.
+  // A release from a timeline is repeated at an earlier and a later time.
   const auto* release = data.timeline && data.timeline->release ? &*data.timeline->release : nullptr;
   const double runs = release != nullptr && release->apart != 0.0 ? 3 : 1;
   f.steps *= runs;
@@ -311,7 +313,7 @@ MethodForecast forecast_points(const input::Case& data, bool with_time) {
                             : 1;
   f.bytes = program_bytes + mesh_bytes[rank] * f.elements +
             copies * (is_wet ? coupled_point_bytes : point_bytes)[rank] * f.points;
-  // Beyond this the answer is no run, and the probe would be a waste.
+  // Larger bodies exceed the memory, so timing is of no use.
   if (!with_time || f.points > 1e9) return f;
   if (const auto pace = probe(data)) add_time(data, *pace, f, own.soil * data.points_per_element);
   return f;
@@ -370,7 +372,7 @@ std::string describe(const MethodForecast& f) {
   if (f.times > 0) add(write_count(f.times) + " times");
   if (!(f.seconds > 0)) return text;
   const std::string usual = write_time(f.seconds), most = write_time(f.most_seconds);
-  constexpr double apart = 1.5;  // less is said by "about"
+  constexpr double apart = 1.5;  // "about" covers smaller ratios
   const bool says_most = f.most_seconds > apart * f.seconds && usual != most;
   add(says_most ? fmt::format("{}, at most {}", usual, most) : usual);
   return text;
@@ -390,7 +392,7 @@ std::optional<double> find_size_that_fits(const input::Case& data, input::Method
     const double scale = std::pow(10, std::floor(std::log10(size)) - 1);
     return std::ceil(size / scale - 1e-9) * scale;
   }
-  return std::nullopt;  // refinements ask for more
+  return std::nullopt;  // refinements alone need more
 }
 
 void refuse_above_memory(const input::LoadedCase& loaded) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a run will need, before it begins: elements, points, memory, steps and time by each method.
+// Forecast of a run before it starts: elements, points, memory, steps and time by each method.
 
 #include <optional>
 #include <string>
@@ -12,57 +12,56 @@
 
 namespace talus::run {
 
-// How many elements a mesh will have, before it is made.
-
 struct ElementCount {
   double all = 0, soil = 0;
 };
 
-/// Elements of a plan in its box and in its polygons, as the mesher makes them: as many as regular ones of the asked
-/// size. Refinements are integrated over a grid of 200 by 200 places. Zero for a ready mesh.
+/// Estimates the number of elements of a plan in its box and in its polygons, from the area or volume of elements of
+/// the requested size. Refinements are integrated over a grid of 200 by 200 places. Zero for a mesh from a file.
 ElementCount count_elements(const mesh::Plan& plan);
 
-/// Smallest element size that the plan asks for [m].
+/// Smallest element size of the plan [m].
 double find_smallest_size(const mesh::Plan& plan);
 
-/// Returns true where a coarse mesh of the section takes about a second. Gmsh takes minutes for thousands of corners
-/// that lie nearer together than the elements are large.
+/// Returns true if a coarse mesh of the section takes about a second. Gmsh takes minutes for thousands of corners
+/// whose distances are smaller than the elements.
 bool is_meshed_in_a_moment(const mesh::Plan& plan);
 
-// How fast this machine steps the soil of a case, found by stepping it for a moment on a coarse mesh.
+// The speed of this machine for a case is measured by a short run on a coarse mesh.
 
 struct StagePace {
-  double step = 0;         ///< time step on the case's own mesh [s]
-  double point_steps = 0;  ///< steps of one point in a second on one thread
+  double step = 0;         ///< time step on the mesh of the case [s]
+  double point_steps = 0;  ///< steps of one point per second on one thread
 };
 
 struct Pace {
   std::vector<StagePace> stages;
   StagePace curve;   ///< of the trials of the displacement curve
-  StagePace frozen;  ///< of those at frozen geometry on the case's mesh
+  StagePace frozen;  ///< of the trials at frozen geometry on the mesh of the case
 };
 
-/// Takes some tenths of a second. Nothing for a case whose start is not made in a moment (a result, a season), that
-/// runs a user's library or that has a ready mesh, and for one that cannot be prepared: the run itself says why.
+/// Measures the speed in some tenths of a second. Returns nullopt for a case that cannot be prepared quickly (a
+/// result, a season), that runs a user's library, or that has a mesh from a file; and for one that cannot be prepared,
+/// for which the run itself reports the reason.
 std::optional<Pace> probe(const input::Case& data);
 
-/// What one method needs, at most. Zero where it is not known.
+/// Largest requirements of one method; zero if unknown.
 struct MethodForecast {
   input::Method method = input::Method::mpm;
   double elements = 0;  ///< of its largest mesh
   double points = 0;    ///< material points on it
-  double surfaces = 0;  ///< trial surfaces of slices
+  double surfaces = 0;  ///< trial surfaces of LEM
   double bytes = 0;
   double steps = 0;         ///< time steps of all stages and trials
-  double seconds = 0;       ///< on this machine, as such cases usually take
-  double most_seconds = 0;  ///< where no stage or trial ends early, or no mesh is good enough before the last
+  double seconds = 0;       ///< typical for such cases, on this machine
+  double most_seconds = 0;  ///< if no stage or trial ends early, and the last mesh is needed
   double times = 0;         ///< of a timeline
   double size = 0;          ///< general element size of that mesh [m]
   int dimension = 2;
 };
 
-/// One for each method of the case. Of material points steps and time follow from stepping them for a moment, if
-/// `with_time`.
+/// Returns one forecast for each method of the case. With `with_time`, steps and time of MPM are measured by a short
+/// run.
 std::vector<MethodForecast> forecast(const input::Case& data, bool with_time);
 
 /// "about 18,000 circles, a second".
@@ -71,15 +70,15 @@ std::string describe(const MethodForecast& forecast);
 /// "a second", "12 minutes".
 std::string write_time(double seconds);
 
-/// Seconds of a sample by slices, on the surfaces that are kept for all samples.
+/// Time of a LEM sample on the surfaces stored for all samples [s].
 double find_sample_seconds(const input::LimitEquilibrium& lem);
 
-/// The smallest element size, to two digits, with which a method needs no more than `free` bytes [m]: `size` in [fem]
-/// for finite elements that have their own, else in [mesh]. Nothing where refinements alone need more.
+/// Returns the smallest element size [m], to two digits, for which a method needs at most `free` bytes: `size` in
+/// [fem] for FEM with its own size, otherwise in [mesh]. Returns nullopt if refinements alone need more.
 std::optional<double> find_size_that_fits(const input::Case& data, input::Method method, double free);
 
-/// Throws InputError, at the key of the element size, where a mesh needs more memory than is free, with the size that
-/// fits.
+/// Throws InputError, at the key of the element size and with the size that fits, if a mesh needs more memory than is
+/// free.
 void refuse_above_memory(const input::LoadedCase& loaded);
 
 }  // namespace talus::run

@@ -15,7 +15,7 @@
 namespace talus::run {
 namespace {
 
-/// Of a depth: less is not worth a sentence.
+/// Smaller relative differences of a depth are not reported.
 constexpr double least_limit = 1e-3;
 
 bool is_check(lem::Refusal refusal) {
@@ -27,8 +27,8 @@ std::array<double, 2> get_range(const std::vector<double>& given, const std::arr
   return given.size() == 2 ? std::array{given[0], given[1]} : otherwise;
 }
 
-/// Published circles are rounded: moves the centre so that the arc of this radius meets the ground at both ends. Throws
-/// where that is another circle.
+/// Moves the centre of a circle so that the arc of this radius meets the ground at both given ends, since published
+/// circles are rounded. Throws if that would be another circle.
 void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Surface& surface) {
   constexpr double farthest = 0.02;  // over the radius
   lem::Circle& circle = *surface.circle;
@@ -59,8 +59,8 @@ std::vector<results::CriticalSurface> solve_given(const input::Case& data, const
   return list;
 }
 
-/// A sentence on ground that floats: a pore pressure above the weight of soil and water over it, at the place where it
-/// exceeds it most. Empty where there is none.
+/// Returns a warning of uplift, at the place where the pore pressure exceeds the weight of soil and water above it
+/// most; empty if there is none.
 std::string describe_uplift(const lem::Slope& slope) {
   constexpr int columns = 200, rows = 60;
   constexpr double rounding = 0.02;  // of the weight
@@ -86,7 +86,8 @@ std::string describe_uplift(const lem::Slope& slope) {
       format_point(place), (worst + worst_weight) / 1e3, worst_weight / 1e3);
 }
 
-/// A sentence on a tension crack that is not as deep as given; or deeper than the slope is high. Empty for others.
+/// Returns a warning of a tension crack that is less deep than given, or deeper than the slope is high; empty
+/// otherwise.
 std::string describe_crack(const lem::Slope& slope) {
   const auto& crack = slope.section().crack;
   if (!crack) return "";
@@ -98,7 +99,7 @@ std::string describe_crack(const lem::Slope& slope) {
                ? ""
                : fmt::format("the tension crack is {:.3g} m deep, and the slope {:.3g} m high", crack->depth,
                              (*high)[1] - (*low)[1]);
-  // Of a level crest the end towards the slope, not that of the section.
+  // For a level crest the end towards the slope counts, not that of the section.
   const double middle = 0.5 * (slope.left() + slope.right());
   double crest = (*high)[0];
   for (const lem::Point& p : ground)
@@ -125,7 +126,7 @@ PreparedSlope prepare_slope(const input::Case& data) {
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {
   lem::SearchOptions options;
   options.kind = settings.search == input::SurfaceSearch::grid ? lem::SearchKind::grid : lem::SearchKind::entry_exit;
-  lem::GridSearch grid;  // from == to: chosen from the ground
+  lem::GridSearch grid;  // from == to: derived from the ground
   grid.columns = settings.grid.columns;
   grid.rows = settings.grid.rows;
   grid.radii = settings.grid.radii;

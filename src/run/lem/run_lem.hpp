@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Limit equilibrium on a case: the search, and surfaces of the user's choice.
+// LEM on a case: the search, and given surfaces.
 
 #include <memory>
 #include <optional>
@@ -14,37 +14,37 @@
 
 namespace talus::run {
 
-/// The slope of a case, ready for any surface.
+/// The slope of a case, prepared for the evaluation of surfaces.
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
   std::vector<std::string> notes;  ///< of make_section()
-  ground::WaterResult water;       ///< likewise
+  ground::WaterResult water;       ///< of make_section()
 };
-/// Throws what make_section() and lem::Slope do.
+/// Throws what make_section() and lem::Slope throw.
 PreparedSlope prepare_slope(const input::Case& data);
 
-/// The settings of [lem] for the search.
+/// Settings of the search from [lem].
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
 
-/// A surface of [[lem.surface]]. Throws Error (wrong_input) when it does not cut the ground, naming it.
+/// Makes a surface of [[lem.surface]]. Throws Error (wrong_input), with its name, if it does not cut the ground.
 lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given);
 
-/// A surface by one method with its forces. Where the checks refuse it, the factor is kept and the reason is a warning;
-/// the factor is 0 only where there is none.
+/// Solves a surface by one method, with its forces. If the surface is rejected, the factor remains and the reason is a
+/// warning; the factor is 0 only if there is none.
 lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface, lem::Method method,
                             const lem::SearchOptions& options);
 
-/// What slices found, and the trials of the search where there was one.
+/// Results of LEM, and the trials of the search if there was one.
 struct SliceOutcome {
   results::SliceResult result;
   std::optional<results::SliceTrials> trials;
 };
 
-/// Throws Error (wrong_input) when no surface is admissible.
+/// Throws Error (wrong_input) if no surface is admissible.
 SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
 
-/// The direction of an earthquake in which the least circle by Bishop's method slides; nothing where there is no
-/// section or no admissible circle.
+/// Returns the direction of an earthquake for which the critical circle by Bishop's method has the smaller factor;
+/// nullopt without a section or an admissible circle.
 std::optional<input::EarthquakeDirection> find_weaker_direction(const input::Case& data, int threads);
 
 }  // namespace talus::run

@@ -21,11 +21,11 @@
 namespace talus::run {
 namespace {
 
-/// Cohesion of soil that cannot yield: no surface through it is ever critical [Pa].
+/// Cohesion of soil that does not yield, so that no surface through it is critical [Pa].
 constexpr double unyielding = 1e9;
-/// Places across a polygon where the saturation above the water table is sampled.
+/// Number of samples of the saturation above the water table across a polygon.
 constexpr int weight_samples = 40;
-/// Parts in depth, and along the ground, that a distribution of roots is cut into.
+/// Numbers of parts, in depth and along the ground, into which a distribution of roots is divided.
 constexpr int root_depths = 20, root_parts = 24;
 
 lem::Soil make_soil(const input::Case& data, const std::string& name, std::vector<std::string>& notes) {
@@ -61,7 +61,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
       break;
   }
   if (soil.suction == lem::Suction::saturation) {
-    // The χ of the soil, by either law.
+    // χ of the soil, by either law.
     soil.saturation = [m](double suction) {
       return suction > 0 ? ground::find_suction_stress(m, suction) / suction : 1.0;
     };
@@ -77,7 +77,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   return soil;
 }
 
-/// Polygons from the largest to the smallest: a lens replaces what it lies in.
+/// Sorts polygons from the largest to the smallest: a lens replaces the soil around it.
 std::vector<const mesh::Polygon*> sort_polygons(const mesh::Plan& plan) {
   std::vector<const mesh::Polygon*> sorted;
   for (const mesh::Polygon& p : plan.polygons) sorted.push_back(&p);
@@ -97,13 +97,13 @@ void add_regions(const input::Case& data, lem::Section& section, std::vector<std
                   fmt::format("region '{}' has no material; add it to [regions]", polygon->name));
     const auto [at, is_new] = numbers.try_emplace(given->second, static_cast<int>(section.soils.size()));
     if (is_new) section.soils.push_back(make_soil(data, given->second, notes));
-    // Points in straight edges are no places that a slip surface could touch.
+    // Points on straight edges are dropped, as a slip surface cannot touch the soil there.
     section.regions.push_back({at->second, mesh::drop_straight_points(polygon->points, true, rounding)});
   }
 }
 
-/// Weight of the soil above the water table: where it follows from the water in its pores, the mean over the
-/// unsaturated soil of its polygons.
+/// Sets the unit weight above the water table, if it follows from the water content: the mean over the unsaturated
+/// soil of the polygons.
 void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
   const double weight = ground::find_water_weight(data);
   const bool has_table = !section.water_table.empty();
@@ -172,7 +172,7 @@ void add_water(const input::Case& data, lem::Section& section, ground::WaterResu
   weigh_moist_soil(data, nullptr, section);
 }
 
-/// Whether a vertical step of the ground at x holds the stretch from `low` to `high`.
+/// Returns true if a vertical step of the ground at x contains the stretch from `low` to `high`.
 bool lies_on_step(const ground::Polyline& ground, double x, double low, double high, double near) {
   for (std::size_t i = 1; i < ground.size(); ++i) {
     const ground::Point &a = ground[i - 1], &b = ground[i];
@@ -182,7 +182,7 @@ bool lies_on_step(const ground::Polyline& ground, double x, double low, double h
   return false;
 }
 
-/// Tractions on named lines of the ground and of its vertical steps.
+/// Adds tractions on named lines of the ground and of its vertical steps.
 void add_tractions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   const double near = 1e-6 * (section.ground.back()[0] - section.ground.front()[0]);
   for (const input::Traction& t : data.tractions) {
@@ -200,7 +200,7 @@ void add_tractions(const input::Case& data, lem::Section& section, std::vector<s
           section.face_loads.push_back({a[0], low, high, {share * t.traction[0], share * t.traction[1]}});
         } else {
           if (std::abs(ground::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
-          // Per horizontal metre.
+          // Tractions become loads per horizontal metre.
           const double along = share * std::hypot(b[0] - a[0], b[1] - a[1]) / (b[0] - a[0]);
           const double down = -along * t.traction[1], right = along * t.traction[0];
           section.surcharges.push_back({{{a[0], down, right}, {b[0], down, right}}});
@@ -257,9 +257,10 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
   }
 }
 
-/// Pools of [[hydraulic]] and seepage give levels that the case file does not name.
+/// Throws if standing water after drawdown is above that before: pools of [[hydraulic]] and seepage give levels that
+/// are not in the case file.
 void check_standing_water(const lem::Section& before, const lem::Section& after) {
-  constexpr double noticeable = 1e-6;  // of the ground's width: a traced water table is as exact
+  constexpr double noticeable = 1e-6;  // of the width of the ground, which is the accuracy of a traced water table
   const double near = noticeable * (after.ground.back()[0] - after.ground.front()[0]);
   const auto level = [](const lem::Section& s, double x) {
     return s.water_table.empty() ? s.base : ground::find_water_table(s.water_table, x);
@@ -277,7 +278,7 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
   }
 }
 
-/// The section after a rapid drawdown, whose other soils have the water table after it.
+/// Returns the section after a rapid drawdown, with the lowered water table in drained soils.
 lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown, lem::Section before) {
   lem::Section after = before;
   for (lem::Soil& soil : after.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known

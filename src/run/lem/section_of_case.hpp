@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A case as the methods of slices see it.
+// The section of a case for LEM: ground, soils, water and loads.
 
 #include <string>
 #include <vector>
@@ -14,17 +14,17 @@ namespace talus::run {
 
 struct SectionOfCase {
   lem::Section section;
-  std::vector<std::string> notes;  ///< what slices cannot take from the case, in sentences
-  ground::WaterResult water;       ///< that pore pressures are from
+  std::vector<std::string> notes;  ///< sentences on what LEM does not take from the case
+  ground::WaterResult water;       ///< origin of the pore pressures
 };
 
-/// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.
-/// Throws Error (wrong_input) when the case is not plane or has no polygons, the ground has gaps or overhangs, or a
-/// soil has no friction angle and cohesion; what find_initial_water() throws.
+/// Makes ground, soils, water and loads of a plane case. Pore pressures of steady seepage are computed on the mesh of
+/// the case. Throws Error (wrong_input) if the case is not plane or has no polygons, if the ground has gaps or
+/// overhangs, or if a soil has no friction angle and cohesion; and what find_initial_water() throws.
 SectionOfCase make_section(const input::Case& data);
 
-/// Gives a section the pore pressures of the nodes of `mesh`, positive in tension [Pa], the water that stands on its
-/// ground at `time` [s], and the weights that follow.
+/// Sets the pore pressures of a section to those at the nodes of `mesh`, positive in tension [Pa], with the water
+/// standing on the ground at `time` [s] and the unit weights that follow.
 void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section);
 

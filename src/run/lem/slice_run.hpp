@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Slices in a run: calculated or taken from an interrupted run, and kept in the folder.
+// LEM in a run: computed or read from an interrupted run, and stored in the folder.
 
 #include <optional>
 #include <string>
@@ -14,46 +14,44 @@
 
 namespace talus::run {
 
-// The results of slip surfaces and of the search for them.
-
-/// The vertices of the bases, which a circle has too; of a surface that was refused its own.
+/// Vertices of the bases of the slices, also for a circle; for a rejected surface its own vertices.
 std::vector<lem::Point> list_points(const lem::CutSurface& cut);
 
-/// Method, factor and shape.
+/// Method, factor and shape of a surface.
 results::SlipSurface make_surface_result(const lem::Critical& critical);
 /// The same with checks, slices and warnings.
 results::CriticalSurface make_critical_result(const lem::Slope& slope, const lem::Critical& critical);
 
-/// How many surfaces were tried and refused, why, where, and at which limits critical surfaces lie.
+/// Numbers of tried and rejected surfaces, reasons and places, and the limits at which critical surfaces lie.
 results::SliceSearch make_search_result(const lem::SearchOptions& options, const lem::SearchResult& result);
 
-/// Every circle with the factors by each method, and the least factor over each centre of a grid.
+/// All circles with the factor by each method, and the least factor for each centre of a grid.
 results::SliceTrials make_trials_result(const lem::SearchOptions& options, const lem::SearchResult& result);
 
 class SliceRun {
  public:
-  /// Prepares the slope; throws what prepare_slope() throws. `data`: what is calculated. `alone`: the case has no
-  /// other method.
+  /// Prepares the slope; throws what prepare_slope() throws. `data`: the case or its design values. `alone`: the case
+  /// has no other method.
   SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
-  /// Throws Error (interrupted), and Error (wrong_input) where slices are alone and no surface is admissible; beside
-  /// others the reason stands in the result.
+  /// Throws Error (interrupted), and Error (wrong_input) if LEM is the only method and no surface is admissible; with
+  /// other methods the reason is part of the result.
   void calculate();
-  /// Whether limit analysis has still to judge what was found.
+  /// Returns true if the result is still to be compared with limit analysis.
   bool needs_referee() const {
     return is_done_ && data_.lem.referee && !outcome_.result.error && !outcome_.result.referee;
   }
-  /// Marks the factors that it proves impossible.
+  /// Marks the factors that limit analysis proves impossible.
   void take_referee(results::Referee referee);
-  /// lem.json; nothing where it is that of an earlier run.
+  /// Writes lem.json, unless it is that of an earlier run.
   void keep() const;
   void write_result(results::RunResult& run) const;
 
-  /// Fields of the water that pore pressures are from; nullptr in dry ground.
+  /// Fields of the water that gives the pore pressures; nullptr in dry ground.
   const results::WaterFields* water_fields() const {
     return prepared_.water.fields ? &*prepared_.water.fields : nullptr;
   }
-  /// What it calculated or found in the folder.
+  /// Result that was computed or read from the folder.
   const results::SliceResult& result() const { return outcome_.result; }
   const lem::Slope* slope() const { return prepared_.slope.get(); }
   const PreparedSlope& prepared() const { return prepared_; }

@@ -23,12 +23,13 @@ bool has_moved(const results::RunResult& run) {
                                     [](const results::RunoutTrial& r) { return r.runout.moved_volume > 0; });
 }
 
-/// The case on elements twice as large, with the runouts alone.
+/// Returns the case on elements twice as large, with an analysis reduced to its runouts.
 input::Case coarsen(input::Case data) {
   data.mesh = mesh::resize(std::move(data.mesh), 2 * data.mesh.size);
   input::StrengthReduction& reduction = data.strength_reduction;
   reduction.frozen.enabled = false;
-  reduction.curve.to = reduction.curve.from - reduction.curve.step;  // no factor besides those of the runouts
+  reduction.curve.to =
+      reduction.curve.from - reduction.curve.step;  // an empty curve: only the trials of the runouts are left
   reduction.curve.refine = false;
   data.output.frame_interval = 0;
   data.output.cells = data.output.nodes = false;
@@ -36,7 +37,8 @@ input::Case coarsen(input::Case data) {
   return data;
 }
 
-/// Returns false where the soil runs the other way there, which is another slide. Soil that stands still is an answer.
+/// Adds the runout `there`, on elements of `size`, to `here`. Returns false if the soil moves in the opposite
+/// direction on that mesh, which is another slide. A slope that is stable there is a valid result.
 bool add(const results::Runout& there, double size, results::Runout& here) {
   if (here.moved_volume <= 0) return true;
   if (there.moved_volume > 0 && there.direction != here.direction) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The same runout on elements twice as large: what the mesh does to front, distance and height.
+// Mesh dependence of a runout: front, distance and height on elements twice as large.
 
 #include <optional>
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace talus::run {
 
-/// Calculates the points of `data` once more on elements twice as large, in the folder coarser_mesh, and adds what
-/// came of each runout there to that of `run`. Does nothing where no soil moved, where the case asks for one mesh,
-/// where the mesh is a file or that of another result, and on several ranks. Returns why the coarser mesh has no
-/// such runout, as a warning. Throws Error (interrupted).
+/// Repeats the MPM run of `data` on elements twice as large, in the folder coarser_mesh, and adds each runout to the
+/// corresponding one of `run`. Does nothing if no soil moved, if the case requests one mesh, if the mesh comes from a
+/// file or another result, and on several ranks. Returns a warning with the reason if the coarser mesh has no such
+/// runout. Throws Error (interrupted).
 template <int D>
 std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& loaded, const input::Case& data,
                                                      const RunOptions& options, const std::string& input_hash,

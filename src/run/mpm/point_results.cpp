@@ -13,7 +13,7 @@ namespace talus::run {
 
 namespace {
 
-/// Of points that left the grid so many are named.
+/// Largest number of points outside the grid that are listed by number.
 constexpr std::size_t most_named = 100;
 
 }  // namespace

@@ -36,7 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
+/// An unbalanced force above this fraction of gravity at the end of a timed stage gives a warning.
 constexpr double restless_force_ratio = 0.01;
 
 double find_seconds(Clock::time_point start) {
@@ -97,7 +97,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   run.mesh = make_mesh_result(body_);
   run.slope_height = slope_height_;
   water_ = ground::make_water_result<D>(data_, body_.mesh(), seepage, season_);
-  if (origin_) water_.states.reset(), water_.fields.reset();  // its own water took their place
+  if (origin_) water_.states.reset(), water_.fields.reset();  // the water of the result replaces them
   ground::give(water_, run);
   if (seepage && seepage->undecided > 0)
     warnings_.push_back(
@@ -105,7 +105,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
                     "mesh is coarse for the height of the capillary fringe",
                     seepage->undecided));
   if (origin_) write_origin(*origin_, run);
-  origin_.reset();  // it is as large as the body
+  origin_.reset();  // frees as much memory as the body takes
   if (const std::vector<std::string> left = list_left_to_processor(data_); !left.empty())
     warnings_.push_back(
         fmt::format("the device does not calculate water with a velocity of its own (water = \"flows\"): the processor "
@@ -118,7 +118,8 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   return_freed_memory();
 }
 
-/// For the report: the elements and the sides that the boundaries name, and the season.
+/// Writes what the report needs before the first step: the elements, the sides named by the boundaries, and the
+/// season.
 template <int D>
 void PointRun<D>::open() {
   if (helps(data_)) return;
@@ -137,7 +138,7 @@ void PointRun<D>::calculate(results::RunResult& run) {
     } catch (...) {
       try {
         helpers_.dismiss(explain_failure(std::current_exception()));
-      } catch (const Error&) {  // that all have now
+      } catch (const Error&) {  // the failure of a stage is already known on all ranks
       }
       throw;
     }
@@ -177,7 +178,7 @@ void PointRun<D>::finish(results::RunResult& run) {
   try {
     read_output(run, data_, options_.folder);
   } catch (const Error& error) {
-    warnings_.push_back(error.what());  // a table that fails must not prevent the summary
+    warnings_.push_back(error.what());  // a table that cannot be written must not prevent the summary
   }
   run.warnings = warnings_;
 }
@@ -222,7 +223,8 @@ void PointRun<D>::check_names(const mesh::Mesh<D>& mesh) const {
   input::check_against_mesh(loaded_, sides, regions);
 }
 
-/// The result that the case starts from, when there is one, and it fits.
+/// Opens the result that the case starts from, if there is one. Throws Error (wrong_input) if it does not fit the
+/// case.
 template <int D>
 void PointRun<D>::open_origin() {
   checkpoint_hash_ = hash_;
@@ -287,7 +289,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     }
     if (const auto slow = describe_slow_wave(body_, plan)) warnings_.push_back(*slow);
     if (const auto fast = describe_fast_water(body_, plan)) warnings_.push_back(*fast);
-    // Before the first stage no soil bears weight.
+    // Before the first stage no soil carries its weight.
     const bool brings_weight = i == 0 && !state.started && body_.water.is_wet() && data_.initial.result.empty() &&
                                data_.initial.stress == input::InitialStress::none;
     const std::optional<CarriedWeight> before =
@@ -342,7 +344,7 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
   }
 }
 
-/// The end of the stages for a case that starts from it, and the results of these stages alone.
+/// Sets the results of the stages alone, and writes the end state from which another case can start.
 template <int D>
 void PointRun<D>::end_stages(results::RunResult& run) {
   save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
@@ -359,7 +361,7 @@ void PointRun<D>::add_runout(results::RunResult& run) {
   write_profiles(options_.folder / "profile.csv", runout_start_.initial, find_profile(body_, profile_bin_));
 }
 
-/// Stages outlive an interruption beside the checkpoint.
+/// Stores the finished stages beside the checkpoint, from which a resumed run reads them.
 template <int D>
 void PointRun<D>::save_stages() const {
   results::write_file(stage_file(), results::StageRecord{stages_, warnings_});

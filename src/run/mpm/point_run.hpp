@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Material points on a case: from the mesh through stages and trials to how far the soil ran.
+// MPM on a case: mesh, initial state, stages, and strength reduction or runout.
 
 #include <memory>
 #include <mutex>
@@ -20,42 +20,42 @@
 
 namespace talus::run {
 
-/// Onset of movement and sections, from the histories and frames that a run has written. A finished run may ask for
-/// others than it did when it was calculated.
+/// Evaluates onset of movement and sections from the histories and frames of a run. They can be evaluated again, with
+/// other settings, after the run has finished.
 void read_output(results::RunResult& run, const input::Case& data, const std::filesystem::path& folder);
 
-/// The seconds of all threads that this process has used.
+/// CPU time of all threads of this process [s].
 double find_process_seconds();
 
 template <int D>
 class PointRun {
  public:
-  /// `data`: what is calculated, the case itself or its design values. All three must outlive the run.
+  /// `data` is the case itself or its design values. `loaded`, `data` and `options` must outlive the run.
   PointRun(const input::LoadedCase& loaded, const input::Case& data, const RunOptions& options, std::string input_hash);
 
-  /// Mesh, points and their state at the start, into `run`. Throws InputError when names do not fit the mesh, and what
-  /// meshing and preparing throw; nothing is written.
+  /// Prepares mesh, points and their initial state, and describes them in `run`. Throws InputError if names do not fit
+  /// the mesh, and what meshing and preparation throw; writes nothing.
   void prepare(results::RunResult& run);
-  /// What the folder gets before the first step.
+  /// Writes the files that precede the first step.
   void open();
-  /// Stages, and the strength reduction or the runout. Throws Error (unstable, interrupted, cannot_write); what was
-  /// found before stands in `run`.
+  /// Runs the stages, then the strength reduction or the runout. Throws Error (unstable, interrupted, cannot_write);
+  /// results obtained before the failure are in `run`.
   void calculate(results::RunResult& run);
-  /// Stages, warnings and the results from the files, of a run that ended in any way.
+  /// Completes `run` with stages, warnings and the results that are read from files, however the run ended.
   void finish(results::RunResult& run);
-  /// Seconds by part; `cpu`: of the whole process.
+  /// Seconds by part; `cpu` is the CPU time of the whole process.
   std::vector<results::TimedPart> list_parts(double cpu) const;
   results::StepSeconds get_stage_seconds() const;
-  /// Fields of the water that the points begin with; nullptr where there are none.
+  /// Water fields of the initial state; nullptr if there are none.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
-  /// What outlives an interruption only.
+  /// Removes the files that only a resumed run needs.
   void forget();
-  /// Whether this is a rank without results of its own: it helps rank 0 with the stages of calculate().
+  /// Returns true on a rank without results of its own, which takes part in the stages of calculate() on rank 0.
   static bool helps(const input::Case& data) { return shares_stages(data) && get_ranks().rank() > 0; }
 
  private:
-  /// Whether there are several ranks, of which rank 0 alone has the body. Trials of a reduction begin with the body on
-  /// every rank.
+  /// Returns true if there are several ranks and only rank 0 has the body. In a strength reduction the trials start
+  /// from the body on every rank.
   static bool shares_stages(const input::Case& data) {
     return get_ranks().size() > 1 && input::uses(data, Method::mpm) && data.analysis == input::AnalysisKind::run;
   }
@@ -74,8 +74,8 @@ class PointRun {
   const input::LoadedCase& loaded_;
   const input::Case& data_;
   const RunOptions& options_;
-  std::string hash_, checkpoint_hash_;  ///< of the input; together with the state that it starts from
-  JsonTree mesh_input_;                 ///< echo of the case that the mesh was made for
+  std::string hash_, checkpoint_hash_;  ///< of the input; of the input and the state that the run starts from
+  JsonTree mesh_input_;                 ///< echo of the case for which the mesh was generated
   std::unique_ptr<EndState> origin_;
   std::unique_ptr<output::ArchiveReader> checkpoint_;
   mpm::Work work_before_;

@@ -18,20 +18,21 @@ namespace talus::run {
 
 namespace {
 
-constexpr int period = 8;              ///< looks that are measured together
-constexpr double least_saving = 0.15;  ///< of the time of the slowest rank
-constexpr double worth = 10;           ///< periods in which a hand-over must pay
+constexpr int period = 8;  ///< looks per measurement
+constexpr double least_saving =
+    0.15;  ///< least saving that justifies a rebalance, as a fraction of the time of the slowest rank
+constexpr double worth = 10;  ///< periods within which a rebalance must pay off
 
 double sum(const mpm::Timing& t) {
   return t.solve_momentum + t.remap_momentum + t.smooth_strain + t.advance_points + t.relocate;
 }
 
-/// The chunks of rank `r` of a list by chunk: [begin, end).
+/// The range [begin, end) of the chunks of rank `r` in a list by chunk.
 auto find_part(std::vector<double>& by_chunk, const std::vector<int>& chunk_of_rank, std::size_t r) {
   return std::pair{by_chunk.begin() + chunk_of_rank[r], by_chunk.begin() + chunk_of_rank[r + 1]};
 }
 
-/// The seconds of the rank that has most to do.
+/// Returns the time of the slowest rank [s].
 double find_longest(std::vector<double>& seconds, const std::vector<int>& chunk_of_rank) {
   double longest = 0;
   for (std::size_t r = 0; r + 1 < chunk_of_rank.size(); ++r) {
@@ -41,7 +42,7 @@ double find_longest(std::vector<double>& seconds, const std::vector<int>& chunk_
   return longest;
 }
 
-/// What each chunk costs in a period [s], from its points and the time that its rank took for all of its own.
+/// Returns the cost of each chunk in a period [s]: the time of its rank, distributed in proportion to the points.
 template <int D>
 std::vector<double> measure_chunks(const mpm::Body<D>& share, double mine) {
   std::vector<double> work = mpm::count_work(share);
@@ -87,10 +88,10 @@ void LoadBalance<D>::look(mpm::Body<D>& share) {
   const Clock::time_point start = Clock::now();
   mpm::collect(share, false, whole_);
   mpm::Body<D> description = mpm::copy_description(share);
-  share = mpm::Body<D>();  // its memory, before there is another
+  share = mpm::Body<D>();  // frees the memory of the old part before the new one is made
   share = mpm::take_share<D>(whole_, std::move(description), ranks, wanted);
   cost_ = std::chrono::duration<double>(Clock::now() - start).count();
-  broadcast(cost_);  // all must come to the same decision
+  broadcast(cost_);  // all ranks must come to the same decision
   ++ranks.traffic().hand_overs;
   spent_ = sum(share.timing);
   sent_ = ranks.traffic().seconds;
@@ -131,7 +132,8 @@ void put_text(const T& values, std::string& text) {
   text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
 }
 
-/// Every rank has made the body by itself. Another program or library would make another one, and nobody would see it.
+/// Throws Error if the bodies differ between ranks. Every rank has prepared the body by itself, and another program or
+/// library would prepare another one.
 template <int D>
 void check_equal(const mpm::Body<D>& body) {
   std::string text;
@@ -153,12 +155,13 @@ void check_equal(const mpm::Body<D>& body) {
                               r));
 }
 
-/// Which hooks rank 0 has: all ranks must come to them.
+/// The hooks that rank 0 has. All ranks must take part in them.
 struct Hooked {
   bool output = false, look = false, tell = false, save_last_good = false, mark = false;
 };
 
-/// A stage of a body that rank 0 has as a whole, or every rank (`all_have_it`); elsewhere `whole` is null.
+/// A stage of a body that rank 0 alone or every rank (`all_have_it`) has as a whole; on the other ranks `whole` is
+/// null.
 template <int D>
 class SharedStage {
  public:
@@ -230,7 +233,7 @@ class SharedStage {
     return shared;
   }
 
-  /// Puts the whole body together, and does with it what rank 0 wants.
+  /// Gathers the whole body on rank 0 and calls `work` there.
   void record(const mpm::Body<D>& share, const std::function<void()>& work) {
     mpm::collect(share, false, get_ranks().rank() == 0 ? whole_ : nullptr);
     lead_ranks(work);

@@ -21,7 +21,7 @@ namespace talus::run {
 
 namespace {
 
-/// Smoothing after so many setbacks.
+/// Returns the smoothing after this number of retries.
 input::Smoothing choose_smoothing(input::Smoothing now, std::size_t setbacks, bool flows) {
   using input::Smoothing;
   if (setbacks == 0 || now == Smoothing::none) return now;
@@ -42,7 +42,7 @@ StagePlan<D> calm_down(StagePlan<D> plan, std::size_t setbacks, bool wet) {
 template <int D>
 void GoodStates<D>::keep(const mpm::Body<D>& body, const StageState& state) {
   if (newer_ && newer_->state.steps == state.steps) return;
-  // The newest copy may already hold the beginning of an instability, which takes a while to be noticed.
+  // The newest copy may already contain the beginning of an instability, which is detected only after some steps.
   older_ = newer_;
   newer_ = std::make_shared<const Kept>(Kept{body, state, hooks_.mark ? hooks_.mark() : GoBack<D>()});
   if (!older_) older_ = start_ = newer_;
@@ -51,7 +51,7 @@ void GoodStates<D>::keep(const mpm::Body<D>& body, const StageState& state) {
 template <int D>
 bool GoodStates<D>::go_back(mpm::Body<D>& body, StageState& state, const std::string& reason) {
   if (state.setbacks.size() >= most_setbacks) return false;
-  // A copy to which it went back before, and which failed again, was not good.
+  // A copy from which an earlier retry failed as well is not a good state.
   const bool failed_before = !state.setbacks.empty() && state.setbacks.back().back_to == older_->body.time;
   const std::shared_ptr<const Kept> to = failed_before ? start_ : older_;
   std::vector<results::Retry> setbacks = std::move(state.setbacks);
@@ -72,20 +72,20 @@ template class GoodStates<3>;
 
 namespace {
 
-/// Looks between copies of the body to which an unstable run returns.
+/// Looks between copies of the body from which an unstable run can be repeated.
 constexpr int looks_per_copy = 32;
-/// What is faster than this many wave speeds is not soil any more.
+/// A velocity above this multiple of the wave speed is unstable.
 constexpr double unstable_speed_ratio = 2;
 
-/// The largest of a number that each rank has.
+/// Returns the largest value over all ranks.
 template <int D>
 double find_largest(const mpm::Body<D>& body, double here) {
   const std::vector<double> all = mpm::join_lists(body, std::vector{here});
   return *std::max_element(all.begin(), all.end());
 }
 
-/// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water that flows of those without drag, in
-/// saturated soil; with water that seeps of those in drained soil, which bound the step.
+/// Returns an upper bound of the compression wave speed √(E_c/ρ) [m/s]. In the two-velocity formulation it is the
+/// speed without drag in saturated soil; in the Darcy formulation that in drained soil, which limits the step.
 template <int D>
 double find_wave_speed(const mpm::Body<D>& body, const StagePlan<D>& plan) {
   const bool seeps = plan.step.water == input::WaterMotion::seeps;
@@ -96,7 +96,7 @@ double find_wave_speed(const mpm::Body<D>& body, const StagePlan<D>& plan) {
     double sum = material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume /
                  (seeps ? p.mass + p.water_mass : p.mass);
     if (p.wet && !seeps) {
-      // The trace of M⁻¹K (T14.13) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
+      // The trace of M⁻¹K (T14.13) with S = 1 and ζ' = n/K_w is above its greatest eigenvalue.
       const mpm::WaterLaw& law = body.water.laws[p.material];
       const double n = p.porosity;
       sum += law.bulk_modulus * ((1 - n) / (n * law.grain_density) + 1 / law.density);
@@ -106,8 +106,9 @@ double find_wave_speed(const mpm::Body<D>& body, const StagePlan<D>& plan) {
   return std::sqrt(find_largest(body, square));
 }
 
-/// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate
-/// in a collapse do; a density of 1/2500 is an explosion that drags the step down with it.
+/// Lower limit of the step, as a fraction of that of the smallest element of the mesh. The step falls below that of
+/// the smallest element only if soil swells, as separating points do in a collapse. A density of 1/2500 is an
+/// explosion.
 constexpr double smallest_step_share = 0.02;
 
 template <int D>
@@ -117,7 +118,7 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
                 std::sqrt(plan.step.mass_scaling) / wave_speed;
   if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows &&
       plan.step.drag == input::Drag::explicit_at_nodes) {
-    // Drag may require a far smaller step than the waves (2.85).
+    // With explicit drag the critical step can be far smaller than that of the waves (2.85).
     StagePlan<D> without = plan;
     without.step.drag = input::Drag::implicit_at_nodes;
     step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
@@ -125,7 +126,8 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
   return step;
 }
 
-/// Steps between two looks at the critical step. Soil that stiffens as weight comes on would outrun a longer one.
+/// Steps between two evaluations of the critical step. The interval is short for soil that stiffens as its weight is
+/// applied, whose critical step would otherwise fall below the step in use.
 template <int D>
 int find_step_interval(const mpm::Body<D>& body) {
   constexpr int changing = 4;
@@ -136,7 +138,7 @@ int find_step_interval(const mpm::Body<D>& body) {
   return follows ? changing : look_interval;
 }
 
-/// The place and speed of an unstable motion.
+/// Place and velocity of an unstable motion.
 template <int D>
 struct Runaway {
   Vec<D> place{};    ///< [m]
@@ -144,7 +146,7 @@ struct Runaway {
   std::string what;  ///< "the grid", "a point that left the grid"
 };
 
-/// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since
+/// Returns a motion above `limit` [m/s]: of a node in the last monitored step, or of a point that left the grid since
 /// `lost_before`.
 template <int D>
 std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored, std::size_t lost_before,
@@ -160,7 +162,7 @@ std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored,
   return r;
 }
 
-/// The soil in element `e` or beside it has lost most of its density.
+/// Describes soil in element `e`, or beside it, that has lost most of its density.
 template <int D>
 Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
   std::array<double, D> centre;
@@ -174,7 +176,7 @@ std::string show_place(const Vec<D>& x) {
   return fmt::format("({:.4g}) m", fmt::join(x, ", "));
 }
 
-/// A UMAT that failed in the last step ends the run. `save` keeps the last good state and says where.
+/// Throws Error (unstable) if a UMAT failed in the last step. `save` stores the last good state and returns its place.
 template <int D>
 void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
                            const std::function<std::string()>& save) {
@@ -295,7 +297,7 @@ StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, doubl
 
 namespace {
 
-/// Whether the soil has been at rest for as long as the plan asks, by the step that was monitored last.
+/// Returns true if the soil has been at rest for the time that the plan requires, by the last monitored step.
 template <int D>
 bool has_rested(const mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state) {
   const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
@@ -309,7 +311,7 @@ bool has_rested(const mpm::Body<D>& body, const StagePlan<D>& plan, StageState& 
   return false;
 }
 
-/// What is done every look_interval steps. Returns whether a point has moved farther than the plan allows.
+/// Performs the tasks of every look_interval steps. Returns true if a point has moved farther than the plan allows.
 template <int D>
 bool look(Stepper<D>& stepper, mpm::Body<D>& body, const StageState& state, const StagePlan<D>& plan,
           const StageHooks<D>& hooks) {
@@ -347,14 +349,14 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   mpm::CriticalStep critical = find_critical_step(body, plan);
   Stepper<D> stepper(body, plan);
   GoodStates<D> good(wanted, hooks);
-  // That of the start: later densities may be those of an explosion.
+  // The wave speed is that of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body, plan);
   const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
   good.keep(body, state);
   const auto save_last_good = [&]() -> std::string {
     return hooks.save_last_good ? hooks.save_last_good(good.good_body(), good.good_state()) : "";
   };
-  // Back to a good state, or the end of the run.
+  // Retries from a good state with a smaller step, or throws Error (unstable).
   const auto recover = [&](const Runaway<D>& runaway) {
     const std::string reason = describe<D>(runaway, good.good_body(), state.wave_speed);
     if (!good.go_back(body, state, reason)) throw_unstable(body, plan, state, reason, save_last_good());
@@ -368,7 +370,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   for (;;) {
     if (state.steps % step_interval == 0) {
       critical = stepper.find_critical_step(plan, options);
-      if (critical.element < 0) return stepper.end(results::StageEnd::time);  // nothing is left on the grid
+      if (critical.element < 0) return stepper.end(results::StageEnd::time);  // no material point is left on the grid
       state.dt = plan.step.courant * critical.dt;
       if (!(critical.dt >= smallest_step)) {
         recover(find_swollen<D>(body, critical.element));
@@ -389,8 +391,8 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     const std::size_t lost_before = body.lost.size();
     stepper.step(options);
     ++state.steps;
-    // At the end of a step, before the look: a checkpoint has what faded. In so many steps a wave crosses as many
-    // elements.
+    // Null modes are filtered at the end of a step and before the look, so that a checkpoint contains the result. A
+    // wave crosses about as many elements as there are steps between two looks.
     if (plan.step.fade_unseen && options.moving && state.steps % look_interval == 0) stepper.fade_unseen(options);
     watch_external_models(body, plan, save_last_good);
     if (const auto runaway =

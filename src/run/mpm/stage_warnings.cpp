@@ -17,10 +17,10 @@ namespace talus::run {
 
 namespace {
 
-/// Soil that is slower than this share of the fastest node counts as standing.
+/// Soil slower than this fraction of the fastest node counts as at rest.
 constexpr double moving_share = 0.1;
 
-/// A point and its distance from a place, squared [m²].
+/// A point and the square of its distance from a place [m²].
 struct Nearest {
   double square = std::numeric_limits<double>::max();
   int id = std::numeric_limits<int>::max();
@@ -96,19 +96,20 @@ template results::MovingSoil find_moving_soil<3>(const mpm::Body<3>&);
 
 namespace {
 
-/// Plastic strain from which on a band counts.
+/// Plastic strain from which soil counts as part of a band.
 constexpr double sheared = 0.05;
-/// Elements up to which it is the mesh that makes it so thin.
+/// Band thickness, in elements, up to which the mesh determines it.
 constexpr double thin = 1.75;
-/// Elements over the softening length up to which a band does not depend on them: half, and a tenth for their scatter.
+/// Ratio of element size to nonlocal length up to which a band is independent of the elements: 0.5, plus a tenth for
+/// the scatter of element sizes.
 constexpr double coarse = 0.55;
 
-/// Means over the points of soil that softens.
+/// Means over the points of softening soil.
 struct SoftElements {
   std::vector<double> volume, strain, void_ratio;
 };
 
-/// 0 of laws that have none.
+/// Zero for laws without a void ratio.
 double find_void_ratio(const material::Law& law, const double* state) {
   return std::visit(
       [&](const auto& l) -> double {
@@ -148,7 +149,7 @@ std::vector<std::vector<int>> list_elements_at_nodes(const mesh::Mesh<D>& mesh) 
   return at;
 }
 
-/// The elements that share a node with element `e`, itself too.
+/// Lists the elements that share a node with element `e`, including `e`.
 template <int D>
 void list_around(const mesh::Mesh<D>& mesh, const std::vector<std::vector<int>>& at_nodes, std::size_t e,
                  std::vector<int>& around) {
@@ -162,8 +163,8 @@ void list_around(const mesh::Mesh<D>& mesh, const std::vector<std::vector<int>>&
 
 }  // namespace
 
-// In a straight band of n > 1 rows of elements the share of the band in the soil that shares a node with an element of
-// it is 1 - 2/(3n) in the mean, and 1/3 in one row.
+// In a straight band of n > 1 rows of elements, the band is on average the fraction 1 - 2/(3n) of the soil in elements
+// that share a node with one of the band; in one row it is 1/3.
 template <int D>
 std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body) {
   const SoftElements e = gather(body);
@@ -189,7 +190,8 @@ std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body) {
     size += e.volume[i] * std::pow((D == 2 ? 2 : 6) * body.mesh().volumes[i], 1.0 / D);
     inside += e.volume[i] * e.void_ratio[i];
   }
-  if (!(beside > 0) || inside / band <= outside / beside) return std::nullopt;  // as a whole, or compacted
+  if (!(beside > 0) || inside / band <= outside / beside)
+    return std::nullopt;  // the soil dilated as a whole, or the band compacted
   return SoftBand{2 / (3 * (1 - part / band)), size / band};
 }
 
@@ -235,17 +237,17 @@ TALUS_INSTANTIATE(3)
 
 namespace {
 
-/// Largest crossing over the process. Consolidation under a sudden load is 0.5 % off at a twentieth, 6 % at a sixth and
-/// 21 % at a half (theory 5).
+/// Largest ratio of wave crossing time to duration of the process. The error of consolidation under a sudden load is
+/// 0.5 % at a twentieth, 6 % at a sixth and 21 % at a half (theory 5).
 constexpr double largest_share = 0.1;
 
-/// Conductivity of soil in which water takes k/(n g), some milliseconds, to follow a change of its drag [m/s].
+/// Conductivity from which pore water takes some milliseconds, k/(n g), to follow a change of its drag [m/s].
 constexpr double open_soil = 1e-2;
 
-/// Part of the weight that water may carry at the end of a weight stage.
+/// Fraction of the weight that excess pore pressure may carry at the end of a weight stage.
 constexpr double largest_excess = 0.05;
 
-/// To one digit.
+/// Rounds down to one digit.
 double round_down(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)));
   return std::floor(x / unit * (1 + 1e-9)) * unit;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What moves at the end of a stage that should have come to rest, and what is said of it and of setbacks.
+// Warnings of a stage: motion at its end, retries, thin softening bands, mass scaling that delays the motion, the
+// Darcy (u–p) formulation where the inertia of the water matters, and excess pore pressure that carries the weight.
 
 #include <optional>
 #include <string>
@@ -12,67 +13,64 @@
 
 namespace talus::run {
 
-/// The material of the point nearest to `x` [m]; "unknown" where no point is left.
+/// Returns the material of the point nearest to `x` [m]; "unknown" if no point is left.
 template <int D>
 std::string find_nearest_material(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x);
 
-/// What moves, from the last step that was monitored.
+/// Returns the moving soil in the last monitored step.
 template <int D>
 results::MovingSoil find_moving_soil(const mpm::Body<D>& body);
 
-/// "stage 'slide' did not come to rest within 40 s: …", with what to do.
+/// "stage 'slide' did not come to rest within 40 s: …", with a remedy.
 std::string describe_restless(const input::Stage& stage, const results::Stage& report);
 
-/// "stage 'slide' became unstable at t = 3 s: …", with how it was calculated instead and what to do. `what`: "stage
+/// "stage 'slide' became unstable at t = 3 s: …", with the settings of the retry and a remedy. `what`: "stage
 /// 'slide'".
 std::string describe_setback(const std::string& what, const results::Retry& setback);
 
-// What a stage says of a band in which soil has softened: where it is as thick as an element, the mesh decides.
-
-/// Where soil that softens has sheared and dilated most.
+/// Band in which softening soil has sheared and dilated most. If it is as thick as an element, the result depends on
+/// the mesh.
 struct SoftBand {
   double thickness = 0;  ///< in elements
-  double size = 0;       ///< of these: the side of the square that two of them fill, or the cube that six do [m]
+  double size = 0;  ///< size of these elements: side of the square filled by two triangles, or of the cube filled by
+                    ///< six tetrahedra [m]
 };
 
-/// Nothing where no such soil has.
+/// Returns nullopt if no softening soil has sheared.
 template <int D>
 std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body);
 
-/// The same hooks, with a look at the band at each output: its state gets the thinnest band of the stage and its
-/// largest elements.
+/// Returns the hooks with a check of the band at each output, which stores the smallest thickness of the stage and the
+/// largest elements in its state.
 template <int D>
 StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks);
 
-/// "soil that softens ('loess') sheared in a band of 1.4 elements …", with what to do, of what a stage has seen.
-/// `length`: mesh.softening_length [m]. Nothing where the band is thicker than elements make it or, with a length,
-/// where these are at most half as large.
+/// "soil that softens ('loess') sheared in a band of 1.4 elements …", with a remedy. `length`: mesh.softening_length
+/// [m]. Returns nullopt if the band is thicker than the mesh makes it or, with a nonlocal length, if the elements are
+/// at most half as large as that.
 template <int D>
 std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const StageState& state,
                                                 std::optional<double> length);
 
-// Warnings of a stage on its inertia and its water: mass scaling that delays the motion, a Darcy (u–p) formulation
-// where the inertia of the water matters, and excess pore pressure that carries the weight.
-
-/// Times of a stage that mass scaling must leave apart (theory 5).
+/// Time scales of a stage that mass scaling must keep apart (theory 5).
 struct DrainedWave {
-  double crossing = 0;  ///< of the soil's height by a compression wave of drained soil, H √(βρ/E_c) [s]
-  std::optional<double> drainage{};  ///< H²/c_v of the soil that drains fastest, where water flows [s]
+  double crossing = 0;  ///< time of a compression wave of drained soil to cross the soil height, H √(βρ/E_c) [s]
+  std::optional<double> drainage{};  ///< H²/c_v of the soil that drains fastest, if pore water flows [s]
 };
 
-/// Of the body as it stands at the start of the stage.
+/// Evaluates the body at the start of the stage.
 template <int D>
 DrainedWave find_drained_wave(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
-/// "stage 'rain': with mass_scaling = 1e+08 …", with the mass scaling that would do; nothing where the soil keeps up.
+/// "stage 'rain': with mass_scaling = 1e+08 …", with an adequate mass scaling; nullopt if the waves are fast enough.
 template <int D>
 std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
-/// "stage 'rain': water = "seeps" leaves …"; nothing where no soil is so open that its water has an inertia of its own.
+/// "stage 'rain': water = "seeps" leaves …"; nullopt if no soil is so permeable that the inertia of its water matters.
 template <int D>
 std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
-/// What pore water and grains carry, as means over the volume of the wet points, positive in compression [Pa].
+/// Pore pressure and effective stress, averaged over the volume of the wet points, positive in compression [Pa].
 struct CarriedWeight {
   double water = 0;   ///< pore pressure
   double grains = 0;  ///< vertical effective stress
@@ -81,8 +79,9 @@ struct CarriedWeight {
 template <int D>
 CarriedWeight find_carried_weight(const mpm::Body<D>& body);
 
-/// "stage 'gravity': …" where water carries a noticeable part of the weight that the stage brought on: soil at rest
-/// that is not in its effective stresses. `before`: at the start of the stage. Nothing where the weight is drained.
+/// "stage 'gravity': …" if excess pore pressure carries a noticeable part of the weight applied in the stage: the soil
+/// is at rest, but its effective stresses lack that part. `before`: at the start of the stage. Returns nullopt if the
+/// weight is drained.
 template <int D>
 std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, const std::string& stage,
                                                      const CarriedWeight& before);

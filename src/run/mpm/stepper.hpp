@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What takes the body of a stage through its steps: this processor, or the device of the run.
+// Steps of a stage on the processor or on the device of the run, and the choice of that device.
 
 #include <optional>
 #include <string>
@@ -15,13 +15,14 @@
 
 namespace talus::run {
 
-/// Between steps the body is up to date after bring_back() only; time, step count, work, losses and what the last step
-/// was monitored for always are.
+/// Advances a body. Between steps the body is up to date only after bring_back(); time, step count, work, losses and
+/// the monitored values of the last step always are.
 template <int D>
 class Stepper : public Pause<D> {
  public:
   Stepper(mpm::Body<D>& body, const StagePlan<D>& plan) : body_(body) {
-    if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows) return;  // devices know one velocity
+    if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows)
+      return;  // devices do not support the two-velocity formulation
     if (auto device = mpm::make_device<D>()) device_.emplace(std::move(device));
   }
 
@@ -47,11 +48,11 @@ class Stepper : public Pause<D> {
     if (device_) device_->bring_back(body_);
     return body_;
   }
-  /// The body was changed here, or another is in its place.
+  /// Must be called after the body was changed on the host, or replaced by another one.
   void note_change() {
     if (device_) device_->note_change();
   }
-  /// The end of the stage, with the body as it is then.
+  /// Ends the stage and brings the body up to date.
   results::StageEnd end(results::StageEnd how) {
     bring_back();
     return how;
@@ -62,13 +63,11 @@ class Stepper : public Pause<D> {
   std::optional<mpm::DeviceStepper<D>> device_;
 };
 
-// The device of a run.
-
-/// Of the word of --device. Throws Error (wrong_input) where it is another one.
+/// Parses the argument of --device. Throws Error (wrong_input) for an unknown one.
 DeviceKind find_device_kind(const std::string& word);
 
-/// While it lives, bodies of points are taken through their steps by the device that the options name. Throws Error
-/// (wrong_input) where there is no such device, or it cannot calculate the case.
+/// During its lifetime MPM steps run on the device of the options. Throws Error (wrong_input) if there is no such
+/// device, or it cannot run the case.
 class ChosenDevice {
  public:
   ChosenDevice(const input::Case& data, const RunOptions& options);
@@ -77,10 +76,11 @@ class ChosenDevice {
   ChosenDevice& operator=(const ChosenDevice&) = delete;
 };
 
-/// The name of the device in use, empty where none is.
+/// Name of the device in use; empty if there is none.
 std::string describe_device();
 
-/// The stages that a device which is used does not calculate, because water has a velocity of its own there.
+/// Lists the stages that the device in use does not support, because they use the two-velocity formulation; they run
+/// on the processor.
 std::vector<std::string> list_left_to_processor(const input::Case& data);
 
 }  // namespace talus::run

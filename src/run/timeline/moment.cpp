@@ -22,7 +22,7 @@ void shift(input::TimeTable& table, double time) {
 }  // namespace
 
 input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water) {
-  // The water is that before a jump of a series, and so are the pools and the weather that go with it.
+  // Water, pools and weather are those before a jump of a series at this time.
   const double before = time + ground::find_first_time(data);
   for (input::Hydraulic& h : data.hydraulics)
     for (input::TimeTable* table : {&h.head, &h.pressure, &h.rate}) shift(*table, before);
@@ -38,18 +38,19 @@ input::Case begin_later(input::Case data, double time, std::shared_ptr<const inp
 
 namespace {
 
-/// A surface of one time is better than that of another only if its factor is lower by more than this share.
+/// A surface replaces that of another time only if its factor is lower by more than this fraction.
 constexpr double same_factor = 1e-6;
-/// Rounds in which surfaces pass from time to time.
+/// Largest number of rounds in which surfaces are exchanged between times.
 constexpr int most_rounds = 4;
 
-/// The best of `list` by `method`; nullptr: there is none.
+/// Returns the best surface of `list` by `method`; nullptr if there is none.
 lem::Critical* find_by(std::vector<lem::Critical>& list, lem::Method method) {
   const auto at = std::find_if(list.begin(), list.end(), [&](const lem::Critical& c) { return c.method == method; });
   return at == list.end() ? nullptr : &*at;
 }
 
-/// Results hold a polyline with a point for each side of a slice: those on straight lines go again.
+/// Converts a surface of the results, a polyline with a point at each side of a slice, and drops the points on
+/// straight lines.
 lem::Surface take_surface(const results::SlipSurface& result, int vertices) {
   lem::Surface surface;
   surface.name = result.name.value_or("");
@@ -67,8 +68,8 @@ bool is_better(const lem::Critical& one, const lem::Critical* other) {
   return other == nullptr || one.solution.factor < other->solution.factor * (1 - same_factor);
 }
 
-/// Tries the surfaces of other times at this one, and improves the best of them where it is lower. Returns whether one
-/// was.
+/// Evaluates the surfaces of other times at this one, and optimises the best of them if its factor is lower. Returns
+/// true if a surface was replaced.
 bool take_over(const std::vector<Moment>& others, const lem::SearchOptions& options, bool circular, Moment& moment) {
   bool any = false;
   auto& own = circular ? moment.circular : moment.noncircular;
@@ -159,7 +160,7 @@ void search_moment(const input::Case& data, lem::SearchOptions options, const st
 void share_surfaces(const lem::SearchOptions& options, int threads, std::vector<Moment>& moments) {
   for (const bool circular : {true, false}) {
     for (int round = 0; round < most_rounds; ++round) {
-      // All of a round see the surfaces of the one before: the same for any number of threads.
+      // A round uses the surfaces of the previous one, so results do not depend on the number of threads.
       std::vector<Moment> before(moments.size());
       for (std::size_t i = 0; i < moments.size(); ++i)
         (circular ? before[i].circular : before[i].noncircular) =

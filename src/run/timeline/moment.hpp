@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slope at one time of a timeline, and the slip surfaces that are found there.
+// The slope at one time of a timeline, and its critical slip surfaces.
 
 #include <limits>
 #include <memory>
@@ -14,44 +14,42 @@
 
 namespace talus::run {
 
-// A case that begins at a later time.
-
-/// The case without its timeline, whose time 0 is just before `time` [s]: it begins with `water` (none: as [initial]
-/// says), and its series of [[hydraulic]] and of transpiration go on from there. A series that jumps at `time` jumps
-/// after the beginning.
+/// Returns the case without its timeline, with time 0 just before `time` [s]: it starts from `water` (null: that of
+/// [initial]), and its series of [[hydraulic]] and of transpiration continue from there. A series that jumps at `time`
+/// jumps after the start.
 input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water);
 
 struct Moment {
   double time = 0;  ///< [s]
   std::unique_ptr<lem::Slope> slope;
   std::vector<lem::Critical> circular, noncircular, given;
-  std::string error;  ///< why there is no surface
-  /// Of the surfaces of other times that the checks refuse here: the least factor, and why it is refused.
+  std::string error;  ///< reason why there is no surface
+  /// Least factor of the surfaces of other times that are rejected at this time, and the reason.
   double refused_factor = std::numeric_limits<double>::infinity();
   lem::Refusal refusal = lem::Refusal::none;
-  std::optional<results::Referee> referee;  ///< nothing: it was not asked at this time
+  std::optional<results::Referee> referee;  ///< nullopt: limit analysis was not used at this time
 };
 
-/// What a search of the run has found at the time of `moment`.
+/// Copies the surfaces of the search of the run at the time of `moment`.
 void take_known(const results::SliceResult& found, const lem::SearchOptions& options, Moment& moment);
 
-/// The surfaces of a time, and a time that has these.
+/// Converts the surfaces of a time for storage, and back.
 results::SearchedMoment keep_moment(const Moment& moment);
 void take_kept(const results::SearchedMoment& kept, const lem::SearchOptions& options, Moment& moment);
 
-/// Search, or the surfaces of the case; polylines begin with those of `others`.
+/// Searches, or evaluates the surfaces of the case; polylines start from those of `others`.
 void search_moment(const input::Case& data, lem::SearchOptions options, const std::vector<Moment>& others,
                    Moment& moment);
 
-/// Tries the surfaces of each time at all others, improves them where they are lower, and so on until none is, at most
-/// four times. The same for any number of threads.
+/// Evaluates the surfaces of each time at all others, optimises them if their factor is lower, and repeats until none
+/// is, at most four times. The result does not depend on the number of threads.
 void share_surfaces(const lem::SearchOptions& options, int threads, std::vector<Moment>& moments);
 
-/// The least factor of surfaces that govern at other times; nothing where all are refused.
+/// Returns the least factor of surfaces that govern at other times; nullopt if all are rejected.
 std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& known, const lem::SearchOptions& options,
                                    const lem::Slope& slope);
 
-/// The surface that governs.
+/// Makes the result of the governing surface.
 results::TimedFactor make_moment_result(const lem::SearchOptions& options, const Moment& moment);
 
 }  // namespace talus::run

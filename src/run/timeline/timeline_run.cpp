@@ -55,20 +55,20 @@ struct TimelineRun::Parts {
   }
 
   const input::Case& given;
-  input::Case data;  ///< with its sides closed, for the seepage
+  input::Case data;  ///< with closed sides, for the seepage
   const RunOptions& options;
   const std::string hash;
-  lem::SearchOptions search;  ///< of one time: many times are searched side by side
+  lem::SearchOptions search;  ///< for one time, with one thread: the times are searched in parallel
   mesh::Mesh<2> mesh, wet_mesh;
   fem::SeepageModel<2> model;
   lem::Section section;                ///< at time 0
   std::vector<double> first_pressure;  ///< at the nodes, positive in tension [Pa]
   ground::FlowInTime<2> flow;
-  std::vector<double> times;  ///< with 0
+  std::vector<double> times;  ///< including 0
   std::vector<Moment> moments;
-  std::vector<std::size_t> searched;  ///< of the times of the moments
+  std::vector<std::size_t> searched;  ///< indices of the times of the moments
   results::TimelineFile kept{hash, {}};
-  std::vector<std::optional<double>> guide;  ///< least factor of the surfaces that govern at some times, at all times
+  std::vector<std::optional<double>> guide;  ///< least factor at every time of the surfaces that govern at some time
   ground::WaterResult water;
   results::Timeline summary;
   std::optional<results::WaterFields> fields;
@@ -98,7 +98,7 @@ struct TimelineRun::Parts {
     return number == 0 ? first_pressure : flow.history.states[number - 1].pressure;
   }
 
-  /// The state at a jump of a series is that before it.
+  /// At a jump of a series the state is that before the jump.
   Moment make_moment(std::size_t number) const {
     Moment moment;
     moment.time = times[number];
@@ -117,7 +117,7 @@ struct TimelineRun::Parts {
     summary.chosen = asked.times.empty();
     const int most = summary.chosen ? asked.most_times : static_cast<int>(times.size());
     TimeChoice choice(times, asked.target, asked.tolerance, most);
-    std::size_t guided = 0;  // moments whose surfaces the guide has
+    std::size_t guided = 0;  // number of moments whose surfaces are part of the guide
     guide.assign(times.size(), std::nullopt);
     moments.push_back(make_moment(0));
     take_known(first, search, moments.back());
@@ -127,7 +127,7 @@ struct TimelineRun::Parts {
       moments.push_back(make_moment(searched.back()));
       take_kept(known, search, moments.back());
     }
-    search_more({times.size() - 1});  // the others begin with what these two know
+    search_more({times.size() - 1});  // all other searches start from these two
     for (std::vector<std::size_t> next = summary.chosen ? choice.next() : list_all(); !next.empty();
          next = choice.next()) {
       search_more(next);
@@ -151,8 +151,8 @@ struct TimelineRun::Parts {
     if (data.lem.referee) judge_governing_times();
   }
 
-  /// Limit analysis judges the least factor and those between which the slope fails; where it refuses one, another time
-  /// may govern, which is judged then.
+  /// Compares the least factor, and those between which the slope fails, with the proven interval. If limit analysis
+  /// rejects a factor, another time may govern, which is compared next.
   void judge_governing_times() {
     constexpr int most_times = 12;
     for (int judged = 0; judged < most_times; ++judged) {
@@ -169,8 +169,8 @@ struct TimelineRun::Parts {
     }
   }
 
-  /// Searches at those of the times that were not tried yet. What is found is kept at once: an interrupted run goes on
-  /// from there. Returns whether there was one.
+  /// Searches at those of the times that were not tried yet. Results are stored at once, so that an interrupted run
+  /// resumes from them. Returns true if there was such a time.
   bool search_more(std::vector<std::size_t> next) {
     std::erase_if(next,
                   [&](std::size_t n) { return std::find(searched.begin(), searched.end(), n) != searched.end(); });
@@ -195,7 +195,7 @@ struct TimelineRun::Parts {
     if (data.lem.search != input::SurfaceSearch::none) share_surfaces(search, options.threads, moments);
   }
 
-  /// The factors of all times that were tried, in time, and when they pass the target.
+  /// Writes the factors of all tried times in order of time, and the times at which they pass the target.
   void make_factors_result() {
     summary.factors.clear();
     summary.fails_from_start = false;
@@ -207,8 +207,8 @@ struct TimelineRun::Parts {
     results::find_failure(summary);
   }
 
-  /// The times at which points take over are searched as well: a search there may find an earlier failure, whose times
-  /// are searched then.
+  /// Searches at the times of release as well. A search there may find an earlier failure, whose times are then
+  /// searched too.
   void search_releases() {
     for (auto at = find_release(); at; at = find_release()) {
       std::vector<std::size_t> next = find_beside(*at);
@@ -219,8 +219,8 @@ struct TimelineRun::Parts {
     }
   }
 
-  /// When finite elements lose their equilibrium: between two kept times that follow each other. The times of the
-  /// searches are tried first, one after the other, and then those between.
+  /// Searches the loss of equilibrium by FEM, between two consecutive stored times. First the times of the searches
+  /// are tried one after the other, then those in between by bisection.
   void find_loss() {
     results::EquilibriumLoss& loss = summary.equilibrium.emplace();
     const auto is_balanced = [&](std::size_t number) {
@@ -246,7 +246,7 @@ struct TimelineRun::Parts {
     }
   }
 
-  /// What an interrupted run has found at times after 0.
+  /// Reads the surfaces that an interrupted run has found at times after 0.
   std::vector<results::SearchedMoment> load_kept() {
     if (!options.resume) return {};
     auto known = results::find_file<results::TimelineFile>(options.folder / kept_file);
@@ -254,7 +254,8 @@ struct TimelineRun::Parts {
     return kept.moments;
   }
 
-  /// Tries the surfaces that govern at some times at all times: what searches there would find at most.
+  /// Evaluates the surfaces that govern at some times at all times, which gives an upper limit of what searches there
+  /// would find.
   void extend_guide(const std::vector<results::TimedFactor>& fresh) {
     parallel_tasks(static_cast<int>(times.size()), options.threads, [&](int i) {
       const auto k = static_cast<std::size_t>(i);
@@ -292,7 +293,7 @@ struct TimelineRun::Parts {
     return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
   }
 
-  /// The number of the time at which material points take over.
+  /// Returns the index of the time of release to MPM.
   std::optional<std::size_t> find_release() const {
     const input::Release& asked = *data.timeline->release;
     std::optional<double> time = asked.time;
@@ -305,7 +306,7 @@ struct TimelineRun::Parts {
     return time ? std::optional(find_nearest(*time)) : std::nullopt;
   }
 
-  /// The kept times nearest to `apart` before and after; the next ones where nothing is given.
+  /// Returns the stored times nearest to `apart` before and after the release; the adjacent ones if none is given.
   std::vector<std::size_t> find_beside(std::size_t at) const {
     const std::optional<double> apart = data.timeline->release->apart;
     std::vector<std::size_t> beside;
@@ -344,7 +345,7 @@ struct TimelineRun::Parts {
     return std::make_shared<const input::KnownWater>(input::KnownWater{mesh, state.pressure, state.velocity});
   }
 
-  /// Surfaces with lower factors that the checks refuse: the curve may be too high there.
+  /// Notes surfaces with lower factors that are rejected: the curve may be too high there.
   void note_refusals() {
     constexpr double noticeable = 0.99;
     std::vector<double> when;
@@ -363,7 +364,8 @@ struct TimelineRun::Parts {
         when.size(), moments.size(), units::format_time(when.front()), units::format_time(when.back()), least, why));
   }
 
-  /// Whether water of that level lies on the ground of a condition, and not on a side of the model or inside it.
+  /// Returns true if water of that level stands on the ground of a condition, and not on a side of the model or inside
+  /// it.
   bool stands_on_ground(const input::Hydraulic& condition, double level) const {
     input::Case alone = data;
     alone.hydraulics = {condition};
@@ -371,7 +373,7 @@ struct TimelineRun::Parts {
     return !ground::find_ponds(alone, ground::find_ground(data.mesh), 0).empty();
   }
 
-  /// The weight of water that comes or goes at once is what the pressures right after hang on.
+  /// Notes pools that change suddenly: the pore pressures just after depend on whether the weight of the water counts.
   void note_sudden_pools() {
     const bool gives_way = std::any_of(data.materials.begin(), data.materials.end(),
                                        [](const auto& m) { return m.second.water.compressibility > 0; });
@@ -394,7 +396,7 @@ struct TimelineRun::Parts {
     }
   }
 
-  /// The field of time 0: that of the methods, where it is on this mesh.
+  /// Returns the field of time 0: that of the methods, if it is on this mesh.
   results::WaterField make_first_field() const {
     if (water.fields && water.fields->nodes.size() == mesh.nodes.size() && !water.fields->states.empty())
       return water.fields->states.back();
@@ -404,7 +406,7 @@ struct TimelineRun::Parts {
     return first;
   }
 
-  /// Where the water stood at the times of the factors.
+  /// Stores the water levels and pressures at the times of the factors.
   void keep_water() {
     if (!water.states || water.states->empty()) return;
     fields = ground::begin_fields(data, wet_mesh);
@@ -466,7 +468,7 @@ std::vector<ReductionCase> TimelineRun::list_reductions() const {
   std::vector<ReductionCase> reductions;
   for (const double time : times) {
     const std::size_t number = parts_->find_nearest(time);
-    if (number == 0) continue;  // the run itself
+    if (number == 0) continue;  // calculated by the run itself
     ReductionCase& reduction = reductions.emplace_back();
     reduction.summary.time = parts_->times[number];
     reduction.summary.folder = fmt::format("elements_{}", reductions.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety in time: one transient seepage solution, and searches of slices at many of its times
+// The factor of safety in time: one transient seepage solution, and LEM searches at many of its times
 // (docs/theory/24-timeline.md).
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace talus::run {
 
-/// A case that begins with the pore water of one time, and whose series go on from there.
+/// A case that starts from the pore water of one time, and whose series continue from there.
 struct ReleaseCase {
   results::Release summary;  ///< time, factor and folder
   input::Case data;
@@ -27,24 +27,24 @@ struct ReductionCase {
 
 class TimelineRun {
  public:
-  /// Throws Error (wrong_input) where the soil stores no water.
+  /// Throws Error (wrong_input) if the soil has no water storage.
   TimelineRun(const input::Case& data, const RunOptions& options, std::string input_hash);
   ~TimelineRun();
 
-  /// `prepared`, `first`: the slope at time 0, and what slices found there. Throws what seepage in time throws, and
-  /// Error (interrupted).
+  /// `prepared`, `first`: the slope at time 0 and its LEM result. Throws what transient seepage throws, and Error
+  /// (interrupted).
   void calculate(const PreparedSlope& prepared, const results::SliceResult& first);
-  /// What material points take over, as [timeline.release] asks: the time itself, then the earlier and the later one.
-  /// Empty where the factor does not fall below the target; a note says so.
+  /// Returns the cases of the release to MPM by [timeline.release]: at the time itself, then at the earlier and the
+  /// later one. Empty, with a note, if the factor does not fall below the target.
   std::vector<ReleaseCase> list_releases();
-  /// Where finite elements reduce the strength, as `element_times` asks.
+  /// Returns the cases of strength reduction by FEM by `element_times`.
   std::vector<ReductionCase> list_reductions() const;
   void add_reduction(results::TimedReduction reduction);
   void add_release(results::Release release);
   void write_result(results::RunResult& run) const;
-  /// Removes what an interrupted run would go on from.
+  /// Removes the files that only a resumed run needs.
   void forget() const;
-  /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.
+  /// Water fields at the times of the factors; nullptr if they are too large for a report.
   const results::WaterFields* water_fields() const;
 
  private:

@@ -9,15 +9,17 @@
 namespace talus::run {
 namespace {
 
-/// A series with more corners, of a weather station, tells by itself where something happens.
+/// Series with more corners, such as those of a weather station, have corners wherever conditions change, so no times
+/// are added between them.
 constexpr std::size_t many_corners = 40;
-/// Times between two corners: evenly, and ever nearer to the first of them, where pressures change fastest.
+/// Times between two corners: evenly spaced, and increasingly dense towards the first corner, where pressures change
+/// fastest.
 constexpr int even_times = 16, near_times = 14;
-/// Even times over the whole.
+/// Number of evenly spaced times over the whole duration.
 constexpr int least_times = 128;
-/// The first times that are tried.
+/// Number of times tried first.
 constexpr std::size_t first_tried = 5;
-/// The least factor in time is looked for more closely than the rest of the curve.
+/// Fraction of the tolerance that applies near the least factor in time.
 constexpr double share_at_least = 0.25;
 
 std::set<double> list_corners(const input::Case& data) {
@@ -98,7 +100,8 @@ TimeChoice::Bend TimeChoice::find_bend(std::size_t from, std::size_t to) const {
   return bend;
 }
 
-/// The untried time next to where the estimate passes the target first; `from` where it does not between untried times.
+/// Returns the untried time next to the first passage of the estimate through the target; `from` if it has none
+/// between untried times.
 std::size_t TimeChoice::find_passage(std::size_t from, std::size_t to) const {
   if (to == from + 1) return from;
   const auto is_above = [&](std::size_t i) { return estimate(from, to, i).value_or(target_) >= target_; };
@@ -110,7 +113,7 @@ std::size_t TimeChoice::find_passage(std::size_t from, std::size_t to) const {
   return from;
 }
 
-/// Where the estimate is lower than at every tried time, by more than a share of the tolerance.
+/// Returns the time at which the estimate is lower than at every tried time, by more than a fraction of the tolerance.
 std::optional<std::size_t> TimeChoice::find_least_estimate(const std::vector<std::size_t>& tried) const {
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t i : tried)
@@ -152,7 +155,7 @@ std::vector<std::size_t> TimeChoice::next() const {
     const Bend bend = find_bend(from, to);
     const double deepest = bend.distance < 0 ? *estimate(from, to, bend.at) : std::min(*a, *b);
     const bool passes = (*a >= target_) != (*b >= target_);
-    // The time of failure comes before the rest of the curve.
+    // The time of failure has priority over the rest of the curve.
     if (passes && find_passage(from, to) != from)
       candidates.push_back({1e9, find_passage(from, to)});
     else if (!passes && *a >= target_ && deepest < target_)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// At which times of a timeline the factor is found.
+// Selection of the times of a timeline at which the factor is searched.
 
 #include <optional>
 #include <vector>
@@ -9,28 +9,29 @@
 
 namespace talus::run {
 
-/// Times at which the state of the water is kept [s], without 0: `given` ones, or many: near and between the corners of
-/// the [[hydraulic]] series, where most happens.
+/// Times at which the state of the water is stored [s], without 0: the given ones, or many near and between the
+/// corners of the [[hydraulic]] series, where most changes occur.
 std::vector<double> list_times(const input::Case& data);
 
-/// Chooses among times by the factors that are known. A factor may be missing: nothing was found there.
+/// Selects times from the known factors. A factor may be missing if no surface was found.
 ///
-/// Between two tried times the curve is taken as the straight line between their factors, bent as the guide is: the
-/// least factor of the surfaces that are known already, at every time.
+/// Between two tried times the curve is estimated by a straight line between their factors, plus the curvature of the
+/// guide: the least factor of the known surfaces at every time.
 class TimeChoice {
  public:
   /// `times` include 0 and increase.
   TimeChoice(std::vector<double> times, double target, double tolerance, int most);
 
-  /// The next numbers of times to be tried, some at a time; empty: the curve is known well enough, or most are tried.
+  /// Returns the indices of the next times to try, several at once; empty if the curve is known well enough, or the
+  /// largest number of times was tried.
   std::vector<std::size_t> next() const;
   void set(std::size_t number, std::optional<double> factor);
-  /// What the known surfaces give at each of the times; nothing where all are refused.
+  /// Sets the guide: the factor of the known surfaces at each time; nullopt where all are rejected.
   void set_guide(std::vector<std::optional<double>> factors);
 
-  /// Numbers of the times that were tried, in time.
+  /// Indices of the tried times, in order of time.
   std::vector<std::size_t> list_tried() const;
-  /// The largest estimate of what a straight line between two tried times is off at a time, over the factor [-].
+  /// Largest estimated deviation from the straight line between two tried times, over the factor [-].
   double find_distance() const;
 
  private:
@@ -38,9 +39,9 @@ class TimeChoice {
     bool tried = false;
     std::optional<double> factor;
   };
-  /// Between two neighbours that were tried: where the guide is furthest from a straight line, and how far.
+  /// Largest deviation of the guide from the straight line between two adjacent tried times, and its time.
   struct Bend {
-    double distance = 0;  ///< over the factor; below zero: under the line
+    double distance = 0;  ///< over the factor; negative: below the line
     std::size_t at = 0;
   };
   std::optional<double> line_at(std::size_t from, std::size_t to, std::size_t i) const;

@@ -16,7 +16,7 @@ namespace {
 using output::ArchiveReader;
 using output::ArchiveWriter;
 
-/// Small fixed arrays one after the other, as plain doubles or ints.
+/// Concatenates small fixed arrays as plain doubles or ints.
 template <class Scalar, class Container>
 std::vector<Scalar> flatten(const Container& items) {
   std::vector<Scalar> flat;
@@ -38,7 +38,7 @@ void copy_into(Target& target, const Source& source) {
   std::transform(source.begin(), source.end(), target.begin(), [](auto v) { return static_cast<Value>(v); });
 }
 
-/// The arrays of doubles of a body with their names, for putting and getting alike.
+/// Visits the arrays of doubles of a body with their names, for writing and reading.
 template <class Body, class Visit>
 void visit_reals(Body& body, Visit&& visit) {
   visit("points/data", body.points.data);
@@ -53,14 +53,14 @@ void visit_reals(Body& body, Visit&& visit) {
   visit("nodes/motion", body.nodes.motion);
 }
 
-/// Those of softening over a length.
+/// Visits the arrays of nonlocal softening.
 template <class Body, class Visit>
 void visit_softening(Body& body, Visit&& visit) {
   visit("elements/softened", body.elements.softened);
   visit("elements/softening_volume", body.elements.softening_volume);
 }
 
-/// Those of pore water. Open sides and held directions follow from them and are found again.
+/// Visits the arrays of pore water. Open sides and fixed directions are recomputed from them.
 template <class Body, class Visit>
 void visit_water(Body& body, Visit&& visit) {
   visit("water/moments", body.water.moments);
@@ -93,7 +93,7 @@ void visit_vectors(Body& body, Visit&& visit) {
   visit("nodes/load", body.nodes.load);
 }
 
-/// What stays of the step of the mixture from step to step, and what a later stage will start with.
+/// Writes the state of the Darcy (u–p) formulation that is kept between steps, and the one a later stage starts from.
 template <int D>
 void put_darcy(ArchiveWriter& archive, const mpm::DarcyWater<D>& darcy) {
   if (darcy.pressure.empty()) return;
@@ -241,7 +241,8 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   check_lane_width(archive, "the checkpoint", "resume");
   const auto& counts = archive.long_integers("counts");
   visit_reals(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
-  if (body.softening_reach && archive.has("elements/softened"))  // not in a result of a case without a length
+  if (body.softening_reach &&
+      archive.has("elements/softened"))  // absent from a result of a case without a nonlocal length
     visit_softening(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
   if (body.water.is_wet()) {
     visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
@@ -280,7 +281,7 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
   const std::vector<std::int64_t> integers{s.started ? 1 : 0, s.steps};
   archive.put("stage/integers", integers);
   std::vector<double> setbacks;
-  std::string texts;  // two lines each
+  std::string texts;  // two lines per text
   for (const results::Retry& b : s.setbacks) {
     setbacks.insert(setbacks.end(), {b.time, b.back_to, b.courant});
     texts += b.smoothing + "\n" + b.reason + "\n";

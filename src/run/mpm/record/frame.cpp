@@ -33,10 +33,10 @@ std::vector<double> StateFields::arrange(const material::Law& law, std::size_t n
 
 namespace {
 
-/// A list of fields that grows point by point.
+/// A list of fields that is filled point by point.
 class Fields {
  public:
-  /// Returns the number of the new field.
+  /// Returns the index of the new field.
   std::size_t add(const std::string& name, const std::string& unit, int components) {
     fields_.push_back({name, unit, components, {}});
     return fields_.size() - 1;
@@ -48,13 +48,13 @@ class Fields {
   std::vector<output::Field> fields_;
 };
 
-/// Order of a stored symmetric tensor is xx yy zz xy yz xz, that of the engine xx yy zz xy yz zx.
+/// Stored symmetric tensors have the order xx yy zz xy yz xz, those of the engine xx yy zz xy yz zx.
 template <std::size_t N>
 double component(const std::array<double, N>& tensor, std::size_t i) {
   return i < N ? tensor[i] : 0.0;
 }
 
-/// Pressure as engineers write it, positive in compression; a dry point has none.
+/// Pore pressure is written positive in compression; it is NaN at a dry point.
 template <int D>
 void push_water(Fields& fields, std::size_t first, const mpm::PointView<D>& p) {
   fields.push(first, p.wet ? -p.pressure : 0.0);
@@ -63,7 +63,7 @@ void push_water(Fields& fields, std::size_t first, const mpm::PointView<D>& p) {
   for (std::size_t d = 0; d < 3; ++d) fields.push(first + 3, p.wet && d < D ? p.water_velocity[d] : 0.0);
 }
 
-/// Mass of a node, its water included [kg], and velocity of its grains [m/s].
+/// Mass of a node including its water [kg], and velocity of the soil skeleton [m/s].
 template <int D>
 struct Node {
   double mass = 0;

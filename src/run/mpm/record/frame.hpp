@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A body as a frame of the results file.
+// A body as a frame of the results file: its fields, invariants of stress and strain, and the state variables of its
+// laws.
 
 #include <limits>
 #include <string>
@@ -12,16 +13,15 @@
 
 namespace talus::run {
 
-// The quantities that the laws of a body have beside stress, as fields over all its points.
-
-/// Quantities of all laws, each once, and which values of which law they are.
+/// State variables of the laws of a body as fields over all its points. A field that several laws share is listed
+/// once.
 class StateFields {
  public:
   explicit StateFields(const std::vector<material::Law>& laws);
 
   const std::vector<material::StateField>& list() const { return fields_; }
-  /// Values of a point in the order of the list: NaN for what its soil does not have or what is not set yet, zero for
-  /// roots in soil without any.
+  /// Returns the values of a point in the order of list(): NaN if its law does not have the quantity or it is not set
+  /// yet, zero for roots in soil without roots.
   template <int D>
   std::vector<double> read(const mpm::Body<D>& body, const mpm::PointView<D>& point) const {
     const auto law = static_cast<std::size_t>(point.material);
@@ -32,23 +32,22 @@ class StateFields {
   std::vector<double> arrange(const material::Law& law, std::size_t number, const double* state,
                               double saturation) const;
   std::vector<material::StateField> fields_;
-  std::vector<std::vector<std::size_t>> places_;  ///< [law][its field] → place in the list
+  std::vector<std::vector<std::size_t>> places_;  ///< [law][field of the law] → index in the list
 };
 
-/// Invariants of a symmetric tensor given as xx yy zz xy (yz zx): mean p and deviatoric q = √(3/2 s:s).
 struct Invariants {
   double mean = 0, deviatoric = 0;
 };
-/// Of a stress [Pa].
+/// Invariants of a stress [Pa].
 template <int N>
 Invariants find_stress_invariants(const std::array<double, N>& stress);
 /// Volumetric strain and deviatoric strain √(2/3 e:e) of a strain with engineering shear.
 template <int N>
 Invariants find_strain_invariants(const std::array<double, N>& strain);
 
-/// All points that are on the grid, with displacement, velocity, stress, p, q, strains, plastic strain and volume;
-/// with pore water also its pressure, positive in compression, saturation, porosity and the water's velocity; and
-/// what the laws have beside stress (state_fields.hpp). Element and nodal fields on request.
+/// Makes a frame of all points on the grid with displacement, velocity, stress, p, q, strains, plastic strain and
+/// volume; with pore water also pressure (positive in compression), saturation, porosity and water velocity; and the
+/// state variables of the laws (StateFields). Element and nodal fields are optional.
 template <int D>
 output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, bool cells = false, bool nodes = false);
 

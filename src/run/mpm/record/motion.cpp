@@ -21,7 +21,7 @@ std::string join(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// The verdict with its criterion, as the end of a sentence.
+/// Formats the pattern with its criterion, as the end of a sentence.
 std::string describe(results::MotionPattern pattern) {
   const double share = 100 * together_share;
   switch (pattern) {
@@ -66,7 +66,7 @@ std::optional<results::Clock> find_clock(const input::Case& data, const std::vec
   if (stage == nullptr) return std::nullopt;
   const auto index = static_cast<std::size_t>(stage - data.stages.data());
   if (index > stages.size()) return std::nullopt;
-  // A stage that did not come to its end has no report; it began where the one before it ended.
+  // A stage that was interrupted has no report; it began when the previous one ended.
   double start = 0;
   if (index < stages.size())
     start = stages[index].start;
@@ -86,7 +86,7 @@ MonitorPath read_monitor_path(const output::HistoryTable& table, const std::stri
         unit = units::get_si_factor(table.columns[c].unit);
       }
   const std::vector<double>& time = table.values.front();
-  // The row at the start of a stage is the last of the stage before: from before displacements were set to zero.
+  // The row at the start of a stage is the last one of the previous stage, before displacements were set to zero.
   std::size_t first = 0;
   while (first < time.size() && time[first] <= clock.start) ++first;
   MonitorPath path{{0}, {0}};

@@ -75,7 +75,7 @@ std::vector<output::Column> list_monitor_columns(const input::Case& data, bool w
   return columns;
 }
 
-/// The point that is nearest to each monitor now, at its reference position.
+/// Returns the point nearest to each monitor in the present configuration.
 template <int D>
 std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>& body) {
   std::vector<int> points;
@@ -166,7 +166,7 @@ Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Bod
   r.last_frame_ = times[3];
   r.monitor_points_ = checkpoint.integers("monitor_points");
   if (r.water_) r.water_->restore(checkpoint.reals("recorder_water"));
-  // Not up to body.time: what was written after the checkpoint at that very time is written again.
+  // Output written after the checkpoint at exactly body.time is written again, hence last_frame_ and not body.time.
   if (settings.keeps_frames) r.results_.emplace(output::ResultsWriter::resume(settings.folder, r.last_frame_));
   r.open_histories(true);
   if (r.history_) r.history_->truncate_after(r.last_row_);
@@ -195,7 +195,7 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   hooks.report = [this](const mpm::Body<D>& b, const StageState& s, double moved) { show_progress(b, s, moved); };
   hooks.mark = [this] { return mark(); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
-    // Where --resume goes on, with a smaller Courant number for instance.
+    // --resume starts from this checkpoint, with a smaller Courant number for instance.
     write_checkpoint(b, s, leg_, settings_.checkpoint_name);
     write_frame(b);
     if (results_) results_->finish();
@@ -319,7 +319,8 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   archive.write(settings_.folder / name);
 }
 
-/// Rows and frames after now are dropped by the function that it returns, and the checkpoint becomes that of now.
+/// Returns a function that drops rows and frames written after this call, and overwrites the checkpoint with the
+/// present state.
 template <int D>
 GoBack<D> Recorder<D>::mark() {
   const std::vector<double> water = water_ ? water_->save() : std::vector<double>();

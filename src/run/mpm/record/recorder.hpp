@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What is kept while a stage or a trial runs: frames, histories, checkpoints, and the line of progress.
+// Output during a stage or a trial: frames, histories, checkpoints, and the progress line.
 
 #include <chrono>
 #include <filesystem>
@@ -21,31 +21,31 @@ namespace talus::run {
 struct RecorderSettings {
   std::filesystem::path folder;
   std::string checkpoint_name = "checkpoint.h5";
-  std::string input_hash;  ///< of the case; a checkpoint of another one is refused
+  std::string input_hash;  ///< of the case; a checkpoint of another case is refused
   const input::Case* data = nullptr;
   bool keeps_history = true;
   bool keeps_frames = true;
   double frame_interval = 0;  ///< [s]; 0: only at the end
   Progress* progress = nullptr;
-  std::string label;                ///< before the stage's name in the line of progress
-  std::vector<int> monitor_points;  ///< the points that are followed; empty: those nearest to the monitors now
-  const RunoutStart* runout_start = nullptr;  ///< what the columns of the front are measured from; null: without them
-  mpm::Work work_before;                      ///< of the result that the case starts from; histories do not count it
+  std::string label;                          ///< precedes the name of the stage in the progress line
+  std::vector<int> monitor_points;            ///< monitored points; empty: those nearest to the monitors at the start
+  const RunoutStart* runout_start = nullptr;  ///< reference of the front columns; null: no such columns
+  mpm::Work work_before;                      ///< work of the result that the case starts from; subtracted in histories
 };
 
-/// One history of legs (stages, or one trial) in one folder.
+/// Recording of consecutive legs (the stages, or one trial) in one folder.
 template <int D>
 class Recorder {
  public:
-  /// A new one; what lies in the folder's files is replaced.
+  /// Starts a new recording; replaces existing files of the folder.
   static Recorder start(const RecorderSettings& settings, const mpm::Body<D>& body);
-  /// Goes on from the checkpoint at `time`: rows and frames after it are dropped.
+  /// Resumes from `checkpoint`: rows and frames after its time are dropped.
   static Recorder resume(const RecorderSettings& settings, const mpm::Body<D>& body,
                          const output::ArchiveReader& checkpoint);
 
-  /// Hooks for run_stage of leg `index`. The plan must outlive the leg.
+  /// Returns the hooks for run_stage of leg `index`. The plan must outlive the leg.
   StageHooks<D> begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body, const StageState& state);
-  /// Last row and frame of the leg, and a checkpoint that stands before leg index + 1 when `saves`.
+  /// Writes the last row and frame of the leg and, when `saves`, a checkpoint at the start of leg index + 1.
   void end_leg(const mpm::Body<D>& body, bool saves = true);
   /// Assembles the results; removes the checkpoint when `done`.
   void finish(bool done);
@@ -72,17 +72,17 @@ class Recorder {
   std::vector<int> monitor_points_;
   int leg_ = 0;
   const StagePlan<D>* plan_ = nullptr;
-  StagePlan<D> calmed_plan_;  ///< where the leg went back to a good state: as it went on
+  StagePlan<D> calmed_plan_;  ///< the changed plan after a retry with a smaller step
   double next_frame_ = 0, next_row_ = 0, row_interval_ = 0, last_row_ = -1, last_frame_ = -1;
   std::chrono::steady_clock::time_point next_checkpoint_, leg_start_;
   std::int64_t leg_start_steps_ = 0;
 };
 
-/// The checkpoint in `folder`, when there is one. Throws Error (wrong_input) when it belongs to another case.
+/// Opens the checkpoint at `path`; null if there is none. Throws Error (wrong_input) if it belongs to another case.
 std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
                                                        const std::string& input_hash);
 
-/// Number of the leg that a checkpoint stands in.
+/// Index of the leg in which the checkpoint was written.
 int get_leg(const output::ArchiveReader& checkpoint);
 
 }  // namespace talus::run

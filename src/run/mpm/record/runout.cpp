@@ -19,10 +19,10 @@
 namespace talus::run {
 namespace {
 
-/// Share of the moved mass that lies behind the front.
+/// Fraction of the moved mass behind the front.
 constexpr double front_share = 0.99;
 
-/// Coordinate below which `share` of the mass lies. `places` are (coordinate, mass).
+/// Returns the coordinate below which the fraction `share` of the mass lies. `places`: (coordinate, mass).
 double find_quantile(std::vector<std::pair<double, double>> places, double share) {
   std::sort(places.begin(), places.end());
   double total = 0, sum = 0;
@@ -34,7 +34,7 @@ double find_quantile(std::vector<std::pair<double, double>> places, double share
   return places.empty() ? 0 : places.back().first;
 }
 
-/// The edge of the upper level on the side the soil moves to.
+/// Returns the edge of the upper level on the side towards which the soil moves.
 double find_crest(const results::Profile& profile, int direction) {
   if (profile.x.empty()) return 0;
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
@@ -48,19 +48,19 @@ double find_crest(const results::Profile& profile, int direction) {
   return crest;
 }
 
-/// The lowest level of the ground over two bins: a bin at a wall may hold the side of a point alone.
+/// Returns the lowest level of the ground as a mean of two bins: a bin at a wall may hold only the side of a point.
 double find_lowest(const std::vector<double>& height) {
   double lowest = height.size() == 1 ? height[0] : std::numeric_limits<double>::max();
   for (std::size_t i = 1; i < height.size(); ++i) lowest = std::min(lowest, std::max(height[i - 1], height[i]));
   return lowest;
 }
 
-/// Where the ground, seen from the crest, reaches its lower level (or ends). What rises beyond, be it a bin whose
-/// highest point lies a little higher, is no slope.
+/// Returns where the ground, going out from the crest, reaches its lower level (or ends). A rise beyond it, such as a
+/// bin whose highest point is slightly higher, is not part of the slope.
 double find_toe(const results::Profile& profile, double crest, int direction) {
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
   const double low = find_lowest(profile.height);
-  const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
+  const bool is_level = top - low < 0.02 * top;  // level ground, such as a column: its toe is its edge
   double toe = crest;
   const std::size_t count = profile.x.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -74,16 +74,16 @@ double find_toe(const results::Profile& profile, double crest, int direction) {
 
 /// A point that moved by more than the threshold.
 struct MovedPoint {
-  double x, across, up;  ///< where it is, and its displacement along x and y [m]
+  double x, across, up;  ///< position along x, and displacement along x and y [m]
   double displacement;   ///< [m]
   double mass, volume;
 };
 
-/// The ends of the box along x.
+/// Extent of the box along x.
 struct Ends {
   double left = std::numeric_limits<double>::max(), right = std::numeric_limits<double>::lowest();  ///< [m]
-  double size = 0;   ///< of the elements [m]; soil nearer than that to an end lies at it
-  double least = 0;  ///< volume of soil there that is more than single grains [m³ or m³/m]
+  double size = 0;   ///< element size [m]; soil nearer than this to an end counts as being at the end
+  double least = 0;  ///< least volume of soil at an end, to disregard single points [m³ or m³/m]
 
   template <int D>
   Ends(const mesh::Mesh<D>& mesh, double bin) : size(bin), least(0.5 * std::pow(bin, D)) {
@@ -104,7 +104,7 @@ std::optional<results::BoxLimit> find_limits(const std::vector<MovedPoint>& move
   return limits;
 }
 
-/// How far the soil of one side went in its `direction`. `initial`: the ground of that side.
+/// Measures the runout of one side in its `direction`. `initial`: the ground of that side.
 results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const results::Profile& initial, int direction,
                                  const Ends& ends, double threshold) {
   results::RunoutSide r;
@@ -139,7 +139,7 @@ results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const res
   return r;
 }
 
-/// The sides of a divided section, that to smaller x first.
+/// Measures both sides of a divided section, the one towards smaller x first.
 std::vector<results::RunoutSide> measure_sides(const std::vector<MovedPoint>& moved, const results::Profile& initial,
                                                const mesh::Divide& divide, const Ends& ends, double threshold) {
   std::vector<results::RunoutSide> sides;
@@ -188,8 +188,8 @@ results::Profile find_profile(const mpm::Body<D>& body, double bin) {
 
 template <int D>
 double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity) {
-  // Free sides of the soil seen from above: an element with soil whose neighbour has none, and whose outward normal
-  // points up. Their highest and lowest nodes are the relief.
+  // The relief is the difference between the highest and the lowest node of the free surface: sides of elements with
+  // soil whose neighbour has none, and whose outward normal points up.
   const auto& mesh = body.mesh();
   double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
   for (int e = 0; e < mesh.element_count(); ++e) {
@@ -200,7 +200,7 @@ double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity
       const Vec<D> gradient = mesh::find_shape_gradient(mesh, e, k);
       double up = 0;  // component of -∇N_k, the outward direction, against gravity
       for (int d = 0; d < D; ++d) up += gradient[d] * gravity.direction[d];
-      constexpr double steepest_ground = 0.05;  // cosine: a wall is no ground
+      constexpr double steepest_ground = 0.05;  // cosine; steeper sides are walls
       if (up < steepest_ground * norm(gradient)) continue;
       for (int j = 0; j <= D; ++j) {
         if (j == k) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How far the soil has run: front, crest, moved volume and deposit, between two states of a body.
+// Runout: front, crest, moved volume and deposit, between two states of a body.
 
 #include <filesystem>
 #include <string>
@@ -11,30 +11,30 @@
 
 namespace talus::run {
 
-/// The ground as the points show it: per bin the highest point plus half the size of its volume.
+/// Returns the ground profile from the points: in each bin the highest point plus half the size of its volume.
 template <int D>
 results::Profile find_profile(const mpm::Body<D>& body, double bin);
 
-/// Relief of the ground: highest minus lowest level of the profile [m]. This is H of the displacement criteria; a
-/// level ground has the height of the soil itself.
+/// Relief of the ground [m]: highest minus lowest level of the profile. It is H of the displacement criteria; for
+/// level ground it is the height of the soil.
 template <int D>
 double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity);
 
-/// A runout is measured from there.
+/// The reference state of a runout.
 struct RunoutStart {
   results::Profile initial;  ///< the ground at the start
-  double threshold = 0;      ///< points that moved less are at rest [m]
+  double threshold = 0;      ///< points with a smaller displacement count as not moved [m]
 };
 
-/// Compares the body now, along x and y whatever the direction of gravity, with its reference positions
+/// Compares the body, along x and y whatever the direction of gravity, with its reference positions
 /// (mpm::reset_displacements).
 template <int D>
 results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from);
 
-/// Whether an end of the box stopped the front, as a warning; empty: none did.
+/// Returns a warning if an end of the box stopped the front; empty otherwise.
 std::string describe_limits(const results::Runout& runout);
 
-/// profile.csv: the ground before and after. Throws Error (cannot_write).
+/// Writes profile.csv, the ground before and after. Throws Error (cannot_write).
 void write_profiles(const std::filesystem::path& path, const results::Profile& before, const results::Profile& after);
 
 }  // namespace talus::run

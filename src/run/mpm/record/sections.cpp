@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A component of a field.
 struct Component {
   const output::Field* field;
   std::size_t index;
@@ -50,7 +49,7 @@ void set_displacements_zero(output::Frame& frame) {
     if (f.name == "displacement") std::fill(f.values.begin(), f.values.end(), 0.0);
 }
 
-/// Sums of one part of the line.
+/// Sums over one interval of the line.
 struct Part {
   int points = 0;
   double volume = 0, distance = 0;
@@ -101,7 +100,7 @@ std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Sec
     for (std::size_t k = 0; k < components.size(); ++k) {
       const output::Field& f = *components[k].field;
       const double value = f.values[i * static_cast<std::size_t>(f.components) + components[k].index];
-      if (!std::isfinite(value)) continue;  // a quantity that the soil there does not have
+      if (!std::isfinite(value)) continue;  // the law of the point does not have this quantity
       part.values[k] += volume * value;
       part.volumes[k] += volume;
     }
@@ -160,16 +159,16 @@ namespace {
 using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
-/// Columns of the section, in distances of the points; fewest that make a line.
+/// Width of the columns of a section, in mean distances of the points, and the fewest columns that make a line.
 constexpr double column_width = 1.5;
 constexpr std::size_t fewest_columns = 6;
-/// Rise of the plane that a wedge of soil sinks along, 45° + φ/2, for φ = 30° [-].
+/// Slope of the active wedge, tan(45° + φ/2), for φ = 30° [-].
 constexpr double wedge_slope = 1.7320508075688772;
 
-/// The height that separates best the moved soil from the rest in a column; nothing where nothing moved.
+/// Returns the height that best separates moved from unmoved soil in a column; nullopt if nothing moved.
 std::optional<double> part_column(std::vector<std::pair<double, bool>> column, double spacing) {
   std::sort(column.begin(), column.end());
-  // With the limit under all points those that stayed are on the wrong side; it then climbs point by point.
+  // The limit starts below all points, where every unmoved point is on the wrong side, and then rises point by point.
   long wrong = std::count_if(column.begin(), column.end(), [](const auto& p) { return !p.second; });
   if (wrong == static_cast<long>(column.size())) return std::nullopt;
   long fewest = wrong;
@@ -190,7 +189,7 @@ Line smooth(const Line& line) {
   return result;
 }
 
-/// The lower limit of all soil of a section that moved, or of one side of it.
+/// Returns the lower limit of all moved soil of a section, or of one side of it.
 Line find_limit(const MovedSection& section, double threshold) {
   const double width = column_width * section.spacing;
   std::map<long, std::vector<std::pair<double, bool>>> columns;
@@ -210,11 +209,11 @@ Line find_limit(const MovedSection& section, double threshold) {
   return longest.size() < fewest_columns ? Line{} : smooth(longest);
 }
 
-/// Leads the line of a side that ends under the divide, where the other side begins, up to the ground beyond it.
+/// Extends the line of a side that ends under the divide, where the other side begins, up to the ground beyond it.
 void lead_up(const MovedSection& section, const mesh::Divide& divide, bool is_left, Line& line) {
   const double width = column_width * section.spacing, way = is_left ? 1 : -1;
   const Point end = is_left ? line.back() : line.front();
-  if (std::abs(end[0] - divide.x) > 2 * width) return;  // the soil between the sides stayed
+  if (std::abs(end[0] - divide.x) > 2 * width) return;  // the soil between the two sides did not move
   std::map<long, double> tops;
   for (const Point& x : section.positions) {
     const auto [at, is_new] = tops.try_emplace(std::lround(std::floor(x[0] / width)), x[1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water in the history of a run.
+// Columns of pore water in the history of a run.
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace talus::run {
 
-/// Names of the conditions at surfaces, made different where they are not.
+/// Names of the hydraulic conditions; a repeated name is made unique.
 std::vector<std::string> name_surfaces(const std::vector<mpm::SurfaceCondition>& surfaces);
 
-/// Columns of water and their rows; flows are means since the row before.
+/// The water columns of a history and their rows; flows are means since the previous row.
 template <int D>
 class WaterRecord {
  public:
@@ -22,7 +22,7 @@ class WaterRecord {
   std::vector<output::Column> list_columns() const;
   /// Appends the values of the columns to `row`, and starts the next interval.
   void append(const mpm::Body<D>& body, const mpm::WaterState<D>& state, std::vector<double>& row);
-  /// The start of the interval, for a checkpoint.
+  /// The state at the start of the interval, for a checkpoint.
   std::vector<double> save() const;
   void restore(const std::vector<double>& saved);
 

@@ -10,7 +10,7 @@
 namespace talus::run {
 namespace {
 
-/// A bend smaller than this share of the curve's whole rise is not refined.
+/// A bend smaller than this fraction of the total rise of the curve is not refined.
 constexpr double smallest_bend = 0.02;
 
 struct Fit {
@@ -18,7 +18,7 @@ struct Fit {
   double squares = 0;
 };
 
-/// Weighted least squares through curve[begin, end).
+/// Fits a line to curve[begin, end) by weighted least squares.
 Fit fit_line(const std::vector<CurvePoint>& curve, std::size_t begin, std::size_t end) {
   const auto weight = [&](std::size_t i) {
     const double low = i > 0 ? curve[i - 1].factor : curve[i].factor;
@@ -49,7 +49,7 @@ Fit fit_line(const std::vector<CurvePoint>& curve, std::size_t begin, std::size_
   return fit;
 }
 
-/// Points whose factor lies in [range[0], range[1]], as an index range.
+/// Returns the index range of the points whose factor lies in [range[0], range[1]].
 std::pair<std::size_t, std::size_t> find_range(const std::vector<CurvePoint>& curve, const std::vector<double>& range) {
   constexpr double rounding = 1e-9;
   std::size_t begin = 0, end = 0;
@@ -59,7 +59,7 @@ std::pair<std::size_t, std::size_t> find_range(const std::vector<CurvePoint>& cu
   return {begin, end};
 }
 
-/// The computed factors on either side of `factor`.
+/// Sets the bracket of `c` to the computed factors on either side of `factor`.
 void set_bracket(const std::vector<CurvePoint>& curve, double factor, results::Criterion& c) {
   double lower = curve.front().factor, upper = curve.back().factor;
   for (const CurvePoint& p : curve) {
@@ -149,7 +149,7 @@ std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, doub
   const auto halve = [&](std::size_t i) {  // interval [i, i+1]
     const double length = curve[i + 1].factor - curve[i].factor;
     if (length < 2 * smallest - 1e-9) return;
-    // on the grid of the smallest interval, so that factors stay round numbers
+    // on the grid of the smallest interval, so that factors remain round numbers
     const double steps = std::floor(0.5 * length / smallest + 1e-9);
     const double factor = curve[i].factor + steps * smallest;
     if (std::find(added.begin(), added.end(), factor) == added.end()) added.push_back(factor);

@@ -15,10 +15,10 @@
 namespace talus::run {
 namespace {
 
-/// Elements at re-entrant corners reach the general size so many general sizes away.
+/// Distance from a re-entrant corner over which elements grow to the general size, in general sizes.
 constexpr double corner_reach = 8;
 
-/// Smallest factor at which a trial ran away; infinite where none did.
+/// Smallest factor whose trial failed; infinite if none did.
 double find_smallest_failed(const results::MeshFactor& mesh) {
   double failed = std::numeric_limits<double>::infinity();
   for (const results::Trial& t : mesh.trials)
@@ -26,17 +26,17 @@ double find_smallest_failed(const results::MeshFactor& mesh) {
   return failed;
 }
 
-/// Distance from the factor of a mesh to the ends of its bracket. Trials that were counted as failed may have held, so
-/// that the upper end is the next factor that ran away.
+/// Returns the distance from the factor of a mesh to the ends of its bracket. Undecided trials count as failed but may
+/// have been stable, so the upper end is the next factor that failed.
 double find_half_bracket(const results::MeshFactor& mesh) {
   const double half = 0.5 * (*mesh.upper - *mesh.lower), failed = find_smallest_failed(mesh);
   return mesh.undecided && std::isfinite(failed) ? std::max(half, failed - *mesh.factor()) : half;
 }
 
-/// A bracket is widened at most this often in one direction.
+/// Largest number of times that a bracket is widened in one direction.
 constexpr int most_widenings = 6;
 
-/// Why a mesh has no factor; empty where it has one.
+/// Returns the reason why a mesh has no factor; empty if it has one.
 std::string explain(const results::MeshFactor& mesh) {
   if (mesh.factor()) return "";
   const double first = mesh.trials.front().factor, last = mesh.trials.back().factor;
@@ -49,22 +49,22 @@ std::string explain(const results::MeshFactor& mesh) {
       first);
 }
 
-/// Factors of meshes whose sizes differ by a rounding are this far apart, whatever two meshes happen to say [-].
+/// Scatter of the factor between meshes of practically equal size; a lower limit of the mesh effect [-].
 constexpr double known_scatter = 0.006;
-/// Trials without a decision between a factor that holds and one that fails this much above it are worth a warning [-].
+/// Undecided trials between a stable factor and a failed one this much above it give a warning [-].
 constexpr double doubtful = 0.02;
-/// The line goes through no more than so many meshes, the finest.
+/// Largest number of meshes in the extrapolation; the finest are used.
 constexpr std::size_t most_in_line = 3;
 
-/// Of what lies between the two finest meshes: holds the limit for orders of 0.6 and more in plane strain, of 0.5 and
-/// more for tetrahedra, which converge more slowly.
+/// Weight of the difference between the two finest meshes, such that the limit is included for orders of convergence
+/// of at least 0.6 in plane strain, and 0.5 for tetrahedra, which converge more slowly.
 double find_spread(int dimension) {
   return dimension == 3 ? 1.5 : 1;
 }
 
-/// What the mesh does to the extrapolated factor: no less than what lies between its two finest meshes, times `spread`,
-/// nor than what the extrapolation takes from the finest; nor than what two meshers of one size say; nor than what the
-/// extrapolation, by `passed_on`, makes of the scatter.
+/// Mesh effect (T11.5): the largest of the difference between the two finest meshes times `spread`, the extrapolation
+/// beyond the finest mesh, the difference between two meshers, and the scatter of meshes, amplified by the
+/// extrapolation (`passed_on` = Σ|c_i|).
 double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor,
                         double passed_on, double spread) {
   const double scatter = other && other->factor() ? std::abs(coarse - *other->factor()) : 0;
@@ -72,7 +72,7 @@ double find_mesh_effect(double coarse, double fine, const std::optional<results:
       {spread * std::abs(coarse - fine), std::abs(fine - factor), scatter, known_scatter * passed_on * factor});
 }
 
-/// Extrapolates to elements of no size, with the interval.
+/// Extrapolates to element size zero, with the interval (T11.3, T11.5).
 void extrapolate(results::FrozenFactor& frozen, int dimension) {
   std::vector<const results::MeshFactor*> line = frozen.list_found();
   if (line.size() > most_in_line) line.erase(line.begin(), line.end() - most_in_line);
@@ -175,8 +175,8 @@ results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, co
         low_holds = true;
       }
     }
-    // If the search runs into an end of the first bracket, that end must be tried and the bracket widened beyond it. A
-    // factor needs both ends: where the last one was not tried, there is none.
+    // If the search ends at an end of the initial bracket, that end is tried and the bracket widened beyond it. A
+    // factor needs both a stable and a failed trial; without one of them there is none.
     if (!low_holds && widenings < most_widenings) {
       if (is_stable({low})[0]) {
         low_holds = true;

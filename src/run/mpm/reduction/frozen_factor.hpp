@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety of Talus: at frozen geometry a trial either comes to rest or runs away, and bisection finds the
-// factor between. Evidence and definitions: docs/theory/factor-of-safety.md.
+// Factor of safety at frozen geometry: a trial either comes to rest or fails, and bisection finds the factor in
+// between. Definitions and evidence: docs/theory/factor-of-safety.md.
 
 #include <functional>
 #include <map>
@@ -12,40 +12,41 @@
 
 namespace talus::run {
 
-/// A warning where trials that neither rested nor ran away leave the factor of a mesh open by 2 % or more; else empty.
+/// Returns a warning if undecided trials leave the factor of a mesh uncertain by 2 % or more; empty otherwise.
 std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings);
 
-/// The plan of a mesh of the factor: every element size of `plan` halved `halvings` times (−1: doubled), re-entrant
-/// corners refined.
+/// Returns the plan of a mesh for the factor: every element size of `plan` halved `halvings` times (−1: doubled),
+/// re-entrant corners refined.
 mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings);
 
-/// Trials that were calculated before, by factor.
+/// Trials calculated before, by factor.
 using KnownTrials = std::map<double, results::Trial>;
 
-/// The trials with some factors, in their order.
+/// Runs the trials with some factors and returns them in the same order.
 using RunTrials = std::function<std::vector<results::Trial>(const std::vector<double>& factors)>;
 
-/// Bisects between rest and run-away. The factors that are tried do not depend on how many trials run at the same time:
-/// every round tries two that cut the bracket into three.
+/// Searches the factor between rest and failure. The factors tried do not depend on the number of concurrent trials:
+/// every round tries two, which divide the bracket into three.
 results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, const RunTrials& run_trials);
 
-/// The trial at frozen geometry. `slope_height` is H of the criteria [m].
+/// Returns the plan of a trial at frozen geometry. `slope_height` is H of the criteria [m].
 template <int D>
 StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor& settings, double slope_height,
                               int threads);
 
-/// The factor of the body `state` (at rest under real strength, geometry frozen all along), with nothing kept on disk.
+/// Computes the factor of the body `state` (at rest under real strength, geometry frozen throughout) without any
+/// files.
 template <int D>
 results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data,
                                        const input::FrozenFactor& settings, double slope_height, int threads);
 
-/// Factors of the two meshes farther apart than this make the extrapolation a guess [-].
+/// A larger relative difference between the factors of two meshes makes the extrapolation unreliable [-].
 inline constexpr double far_apart = 0.1;
 
-/// The factor of one mesh, or where the line through the meshes is at elements of no size. Its interval: half the width
-/// of the final brackets as the extrapolation passes them on, and what the mesh does. `meshes`: coarse to fine, the
-/// last two and `coarser`, of twice the size, or the last three make the line. `other`: the coarsest by another mesher.
-/// Both where they were calculated. Angles of dilatancy are left to the caller. `dimension`: 2, or 3 for tetrahedra.
+/// Returns the factor of one mesh, or the extrapolation of several to element size zero. The interval has half the
+/// width of the final brackets, weighted by the extrapolation, plus the mesh effect. `meshes`: from coarse to fine;
+/// the extrapolation uses the last two and `coarser`, of twice the size, or the last three. `other`: the coarsest mesh
+/// by another mesher. Both are optional. The caller sets the angles of dilatancy. `dimension`: 2, or 3 for tetrahedra.
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes,
                                   std::optional<results::MeshFactor> coarser = {},
                                   std::optional<results::MeshFactor> other = {}, int dimension = 2);

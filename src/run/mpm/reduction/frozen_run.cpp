@@ -26,49 +26,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Displacements of the stages decide nothing at frozen geometry, so a stage may take longer than the case's own.
+/// At frozen geometry only rest matters, not displacement, so a stage may take longer than in the case.
 constexpr double longest_frozen_stage = 60;
-/// The state at the start of the stage that runs, beside its checkpoint.
+/// State at the start of the current stage, stored beside its checkpoint.
 constexpr const char* stage_start = "stage_start.h5";
 
 /// One of the meshes of the factor.
 struct MeshChoice {
   std::string name;  ///< of its folder: "mesh_0"
   std::string label;
-  int halvings = 0;  ///< of the case's element size; −1: its double
+  int halvings = 0;  ///< of the element size of the case; −1: doubled
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;
 };
 
-/// The case's plan for such a mesh.
+/// Returns the mesh plan of the case for this mesh.
 mesh::Plan plan_mesh(const mesh::Plan& plan, const input::FrozenFactor& settings, const MeshChoice& choice) {
   mesh::Plan chosen = plan_frozen_mesh(plan, settings, choice.halvings);
   chosen.algorithm = choice.algorithm;
   return chosen;
 }
 
-/// A mesher that makes other meshes than `algorithm`.
+/// Returns a mesher other than `algorithm`.
 mesh::Algorithm choose_other(mesh::Algorithm algorithm) {
   return algorithm == mesh::Algorithm::delaunay ? mesh::Algorithm::meshadapt : mesh::Algorithm::delaunay;
 }
 
-/// The case with all stages at frozen geometry, where loads on the ground keep to the sides of the mesh.
+/// Returns the case with all stages at frozen geometry, where loads on the ground act on the sides of the mesh.
 input::Case freeze(input::Case data) {
   for (input::Stage& stage : data.stages) stage.step.geometry = input::Geometry::frozen;
   return data;
 }
 
-/// A stage of the case at frozen geometry, to rest.
+/// Returns the plan of a stage at frozen geometry, until rest.
 template <int D>
 StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stage, double slope_height, int threads) {
   const input::FrozenFactor& settings = data.strength_reduction.frozen;
   StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
   plan.name += " at frozen geometry";
-  // As the trials calculate, but with the stage's own mass scaling and, below, at least its own damping.
+  // The settings are those of the trials, except for the mass scaling of the stage and, below, its damping if that is
+  // larger.
   plan.step = settings.step_settings;
   plan.step.geometry = input::Geometry::frozen;
   plan.step.mass_scaling = stage.step.mass_scaling;
   plan.step.objective_rate = stage.step.objective_rate;
-  // Undamped or nearly undamped stages would oscillate for long without changing their state of rest.
+  // Stages with little damping would oscillate for long without a change of their state of rest.
   plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
   plan.equalises_mass = true;
   plan.until_rest = true;
@@ -77,7 +78,7 @@ StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stag
   return plan;
 }
 
-/// One mesh: where its files are, and how its stages and trials are run and resumed.
+/// One mesh of the factor: its files, and how its stages and trials are run and resumed.
 template <int D>
 class FrozenMesh {
  public:
@@ -129,7 +130,7 @@ class FrozenMesh {
     state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
                                : ready    ? base
                                           : mesh::generate<D>(plan_mesh(data_.mesh, settings_, choice_)));
-    // Held pressures are those of the start, whenever a trial runs; so is the water outside.
+    // Hydrostatic pore pressures and external water levels are those of the start in every trial.
     if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
     StageState stage_state;
@@ -145,8 +146,8 @@ class FrozenMesh {
     for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
       const input::Stage& stage = data_.stages[i];
       StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
-      // The first stage brings the weight on and may settle the slope by any amount; a later one shows whether it
-      // stands.
+      // The first stage applies the weight and may settle the slope by any amount; a later one shows whether the slope
+      // is stable.
       if (i > 0) plan.failed_displacement = settings_.failed_displacement * height_;
       set_strength(state_, data_, stage.cohesion, stage.strength_factor.value_or(1));
       if (i > 0 && !stage_state.started) stage_state.gravity_share = 1;
@@ -157,8 +158,8 @@ class FrozenMesh {
       }
       if (!stage_state.started) mpm::reset_displacements(state_);
       if (run_stage(state_, plan, stage_state, hooks) != results::StageEnd::rest) {
-        // A slope that fails under its own weight has a factor below one; its trials start from the
-        // state before it moved.
+        // A slope that fails under its own weight has a factor below one; its trials start from the state before it
+        // moved.
         if (i > 0) state_ = before;
         const std::string warning = fmt::format(
             "stage '{}' did not come to rest at frozen geometry: the slope does not stand with the strength of this "
@@ -179,13 +180,13 @@ class FrozenMesh {
     std::vector<results::Trial> trials;
     for (const results::TrialOutcome& o : run_side_by_side(static_cast<int>(factors.size()), side_by_side,
                                                            [&](int i) { return run_one(factors[i], plan); })) {
-      keep(o);  // where another group of ranks has calculated it
+      keep(o);  // for trials that another group of ranks has calculated
       trials.push_back(o.trial);
     }
     return trials;
   }
 
-  /// Safe to call from several threads.
+  /// Thread-safe.
   results::TrialOutcome run_one(double factor, const StagePlan<D>& plan) {
     if (const auto before = known_.find(factor); before != known_.end()) return {before->second, {}, {}};
     RecorderSettings recording = recording_;
@@ -211,7 +212,7 @@ class FrozenMesh {
     return outcome;
   }
 
-  /// In files, once.
+  /// Writes the outcome of a trial to files, once.
   void keep(const results::TrialOutcome& outcome) {
     const std::lock_guard lock(keeping_);
     const double factor = outcome.trial.factor;
@@ -219,7 +220,7 @@ class FrozenMesh {
     done_.push_back(outcome.trial);
     save_trials(folder_ / "trials.json", done_);
     if (!outcome.slip_line) return;
-    const fs::path file = folder_ / slip_line_file;  // of the smallest factor that failed so far
+    const fs::path file = folder_ / slip_line_file;  // of the smallest factor that has failed so far
     const auto kept = results::find_file<results::SlipLine>(file);
     if (!kept || factor <= kept->factor) results::write_file(file, *outcome.slip_line, -1);
   }
@@ -274,7 +275,7 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
     try {
       coarser = FrozenMesh<D>(context, {"mesh_coarser", "coarser mesh: ", -1, settings.algorithm}, threads)
                     .compute(base, warnings);
-    } catch (const Error& error) {  // the two meshes that were asked for are enough
+    } catch (const Error& error) {  // the two requested meshes suffice for a factor
       if (error.code() == ExitCode::interrupted) throw;
       reason = error.what();
     }

@@ -69,7 +69,7 @@ std::vector<results::Trial> run_trial_legs(const mpm::Body<D>& state, double fac
   std::vector<results::Trial> results;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const auto leg_folder = files.folder / ("leg_" + std::to_string(i));
-    if (i < first) {  // ended before the interruption
+    if (i < first) {  // finished before the interruption
       if (const auto done = load_trial(leg_folder)) results.push_back(*done);
       continue;
     }
@@ -94,7 +94,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a folder, by their paths in it.
+/// Writes the files of a folder into a message, with their paths relative to it.
 void put_files(Message& message, const fs::path& folder) {
   std::vector<fs::path> files;
   if (!folder.empty() && fs::exists(folder))
@@ -114,7 +114,8 @@ void get_files(Message& message, const fs::path& folder) {
   }
 }
 
-/// What one group has of its trials: outcomes and files of those that ended, and why there are no more.
+/// The trials of one group of ranks: outcomes and files of the finished ones, and the failure that prevented the
+/// others.
 struct GroupWork {
   int done = 0;
   Failure failure{ExitCode::success, ""};
@@ -188,7 +189,8 @@ std::vector<results::TrialOutcome> run_side_by_side(int count, int side_by_side,
     }
     ++number;
   }
-  if (first.code != ExitCode::success) throw Error(first.code, first.sentence);  // files of those that ended are kept
+  if (first.code != ExitCode::success)
+    throw Error(first.code, first.sentence);  // the files of finished trials are kept
   return found;
 }
 

@@ -24,17 +24,18 @@ namespace talus::run {
 
 namespace {
 
-/// Rounds of halving at most; each adds factors on both sides of every bend.
+/// Largest number of refinements of the curve; each adds factors on both sides of every bend.
 constexpr int most_refinements = 4;
-/// Points that moved less than this share of the slope's height did not take part in the slide.
+/// Points that moved by less than this fraction of the slope height are not part of the slide.
 constexpr double moved_fraction = 0.01;
-/// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
+/// Frames of a runout within the window of the curve, in which most of the slide happens, if the case names no
+/// interval.
 constexpr int frames_per_window = 25;
 
 std::vector<double> list_factors(const input::DisplacementCurve& curve) {
   std::vector<double> factors;
   const int count = static_cast<int>(std::floor((curve.to - curve.from) / curve.step + 1e-9));
-  // Rounded to a millionth: 1.15, not 1.1500000000000001, so that folders and tables read well.
+  // Rounded to a millionth (1.15, not 1.1500000000000001) for legible folders and tables.
   for (int i = 0; i <= count; ++i) factors.push_back(std::round((curve.from + i * curve.step) * 1e6) / 1e6);
   for (const double f : curve.runout) factors.push_back(f);
   std::sort(factors.begin(), factors.end());
@@ -57,7 +58,7 @@ StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int t
   return plan;
 }
 
-/// One result for the legs of a trial: how it ended, its whole time and steps, its largest speed.
+/// Combines the legs of a trial: end of the last one, total time and steps, largest speed.
 results::Trial add_up(const std::vector<results::Trial>& legs) {
   results::Trial sum = legs.back();
   for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
@@ -94,7 +95,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     files.keeps_frames = true;
     files.label = label;
     const bool runs_out = wants_runout(factor);
-    const auto outcome_file = files.folder / "outcome.json";  // with the runout, which trial.json has not
+    const auto outcome_file = files.folder / "outcome.json";  // includes the runout, which trial.json does not
     if (context.resume && runs_out) {
       if (auto known = results::read_file<results::TrialOutcome>(outcome_file)) return std::move(*known);
     } else if (context.resume) {
@@ -140,7 +141,8 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
   std::vector<double> factors = list_factors(curve);
   for (int round = 0; round <= most_refinements && !factors.empty(); ++round) {
     const int count = static_cast<int>(factors.size());
-    // The weakest, which is the last, takes longest with runouts: start it first, so that the others run beside it.
+    // The weakest trial, which is the last one, takes longest with runouts, so it starts first and the others run
+    // beside it.
     std::reverse(factors.begin(), factors.end());
     for (results::TrialOutcome& o : run_side_by_side(
              count, side_by_side, [&](int i) { return run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); },
@@ -162,10 +164,10 @@ template CurveResult compute_curve<3>(const mpm::Body<3>&, const TrialContext&, 
 
 namespace {
 
-/// Below this share of the slope's height a displacement is elastic and no jump.
+/// A displacement below this fraction of the slope height is elastic and no jump.
 constexpr double elastic_share = 1e-3;
 
-/// Least and greatest angle of dilatancy [deg]; zero where no soil has one.
+/// Smallest and largest angle of dilatancy [deg]; zero if no soil has one.
 std::pair<double, double> find_dilatancy_range(const input::Case& data) {
   double low = 1e9, high = -1e9;
   for (const auto& [name, m] : data.materials) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety of a case by every criterion that it asks for.
+// Strength reduction of a case by MPM: the displacement–SRF curve on moving geometry, the runout of chosen trials, and
+// the factor of safety by every requested criterion.
 
 #include <map>
 #include <optional>
@@ -13,21 +14,19 @@
 
 namespace talus::run {
 
-// The displacement–SRF curve on moving geometry, and the runout of chosen trials.
-
 struct CurveResult {
   std::vector<results::Trial> trials;         ///< by factor, each at the end of the window
-  std::vector<results::RunoutTrial> runouts;  ///< likewise
+  std::vector<results::RunoutTrial> runouts;  ///< by factor
   std::vector<CurvePoint> points() const;
 };
 
-/// Runs all trials of the curve, refines it where it bends, and goes on to rest for the factors of curve.runout.
+/// Runs all trials of the curve, refines it where it bends, and continues to rest for the factors of curve.runout.
 /// `state` is the body after the stages. Factors do not depend on `threads`.
 template <int D>
 CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads);
 
-/// Runs what [strength_reduction] asks for and puts curve, criteria, runouts and the frozen factor into `run`.
-/// `state` is the body after the stages; it is not needed, and may be empty, when the curve is not asked for.
+/// Runs the analyses of [strength_reduction] and writes curve, criteria, runouts and the frozen factor to `run`.
+/// `state` is the body after the stages; it may be empty if no curve is requested.
 template <int D>
 void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads,
                      results::RunResult& run, std::vector<std::string>& warnings);

@@ -33,14 +33,14 @@ Vec<D> truncate(const std::array<double, 3>& v) {
   return r;
 }
 
-/// Along `normal` the node moves with `velocity` [m/s], as far as what came before says nothing of that.
+/// Prescribes `velocity` [m/s] along `normal`, in so far as earlier conditions leave that direction free.
 template <int D>
 void hold(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& normal,
           const std::type_identity_t<Vec<D>>& velocity) {
   const int before = c.fixed_count;
   ground::add_direction<D>(c.fixed, c.fixed_count, normal);
   if (c.fixed_count == before) return;
-  const Vec<D>& rest = c.fixed[before];  // of the normal, without the directions before it
+  const Vec<D>& rest = c.fixed[before];  // component of the normal orthogonal to the earlier directions
   const double speed = (dot(velocity, normal) - dot(c.drive, normal)) / dot(rest, normal);
   for (std::size_t d = 0; d < D; ++d) c.drive[d] += speed * rest[d];
 }
@@ -54,7 +54,7 @@ void hold_all(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& velocit
   }
 }
 
-/// Index of a factor among those of boundaries that move.
+/// Returns the index of `factor` in the list of time factors of moving boundaries.
 template <int D>
 int add_factor(mpm::Conditions<D>& conditions, const input::TimeTable& factor) {
   auto& all = conditions.factors;
@@ -141,7 +141,7 @@ void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
 template <int D>
 void load_nearest_points(const mpm::Body<D>& body, const ground::SideElement& side,
                          const std::type_identity_t<Vec<D>>& force, mpm::Load<D>& load) {
-  // Nearest: smallest shape function of the opposite node.
+  // The points nearest to the side have the smallest shape function of the opposite node.
   std::vector<std::pair<double, int>> near;
   const int block = side.element / lane_width;
   for (int k = 0; k < static_cast<int>(body.points.count[side.element]); ++k) {
@@ -165,7 +165,7 @@ void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
   body.conditions = {};
   body.conditions.constraint_of_node.assign(body.mesh().nodes.size(), -1);
   Vec<D> gravity = truncate<D>(data.gravity.direction);
-  // What moves first: where it meets what stands, its nodes move.
+  // Moving boundaries come first, so that they prescribe the velocity of nodes shared with fixed ones.
   for (const bool moves : {true, false})
     for (const input::Boundary& boundary : data.boundaries)
       if ((boundary.fix == input::Fix::velocity) == moves) apply_boundary(body, boundary, gravity);
@@ -179,9 +179,9 @@ template void load_nearest_points<3>(const mpm::Body<3>&, const ground::SideElem
 
 namespace {
 
-/// Nodes nearer to a side than this share of the smallest altitude lie on it.
+/// Nodes nearer to a side than this fraction of the smallest altitude lie on it.
 constexpr double on_side = 1e-6;
-/// Normals of the two sides of one line point against each other.
+/// Cosine between the normals of two elements on opposite sides of one line, which point against each other.
 constexpr double opposite_cosine = -0.9397;
 
 template <int D>
@@ -194,7 +194,7 @@ mpm::WaterConstraint<D>& get_constraint(mpm::Water<D>& water, int node) {
   return water.constraints[index];
 }
 
-/// Inside the soil the normal may come from either side of a line; those of one line are made one.
+/// Merges opposite normals: inside the soil the normal of a line may come from either of its sides.
 template <int D>
 std::vector<Vec<D>> join_opposite(const std::vector<Vec<D>>& normals) {
   std::vector<Vec<D>> joined;
@@ -212,7 +212,8 @@ std::vector<Vec<D>> join_opposite(const std::vector<Vec<D>>& normals) {
   return joined;
 }
 
-/// Nodes between held sides that are no straight line: what is held there, the mean, is neither side's normal.
+/// Returns the nodes at which impermeable sides form a bend. Their fixed direction is the mean of the normals, which
+/// is neither normal.
 template <int D>
 std::set<int> find_kinks(const mpm::Body<D>& body, const ground::WaterSides<D>& sides, const Vec<D>& gravity) {
   constexpr double straight = 1e-9;
@@ -235,7 +236,7 @@ std::set<int> find_kinks(const mpm::Body<D>& body, const ground::WaterSides<D>& 
   return kinks;
 }
 
-/// The condition of each node.
+/// Assigns a hydraulic condition to each node.
 template <int D>
 class NodeConditions {
  public:
@@ -244,7 +245,8 @@ class NodeConditions {
     tolerance_ = on_side * *std::min_element(mesh.altitudes.begin(), mesh.altitudes.end());
   }
 
-  /// Nodes of `skins` have the last condition unless they lie on a side with another.
+  /// Returns the condition of each node. Nodes of `skins` have the last condition unless they lie on a side with
+  /// another.
   std::vector<int> find(const std::set<int>& skins) const {
     std::vector<int> condition(mesh_.nodes.size(), 0);
     std::vector<std::vector<int>> at_wall(mesh_.nodes.size());
@@ -253,7 +255,7 @@ class NodeConditions {
       if (!s.is_wall) continue;
       for (int node : s.nodes) at_wall[node].push_back(s.condition);
     }
-    // The element at a wall may leave its inner node a part of the surface too.
+    // The inner node of an element at a wall may also get a part of the surface.
     std::vector<std::vector<const ground::WaterSide<D>*>> behind_wall(mesh_.nodes.size());
     for (const ground::WaterSide<D>& s : sides_.open) {
       if (s.is_wall) behind_wall[s.opposite].push_back(&s);
@@ -292,7 +294,7 @@ class NodeConditions {
     for (std::size_t c = 0; c < D; ++c) corners[c] = mesh_.nodes[s.nodes[c]];
     return corners;
   }
-  /// The first in rank; 0 when there is none.
+  /// Returns the condition of highest rank; 0 if there is none.
   int choose(const std::vector<int>& numbers, double y) const {
     const auto rank = [&](int n) { return std::pair(ground::find_rank(sides_.surfaces[n], y, n > 0), n); };
     const auto first =
@@ -322,7 +324,7 @@ void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data) {
       for (const Vec<D>& n : join_opposite<D>(normals)) ground::add_direction<D>(c.fixed, c.fixed_count, n);
     }
   }
-  // Elements at a bend are open to the engine; a skin closes them.
+  // Elements at a bend count as open, so a no-flow condition closes them.
   const std::set<int> kinks = find_kinks<D>(body, sides, gravity);
   if (!kinks.empty()) sides.surfaces.push_back({"bends of walls", mpm::SurfaceKind::flux, {{0.0}, {0.0}}});
   water.surfaces = sides.surfaces;

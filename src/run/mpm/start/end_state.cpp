@@ -21,8 +21,8 @@
 namespace talus::run {
 namespace {
 
-/// How a soil stores water, in numbers that are equal when the laws are: its density, and the share of the pores that
-/// it fills at pressures between compression and the suction of dry clay [Pa].
+/// Samples the water storage of a soil, so that equal laws have equal samples: density, and water content at pressures
+/// from compression to the suction of dry clay [Pa].
 std::vector<double> sample_storage(const mpm::WaterLaw& law) {
   std::vector<double> sample{law.wet ? 1.0 : 0.0, law.density, mpm::find_content(law, -1e6)};
   for (int i = -4; i <= 28; ++i) sample.push_back(mpm::find_content(law, std::pow(10, 0.25 * i)));
@@ -38,7 +38,7 @@ std::vector<double> sample_storage(const std::vector<mpm::WaterLaw>& laws) {
   return all;
 }
 
-/// The materials that the soil of each old one has now.
+/// Returns for each old material the set of new materials of its soil.
 std::vector<std::set<int>> map_materials(const std::vector<int>& old, std::span<const std::uint8_t> now) {
   std::vector<std::set<int>> map;
   for (std::size_t id = 0; id < old.size() && id < now.size(); ++id) {
@@ -49,7 +49,7 @@ std::vector<std::set<int>> map_materials(const std::vector<int>& old, std::span<
   return map;
 }
 
-/// Pairs of an old and a new material number that store water differently.
+/// Returns the pairs of old and new material numbers that store water differently.
 std::set<std::pair<int, int>> find_refilled(const output::ArchiveReader& archive,
                                             const std::vector<std::set<int>>& materials,
                                             const std::vector<mpm::WaterLaw>& laws) {
@@ -69,7 +69,7 @@ std::set<std::pair<int, int>> find_refilled(const output::ArchiveReader& archive
   return refilled;
 }
 
-/// From slots with the state variables of the old materials to slots with those of the new ones.
+/// Converts slots with the state variables of the old materials to those of the new ones.
 template <int D>
 void adapt_fields(mpm::Points<D>& points, int fields, int water_fields) {
   const std::size_t slots = points.id.size() / lane_width;
@@ -89,7 +89,7 @@ void adapt_fields(mpm::Points<D>& points, int fields, int water_fields) {
   points.data = std::move(data);
 }
 
-/// Gives the points of such materials the water that belongs to their pressure.
+/// Sets the water content of points in such materials to that of their pressure.
 template <int D>
 void refill(mpm::Body<D>& body, const std::vector<int>& old_materials, const std::set<std::pair<int, int>>& refilled) {
   using P = mpm::Points<D>;
@@ -174,8 +174,10 @@ void EndState::take_over(mpm::Body<D>& body) const {
   adapt_fields(body.points, fresh.points.fields, wet ? mpm::WaterFields<D>::count : 0);
   const auto refilled = find_refilled(archive_, materials, body.water.laws);
   refill(body, old_materials, refilled);
-  if (!refilled.empty()) body.water.darcy.own.clear();  // the pressures stay, and what nodes hold at them does not
-  // What follows from the points is gathered at the start of the stage; another version may number its rows otherwise.
+  if (!refilled.empty())
+    body.water.darcy.own.clear();  // the pressures are unchanged; the water stored at nodes for them is not
+  // Nodal values follow from the points and are gathered at the start of the stage; another version may number the
+  // rows differently.
   if (body.nodes.sums.size() != fresh.nodes.sums.size()) {
     body.nodes = fresh.nodes;
     body.water.sums = fresh.water.sums;

@@ -17,10 +17,10 @@ namespace talus::run {
 
 namespace {
 
-/// Elements with altitudes below this share of the median are small: those of an ungraded mesh are not.
+/// Elements with altitudes below this fraction of the median count as small; an ungraded mesh has none.
 constexpr double small_altitude = 0.85;
 
-/// The altitude above and below which one half of the soil's volume is [m].
+/// Median altitude by volume: one half of the soil is in elements with smaller altitudes [m].
 template <int D>
 double find_median_altitude(const mpm::Body<D>& body) {
   const mesh::Mesh<D>& mesh = body.mesh();
@@ -40,7 +40,8 @@ double find_median_altitude(const mpm::Body<D>& body) {
   return 0;
 }
 
-/// By how much the inertia of each element's points grows. The critical step also looks at the neighbours.
+/// Returns the factor on the inertia of the points of each element (T11.4). The critical step depends on the
+/// neighbours too.
 template <int D>
 std::vector<double> find_growth(const mpm::Body<D>& body) {
   const mesh::Mesh<D>& mesh = body.mesh();
@@ -122,7 +123,7 @@ void copy_from_stand_in(const mpm::Body<D>& stand_in, mpm::Body<D>& body) {
   body.time = stand_in.time;
   body.step_count = stand_in.step_count;
   if (!wet) return;
-  // For readers of the nodes: the grains move, no water moves against them.
+  // The nodal velocities of the wet body are those of the grains; the relative velocity of the water is zero.
   for (int row = 0; row < body.layout->rows; ++row) {
     const double* from = &stand_in.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
     double* to = &body.water.motion[static_cast<std::size_t>(row) * mpm::wet_motion_stride<D>];
@@ -170,7 +171,7 @@ results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const
   }
   const results::StageEnd end = run_stage(stand_in, plan, state, inner);
   copy_from_stand_in(stand_in, body);
-  body.nodes.load.clear();  // some are the stand-in's alone
+  body.nodes.load.clear();  // they include the loads of the auxiliary body
   mpm::gather_loads(body);
   return end;
 }
@@ -186,7 +187,7 @@ TALUS_INSTANTIATE(3)
 
 namespace {
 
-/// The load of the pore pressures on the soil, growing with the weight of the stage.
+/// Returns the load of the pore pressures on the soil, which grows with gravity in the stage.
 template <int D>
 mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
   mpm::StepOptions<D> options = make_options(plan);
@@ -203,7 +204,7 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, c
   return load;
 }
 
-/// Mean saturation of each element, 1 where no soil is wet: laws with suction hardening ask for it.
+/// Mean saturation of each element for laws with suction hardening; 1 in dry soil.
 template <int D>
 AlignedVector<double> find_saturation(const mpm::Body<D>& wet) {
   AlignedVector<double> sum(wet.elements.fill_limit.size(), 0.0), volume(sum.size(), 0.0);
@@ -217,7 +218,7 @@ AlignedVector<double> find_saturation(const mpm::Body<D>& wet) {
   return sum;
 }
 
-/// One phase, with the mass of the water added to that of the grains.
+/// Makes a body of one phase, with the mass of grains and water together.
 template <int D>
 mpm::Body<D> make_heavy(const mpm::Body<D>& wet) {
   mpm::Body<D> heavy = wet;

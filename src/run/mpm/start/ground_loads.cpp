@@ -21,7 +21,8 @@ bool has_ratio(const input::Case& data) {
                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
 }
 
-/// Whether a [[hydraulic]] says the pressure on the top of the box: the engine puts it on the soil there.
+/// Returns true if a [[hydraulic]] prescribes the pressure on the top of the box; the engine applies it to the soil
+/// there.
 bool has_pressure_on_top(const input::Case& data) {
   return std::any_of(data.hydraulics.begin(), data.hydraulics.end(), [](const input::Hydraulic& h) {
     using enum input::WaterCondition;
@@ -29,9 +30,9 @@ bool has_pressure_on_top(const input::Case& data) {
   });
 }
 
-/// Where water stands over the ground by the water table.
+/// Standing water above the ground, by the water table.
 struct Standing {
-  ground::Polyline ground, table;  ///< both empty: nowhere
+  ground::Polyline ground, table;  ///< both empty: no standing water
 };
 
 Standing find_standing(const input::Case& data) {
@@ -43,7 +44,7 @@ Standing find_standing(const input::Case& data) {
     if (!ground::find_ponds(data, standing.ground, ground::find_first_time(data)).empty()) return {};
     return standing;
   } catch (const Error&) {
-    return {};  // an overhang: there is no one level of the ground
+    return {};  // an overhang: the ground has no unique level
   }
 }
 
@@ -52,14 +53,15 @@ bool moves(const input::Case& data) {
                      [](const input::Stage& stage) { return stage.step.geometry == input::Geometry::moving; });
 }
 
-/// The weight's growth in the first stage.
+/// Returns the growth of the weight in the first stage.
 input::TimeTable make_growth(const input::Case& data) {
   const double ramp = data.stages.empty() || !data.initial.result.empty() ? 0 : data.stages.front().gravity_ramp;
   if (ramp <= 0) return {};
   return {{0.0, ramp}, {0.0, 1.0}};
 }
 
-/// Forces at the corners of a side from a traction that is linear on it: ∫ N_i N_j = (1 + δ_ij)/(D(D+1)) of its area.
+/// Integrates a traction that is linear on a side to forces at its corners: ∫ N_i N_j = (1 + δ_ij)/(D(D+1)) of the
+/// area.
 template <int D>
 std::array<Vec<D>, D> integrate(const std::array<Vec<D>, D>& traction, double area) {
   Vec<D> sum{};

@@ -34,7 +34,7 @@ State make_state(const material::Law& law, const input::Material& soil, const ma
   return state;
 }
 
-/// Saturation that the laws see: 1 in soil without pore water.
+/// Saturation for the laws; 1 in soil without pore water.
 template <int D>
 double find_saturation(const mpm::PointView<D>& point) {
   return point.wet ? point.saturation : 1;
@@ -46,7 +46,7 @@ double find_void_ratio(const mpm::PointView<D>& point, const input::Material& so
   return std::max(0.0, point.volume * soil.grain_density / point.mass - 1);
 }
 
-/// Whether a point's preconsolidation is open.
+/// Returns true if the preconsolidation of a point is not set yet.
 bool lacks_preconsolidation(const material::Law& law, const double* state) {
   return std::visit(
       [&]<class L>([[maybe_unused]] const L& l) {
@@ -56,17 +56,17 @@ bool lacks_preconsolidation(const material::Law& law, const double* state) {
       law);
 }
 
-/// The state of a point after a change of its material.
+/// Returns the state of a point after a change of its material.
 template <int D>
 State adopt(const mpm::PointView<D>& point, const State& fresh, const material::Law& law, const input::Material& soil,
             input::MaterialModel before, bool same_roots) {
   const material::Traits &now = soil.traits(), &then = material::get_traits(before);
   const bool stays_in_family = *now.family && std::string_view(now.family) == then.family;
-  // If a run ended before its preconsolidation was set, the next case that gives one sets it.
+  // If the previous run ended before its preconsolidation was set, the next case that gives one sets it.
   const bool lacks_one =
       stays_in_family && lacks_preconsolidation(law, point.state.data()) && soil.preconsolidation.has_value();
   if (soil.model == before && !lacks_one && (same_roots || now.roots == material::RootEffect::none)) return point.state;
-  // The law itself puts a content or a cohesion where it keeps them: the fresh state has them.
+  // The fresh state has the water content or cohesion of the new law in the right place.
   const auto kept = static_cast<std::size_t>(stays_in_family ? now.family_states : material::common_state_size);
   material::StateStart start{point.stress.data(), find_void_ratio(point, soil), find_saturation(point)};
   start.level = point.position[1];
@@ -89,7 +89,7 @@ bool set_point(const L& law, double ratio, const mpm::PointView<D>& point, State
   ++done.points;
   done.smallest = std::min(done.smallest, pressure);
   done.largest = std::max(done.largest, pressure);
-  // A step without strain moves a stress beyond the yield surface back to it.
+  // An update without strain returns a stress beyond the yield surface to it.
   constexpr int NS = material::stress_size<D>;
   std::array<double, NS> stress = point.stress, none{};
   State after = state;
@@ -185,7 +185,7 @@ int find_material(const std::vector<std::string>& names, const std::string& name
   return static_cast<int>(at - names.begin());
 }
 
-/// The law of a material; where its cohesion varies from place to place, the one that has it as a state variable.
+/// Returns the law of a material; if its cohesion varies in space, the one with cohesion as a state variable.
 material::Law make_point_law(const input::Material& soil, std::optional<double> cohesion, double factor) {
   const auto local = material::find_local_model(soil.model, soil);
   if (!local || *local == soil.model) return input::make_law(soil, cohesion, factor);
@@ -210,7 +210,7 @@ std::vector<int> assign_materials(const input::Case& data, const mesh::Mesh<D>& 
   return material;
 }
 
-/// Vertical effective stress of the column of soil and water above, and K0 of it sideways.
+/// Sets the vertical effective stress of the overburden of soil and water, and K0 times it horizontally.
 template <int D>
 void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
                    const std::vector<mpm::WaterLaw>& laws, const ground::InitialWater<D>& water,
@@ -263,7 +263,7 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
   }
 }
 
-/// Stress and plastic strain of finite elements at the points; empty where none were calculated.
+/// Returns stress and plastic strain of FEM at the points; empty if none was computed.
 template <int D>
 std::vector<ground::StressAt> find_known_stress(const input::Initial& initial, const mesh::Mesh<D>& mesh,
                                                 const std::vector<mpm::InitialPoint<D>>& points) {
@@ -276,7 +276,7 @@ std::vector<ground::StressAt> find_known_stress(const input::Initial& initial, c
   return known;
 }
 
-/// A body whose soil is where the mesh says.
+/// Fills the mesh of a case with material points.
 template <int D>
 mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
                        std::optional<fem::SeepageResult<D>>* seepage, std::optional<ground::SeasonRecord>* season) {
@@ -374,7 +374,7 @@ mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks,
                      std::optional<fem::SeepageResult<D>>* seepage, std::optional<ground::SeasonRecord>* season) {
   if (data.initial.result.empty())
     return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage, season);
-  // Conditions belong to nodes and points as they were when the mesh was filled, and follow the soil from there.
+  // Conditions belong to the nodes and points of the filled mesh, and move with the soil from there.
   const EndState end(data.initial);
   mpm::Body<D> body = fill_mesh(data, end.get_mesh<D>(), end.points_per_element(), chunks, seepage, season);
   const bool has_state = std::any_of(body.laws.begin(), body.laws.end(), [](const material::Law& law) {
@@ -388,7 +388,7 @@ mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks,
 
 template <int D>
 double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity) {
-  // Corners of the elements that hold points, so that the height is the polygon's and not the points'.
+  // The height is that of the corners of elements with points, which is the height of the polygon, not of the points.
   double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
   for (int e = 0; e < body.mesh().element_count(); ++e) {
     if (body.points.count[e] == 0) continue;

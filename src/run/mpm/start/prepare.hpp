@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// From a case and its mesh to a body in its initial state.
+// Preparation of a body in its initial state from a case and its mesh: points, state variables, and the
+// preconsolidation pressure that follows from equilibrium.
 
 #include <optional>
 #include <vector>
@@ -14,50 +15,48 @@
 
 namespace talus::run {
 
-// State variables of the points at the start, and the preconsolidation pressure that follows from equilibrium.
-
-/// Gives each point the state variables that its law starts with, from its stress, its pore pressure and the roots at
-/// its place. Soil whose preconsolidation is a ratio stays elastic until set_preconsolidation(). `laws`,
-/// `names` and `water` by material number. Throws what find_roots() throws.
+/// Sets the initial state variables of each point from its stress, its pore pressure and the roots at its place. Soil
+/// whose preconsolidation is a ratio remains elastic until set_preconsolidation(). `laws`, `names` and `water` by
+/// material number. Throws what find_roots() throws.
 template <int D>
 void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
                        const std::vector<std::string>& names, const std::vector<mpm::WaterLaw>& water,
                        std::vector<mpm::InitialPoint<D>>& points);
 
-/// Fits the state variables of a body that was moved to the end of another run to its own laws: soil of the same model
-/// keeps them, a law of the same family what they share, and all else starts from the stress it
-/// has. Without `same_roots` all roots are those of this case and new: nothing of them is activated or broken. `fresh`:
-/// the body before it was moved; `before`: the model of each point in the other run.
+/// Converts the state variables of a body, moved to the end state of another run, to its own laws: a point keeps them
+/// if its model is the same, keeps the common ones if its law is of the same family, and otherwise starts from its
+/// stress. Without `same_roots` all roots are new: none is activated or broken. `fresh`: the body before it was moved;
+/// `before`: the model of each point in the other run.
 template <int D>
 void adopt_state(mpm::Body<D>& body, const input::Case& data, const mpm::Body<D>& fresh,
                  const std::vector<input::MaterialModel>& before, bool same_roots);
 
-/// Whether the preconsolidation that is given as a ratio follows from the end of the stage with this number.
+/// Returns true if preconsolidation given as a ratio follows from the end of the stage with this number.
 bool is_equilibrium_stage(const input::Case& data, int stage);
 
-/// Gives points whose preconsolidation is not set yet that of their present stress: saturated and without
-/// roots R_0 times the mean effective stress, or times the smallest pressure of the soil where that is more.
+/// Sets the preconsolidation of points that have none yet from their present stress: in saturated soil without roots
+/// it is R_0 times the mean effective stress, and at least R_0 times the smallest pressure of the soil.
 template <int D>
 results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data);
 
-/// Material numbers of a case: the names of its materials in alphabetical order.
+/// Names of the materials of a case in alphabetical order, which is that of their numbers.
 std::vector<std::string> list_materials(const input::Case& data);
 
-/// Gives every material of the body the strength of a stage or trial.
+/// Sets the strength of every material to that of a stage or trial.
 template <int D>
 void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<double> cohesion, double factor);
 
-/// Points, initial stress, velocity and pore water, boundary conditions and tractions of the case on its mesh; time 0.
-/// A case that starts from a result has the mesh and the state of that, whatever `mesh` is (end_state.hpp).
-/// `chunks` as in mpm::make_layout; `seepage` receives the steady seepage that the pore pressures are from, and
-/// `season` the weather since, where there are such. Throws Error (wrong_input) when a name of the case is not in the
-/// mesh, or no element holds soil; what find_initial_water(), resolve_water_conditions() and open_end_state() throw.
+/// Prepares points, initial stress, velocity and pore water, boundary conditions and tractions of the case on its
+/// mesh; time is 0. A case that starts from a result takes mesh and state from that result, and `mesh` is ignored
+/// (end_state.hpp). `chunks` as in mpm::make_layout; `seepage` receives the steady seepage of the pore pressures, and
+/// `season` the weather since then, if there is any. Throws Error (wrong_input) if a name of the case is not in the
+/// mesh, or no element holds soil, and what find_initial_water(), resolve_water_conditions() and EndState throw.
 template <int D>
 mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks = 0,
                      std::optional<fem::SeepageResult<D>>* seepage = nullptr,
                      std::optional<ground::SeasonRecord>* season = nullptr);
 
-/// Height H of the soil: extent against gravity of the elements that hold points [m].
+/// Soil height H [m]: extent against gravity of the elements that hold points.
 template <int D>
 double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity);
 
