@@ -16,10 +16,10 @@ namespace talus::study {
 
 namespace {
 
-/// The p at which the regularised incomplete beta function I_p(a, b) is `level`.
+/// Returns p for which the regularised incomplete beta function I_p(a, b) is `level`.
 double invert_beta(double a, double b, double level) {
   double low = 0, high = 1;
-  // The function rises: halving the interval cannot fail, and ends when no double lies between.
+  // I_p is monotonic, so bisection converges; it ends when no double lies between the limits.
   for (int i = 0; i < 2000; ++i) {
     const double middle = low > 0 && high < 1e-3 ? std::sqrt(low * high) : 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
@@ -75,7 +75,7 @@ bool is_bell(const Marginal& m) {
   return m.kind == Distribution::normal || m.kind == Distribution::lognormal;
 }
 
-/// Probability between two scores, from the tail in which they lie.
+/// Probability between two scores, computed from the tail in which they lie.
 double find_between(double low, double high) {
   return low > 0 ? find_normal_probability(-low) - find_normal_probability(-high)
                  : find_normal_probability(high) - find_normal_probability(low);
@@ -85,10 +85,11 @@ double find_density(double z) {
   return std::isinf(z) ? 0 : std::exp(-0.5 * z * z) / std::sqrt(2 * M_PI);
 }
 
-/// The score in the uncut distribution that leaves the share Φ(score) of what lies between the cuts below it.
+/// Returns the score in the uncut distribution below which the fraction Φ(score) of the probability between the cuts
+/// lies (docs/theory/20-probability.md).
 double move_between_cuts(double score, double low, double high) {
   const double share = find_between(low, high);
-  // Counted from the nearer tail, so that neither loses its digits.
+  // Probabilities are counted from the nearer tail to retain their digits.
   if (score <= 0) {
     const double p = find_normal_probability(low) + find_normal_probability(score) * share;
     return p < 0.5 ? find_normal_score(p)
@@ -99,7 +100,7 @@ double move_between_cuts(double score, double low, double high) {
                  : find_normal_score(find_normal_probability(high) - find_normal_probability(-score) * share);
 }
 
-/// First and second moment of the distribution as it is cut.
+/// First and second moment of the cut distribution.
 std::array<double, 2> find_moments(const Marginal& m) {
   const double a = m.lowest, b = m.highest, c = m.mode;
   if (m.kind == Distribution::uniform) return {0.5 * (a + b), (a * a + a * b + b * b) / 3};
@@ -171,7 +172,7 @@ double Marginal::find_cut_share() const {
 }
 
 double correlate_values(const Marginal& a, const Marginal& b, double coefficient) {
-  // Golub and Welsch (1969): abscissae and weights from the Jacobi matrix of Hermite's polynomials.
+  // Golub and Welsch (1969): abscissae and weights from the Jacobi matrix of the Hermite polynomials.
   constexpr int points = 40;
   static const auto rule = [] {
     Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(points, points);
@@ -230,7 +231,7 @@ double RandomStream::draw_uniform() {
 }
 
 std::uint64_t RandomStream::draw_below(std::uint64_t count) {
-  // Numbers above the largest multiple of `count` would favour the first remainders.
+  // Numbers above the largest multiple of `count` are rejected, as they would favour the first remainders.
   const std::uint64_t usable = UINT64_MAX - UINT64_MAX % count;
   std::uint64_t bits = draw_bits();
   while (bits >= usable) bits = draw_bits();
@@ -241,7 +242,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The lower triangle L with L Lᵀ = C.
+/// Lower triangular L with L Lᵀ = C.
 MatrixXd factorise(const ScorePlan& plan) {
   if (plan.correlation.empty()) return MatrixXd::Identity(plan.numbers, plan.numbers);
   MatrixXd c(plan.numbers, plan.numbers);
@@ -255,7 +256,7 @@ RandomStream make_stream(const ScorePlan& plan, int replicate, int number) {
   return {plan.seed, (static_cast<std::uint64_t>(replicate) << 32) + static_cast<std::uint64_t>(number)};
 }
 
-/// Fisher and Yates' shuffle of 0 … count-1.
+/// Fisher–Yates shuffle of 0 … count-1.
 std::vector<int> draw_permutation(RandomStream& random, int count) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
@@ -263,7 +264,7 @@ std::vector<int> draw_permutation(RandomStream& random, int count) {
   return order;
 }
 
-/// The rank of each entry of a column, from 0; equal entries in their order.
+/// Returns the rank of each entry of a column, from 0; equal entries keep their order.
 std::vector<int> rank_column(const Eigen::Ref<const Eigen::VectorXd>& column) {
   std::vector<int> order(static_cast<std::size_t>(column.size())), rank(order.size());
   std::iota(order.begin(), order.end(), 0);
@@ -272,17 +273,17 @@ std::vector<int> rank_column(const Eigen::Ref<const Eigen::VectorXd>& column) {
   return rank;
 }
 
-/// The class of every number in every sample of one hypercube: [number][sample].
+/// Returns the class of every number in every sample of one hypercube: [number][sample] (T20.3).
 std::vector<std::vector<int>> pair_classes(std::vector<std::vector<int>> classes, const MatrixXd& wanted) {
   const int numbers = static_cast<int>(classes.size()), samples = static_cast<int>(classes[0].size());
   if (numbers == 1) return classes;
-  MatrixXd scores(samples, numbers);  // van der Waerden's
+  MatrixXd scores(samples, numbers);  // van der Waerden scores
   for (int j = 0; j < numbers; ++j)
     for (int i = 0; i < samples; ++i)
       scores(i, j) = find_normal_score((classes[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] + 1.0) /
                                        (samples + 1.0));
-  // Removes the chance correlation of the shuffles, where the samples are enough to estimate it. Lazy products:
-  // those of Eigen's own threads would depend on how many there are.
+  // Removes the chance correlation of the shuffles if there are enough samples to estimate it. The products are lazy,
+  // because those on Eigen's threads would depend on the number of threads.
   MatrixXd change = wanted.transpose();
   if (samples > 2 * numbers) {
     const MatrixXd found = scores.transpose().lazyProduct(scores) / scores.col(0).squaredNorm();

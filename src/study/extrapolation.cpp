@@ -19,7 +19,7 @@ struct Line {
   double start = 0;  ///< at x = 0
   double slope = 0;
   double squares = 0;   ///< sum of the squared residuals
-  double variance = 0;  ///< of `start` over that of the residuals
+  double variance = 0;  ///< of `start`, over the variance of the residuals
 };
 
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
@@ -47,7 +47,7 @@ std::vector<double> raise(const std::vector<double>& sizes, double order) {
   return x;
 }
 
-/// The order with the smallest residual by golden section; none when it lies at an end of the range.
+/// Returns the order with the smallest residual by golden section; nullopt if it lies at an end of the range.
 std::optional<double> find_order(const std::vector<double>& sizes, const std::vector<double>& factors) {
   constexpr double lowest = 0.5, highest = 4, ratio = 0.6180339887498949, accuracy = 1e-4;
   const auto fault = [&](double p) { return fit_line(raise(sizes, p), factors).squares; };
@@ -73,7 +73,7 @@ std::optional<double> find_order(const std::vector<double>& sizes, const std::ve
   return at_end ? std::nullopt : std::optional(p);
 }
 
-/// The other keys of a variant, as people read them.
+/// Formats the other keys of a variant.
 std::string describe_others(const StudyPlan& plan, const Variant& variant, std::size_t but) {
   std::string text;
   for (std::size_t k = 0; k < plan.names.size(); ++k) {
@@ -121,7 +121,7 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
   results::StudyExtrapolation found{plan.summary.vary[key].key, plan.summary.vary[key].unit, {}};
   for (const results::StudyColumn& column : table) {
     if (column.kind != results::ColumnKind::factor) continue;
-    std::vector<std::string> order;  // groups as they come
+    std::vector<std::string> order;  // groups in the order of their first variant
     std::map<std::string, std::map<double, double>> groups;
     for (std::size_t i = 0; i < column.cells.size(); ++i) {
       if (column.cells[i].full.empty()) continue;
@@ -138,8 +138,7 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
         sizes.push_back(size);
         factors.push_back(factor);
       }
-      // A factor that does not depend on the key, such as that of slices over the element size, has nothing to
-      // extrapolate.
+      // A factor that does not depend on the key, such as that of LEM on the element size, is not extrapolated.
       const auto [low, high] = std::minmax_element(factors.begin(), factors.end());
       if (!(*low < *high)) continue;
       results::ExtrapolatedFactor& e = found.factors.emplace_back(extrapolate(sizes, factors));

@@ -27,18 +27,17 @@ namespace fs = std::filesystem;
 
 /// Schedulers allow about a thousand jobs at once.
 constexpr int most_jobs = 1000;
-/// A job of fewer samples by slices is over before it was worth it: on surfaces that are kept, and searched for
-/// themselves.
+/// Fewest LEM samples that are worth a job: on stored surfaces, and with a search for each sample.
 constexpr int quick_samples = 1000, searched_samples = 100;
 /// Jobs of an array that Slurm runs at a time.
 constexpr int most_at_once = 100;
 
-/// The study as it would be calculated in one process.
+/// The study as one process would run it.
 struct Planned {
   StudyPlan plan;  ///< of runs
   std::optional<SampleSet> samples;
   bool by_slices = false;
-  int worth = 1;  ///< variants or samples of a job, where nobody says how many
+  int worth = 1;  ///< default number of variants or samples of a job
 
   int count() const { return static_cast<int>(by_slices ? samples->size() : plan.variants.size()); }
 };
@@ -81,8 +80,8 @@ std::vector<std::string> list_all_files(const input::LoadedCase& base, const std
   return names;
 }
 
-/// The case and the files that it names, by their places in the folder of the jobs: they stand to each other as they do
-/// where they are. A file with an absolute path stays there.
+/// Copy of the case and of the files that it names in the folder of the jobs, with the same relative paths. A file
+/// with an absolute path is not copied.
 class CaseCopy {
  public:
   CaseCopy(const input::LoadedCase& base, const std::vector<std::string>& names) {
@@ -157,7 +156,7 @@ exec "${{TALUS:-talus}}" study . --job "$SLURM_ARRAY_TASK_ID" --threads "${{SLUR
                      jobs - 1, most_at_once, instruction_level);
 }
 
-/// Whether the folder has the same jobs already. Throws Error (wrong_input) when it has others.
+/// Returns true if the folder already has the same jobs. Throws Error (wrong_input) if it has others.
 bool has_same(const fs::path& folder, const std::string& text) {
   if (!fs::exists(folder / "jobs.json")) return false;
   if (read_user_file(folder / "jobs.json", largest_file::result) != text)
@@ -207,7 +206,7 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   if (planned.by_slices)
     results::write_file(folder / "surfaces.json", make_surfaces_result(surfaces, hash_text(text)), -1);
   write_atomically(folder / "jobs.slurm", write_script(static_cast<int>(jobs.jobs.size())));
-  write_atomically(folder / "jobs.json", text);  // last: with it the folder is prepared
+  write_atomically(folder / "jobs.json", text);  // last, as it marks the folder as prepared
 }
 
 }  // namespace talus::study

@@ -37,7 +37,7 @@ void check_program(const results::StudyJobs& jobs, const fs::path& folder) {
                     folder.string(), then, now));
 }
 
-/// Folders of runs are those of names that a plan makes; parts and files are there.
+/// Throws Error (wrong_input) unless the folders of runs have names that a plan makes, and parts and files exist.
 void check_names(const results::StudyJobs& jobs, const fs::path& folder) {
   const auto refuse = [&](const std::string& why) {
     throw Error(ExitCode::wrong_input,
@@ -175,7 +175,7 @@ std::string JobFolder::format_how(const char* what, const std::vector<int>& jobs
 
 namespace {
 
-/// Of a job's runs: those that have finished are kept, the others go on or begin.
+/// Runs the variants of a job: finished ones are kept, the others are resumed or started.
 std::optional<Error> calculate_own_runs(const JobFolder& folder, const results::JobPart& part, StudyOptions options,
                                         results::JobResult& result) {
   const input::LoadedCase base = folder.read_case();
@@ -185,7 +185,7 @@ std::optional<Error> calculate_own_runs(const JobFolder& folder, const results::
   check_variants(plan, options);
   const std::vector<StudyRow> rows = run_variants(plan, options, [](const auto&) {});
   for (const StudyRow& row : rows) {
-    // What was stopped, or is being calculated elsewhere, has not ended.
+    // A variant that was interrupted, or is being run elsewhere, has not ended.
     if (row.summary.status == results::VariantStatus::not_started || row.code == ExitCode::interrupted)
       throw Error(ExitCode::interrupted, "interrupted; the same job goes on from here");
     if (row.code == ExitCode::folder_exists) throw Error(row.code, row.summary.reason);
@@ -206,13 +206,13 @@ std::optional<Error> calculate_own_samples(const JobFolder& folder, const result
         find_factors(slices, set, static_cast<std::size_t>(part.first), static_cast<std::size_t>(part.end), options);
   } catch (const Error& error) {
     if (error.code() != ExitCode::wrong_input) throw;
-    result.reason = error.what();  // a sample that is no possible case: so it is whenever the job is repeated
+    result.reason = error.what();  // a sample that is no valid case; repeating the job would not change that
     return error;
   }
   return std::nullopt;
 }
 
-/// What the jobs have found, in their order.
+/// Results of the jobs, in their order.
 struct Gathered {
   JobStates states;
   std::vector<std::optional<results::JobResult>> results;
@@ -231,7 +231,7 @@ Gathered gather(const JobFolder& folder) {
   return all;
 }
 
-/// The rows that the jobs have left, and those that are still to come.
+/// Returns the rows of the finished jobs, and empty rows for the others.
 std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan, const Gathered& all) {
   std::vector<StudyRow> rows = begin_rows(plan);
   for (std::size_t job = 0; job < all.results.size(); ++job) {
@@ -251,7 +251,8 @@ std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan
   return rows;
 }
 
-/// The factors of all samples. Throws Error when a job failed: then there is no statistics, as in one process.
+/// Returns the factors of all samples. Throws Error if a job failed, since there are no statistics then, as in one
+/// process.
 KnownFactors gather_factors(const JobFolder& folder, const Gathered& all) {
   KnownFactors known;
   known.seconds = all.seconds;
@@ -267,14 +268,14 @@ KnownFactors gather_factors(const JobFolder& folder, const Gathered& all) {
   return known;
 }
 
-/// A line for every missing job where the result of another one stands.
+/// Returns a line for every missing job in whose place the result of another one is found.
 std::string describe_strange(const JobFolder& folder, const JobStates& states) {
   std::string lines;
   for (const int job : states.missing) lines += folder.describe_strange(job);
   return lines;
 }
 
-/// What is said of jobs that are missing or failed; `failure` is that of the runs.
+/// Returns the error on missing or failed jobs; `failure` is that of the runs.
 std::optional<Error> make_states_result(const JobFolder& folder, const JobStates& states,
                                         const std::optional<Error>& failure) {
   std::string failed;

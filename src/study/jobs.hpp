@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The jobs of a prepared study: each is calculated by itself, anywhere, as often as one likes; then they are gathered.
+// Jobs of a prepared study: each can be run separately, on any machine and repeatedly; afterwards their results are
+// gathered.
 
 #include <filesystem>
 #include <optional>
@@ -15,64 +16,64 @@
 
 namespace talus::study {
 
-// The folder of a study whose jobs are calculated anywhere: the case with its files, the list of jobs, a script for
-// Slurm, and the results of the jobs that have ended.
+// Options of the folder of a study whose jobs run anywhere: the case with its files, the list of jobs, a script for
+// Slurm, and the results of the finished jobs.
 
 struct JobOptions {
-  StudyOptions study;  ///< the folder; with `resume` results of the same jobs are kept
-  int jobs = 0;        ///< that the work is cut into; 0: as many as it is worth
+  StudyOptions study;  ///< its folder; with `resume` results of the same jobs are kept
+  int jobs = 0;        ///< number of jobs; 0: from the amount of work
 };
 
-/// Plans the jobs of a study and writes them. Throws what planning does, Error (folder_exists), Error (wrong_input)
-/// when the folder holds other jobs that are to go on; all before anything is written.
+/// Plans the jobs of a study and writes them. Throws what planning throws, Error (folder_exists), and Error
+/// (wrong_input) if the folder holds other jobs that would be resumed; all before anything is written.
 void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                   const JobOptions& options);
 
-/// A folder that prepare_jobs() has written.
+/// A folder written by prepare_jobs().
 class JobFolder {
  public:
-  /// Throws Error (wrong_input) when there are no jobs in it, they are of another version of the program, or a file of
+  /// Throws Error (wrong_input) if the folder has no jobs, they are of another version of the program, or a file of
   /// the case has changed.
   explicit JobFolder(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }
   const results::StudyJobs& jobs() const { return jobs_; }
   int count() const { return static_cast<int>(jobs_.jobs.size()); }
-  /// Throws Error (wrong_input) for a number that no job has.
+  /// Throws Error (wrong_input) for an invalid number.
   const results::JobPart& part(int job) const;
-  /// The case that was prepared, read from its copy; it is told under the name that it had then.
+  /// Reads the prepared case from its copy, under its original name.
   input::LoadedCase read_case() const;
   std::vector<input::Override> overrides() const;
 
-  /// A variant of a job, without its values.
+  /// Reads a variant of a job, without its values.
   Variant read_variant(const input::LoadedCase& base, int number) const;
-  /// Those that samples by slices are evaluated on.
+  /// Reads the surfaces on which LEM samples are evaluated.
   std::vector<lem::Surface> read_surfaces() const;
 
-  /// Where the job's result is, and its lock while it is calculated.
+  /// Folder of the result of a job, and of its lock while it is running.
   std::filesystem::path result_folder(int job) const;
-  /// The result of a job; nothing where the job has not ended, or where the result is not its own.
+  /// Reads the result of a job; nullopt if the job has not ended, or if the result is that of another job.
   std::optional<results::JobResult> read_result(int job) const;
-  /// A line on the result of another job that stands where that of `job` is expected; empty where it does not.
+  /// Returns a line on the result of another job in place of that of `job`; empty if there is none.
   std::string describe_strange(int job) const;
   void write_result(int job, results::JobResult result) const;
 
-  /// What a person types to calculate or repeat (`what`) the jobs with these numbers.
+  /// Formats the command line that runs or repeats (`what`) the jobs with these numbers.
   std::string format_how(const char* what, const std::vector<int>& jobs) const;
 
  private:
-  std::filesystem::path folder_;  ///< absolute
+  std::filesystem::path folder_;  ///< absolute path
   results::StudyJobs jobs_;
   std::string hash_;
 };
 
-/// 3, 5, 6, 7 as "3,5-7".
+/// Formats 3, 5, 6, 7 as "3,5-7".
 std::string write_ranges(const std::vector<int>& numbers);
 
-/// Calculates a job and keeps what it has found, in one go at its end. A job that has ended without a failure is kept
-/// as it is; of one with failures only those are repeated. Returns the failure of variants or samples, which is kept as
-/// well. Throws what JobFolder throws, Error (folder_exists) while another process calculates the same job, Error
-/// (interrupted), Error (cannot_write): then the job counts as missing, and goes on from where its runs were.
+/// Runs a job and stores its result when it ends. A job that ended without a failure is kept; of one with failures
+/// only these are repeated. Returns the failure of variants or samples, which is stored as well. Throws what JobFolder
+/// throws, Error (folder_exists) while another process runs the same job, Error (interrupted) and Error
+/// (cannot_write); the job then counts as missing, and resumes from its runs.
 std::optional<Error> calculate_job(const std::filesystem::path& folder, int job, int threads, Progress* progress);
 
 struct JobStates {
@@ -82,9 +83,9 @@ struct JobStates {
 /// Throws what JobFolder throws.
 JobStates list_jobs(const std::filesystem::path& folder);
 
-/// Writes the tables of the study, with the bits that one process gives; times differ. With jobs missing, those of runs
-/// have rows that were not started, and samples by slices have no table yet: the failure says which jobs, and how they
-/// are calculated. Throws what JobFolder throws, and Error (interrupted) when no job has ended.
+/// Writes the tables of the study, bitwise identical to those of one process except for times. If jobs are missing,
+/// their runs have rows with the status not started, and LEM samples have no table yet; the failure lists the jobs and
+/// how to run them. Throws what JobFolder throws, and Error (interrupted) if no job has ended.
 StudyOutcome collect_jobs(const StudyOptions& options);
 
 }  // namespace talus::study

@@ -13,7 +13,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Scores differ by this between the two ends of a difference: wide enough for the steps of a search among surfaces.
+/// Width of a difference quotient in scores. A smaller one would be dominated by the jumps of the factor where the
+/// critical surface changes.
 constexpr double score_step = 0.05;
 constexpr int most_iterations = 50, most_halvings = 8;
 constexpr double index_tolerance = 1e-3, factor_tolerance = 1e-3;
@@ -75,7 +76,7 @@ void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor,
   const std::optional<double> mean = factor(sampled.means);
   if (!mean) return;
   std::vector<results::TornadoBar> bars;
-  std::vector<double> slope;  // dF of one deviation
+  std::vector<double> slope;  // change of F per standard deviation
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double deviation = numbers[i].find_deviation();
     std::vector<double> low = sampled.means, high = sampled.means;
@@ -114,7 +115,7 @@ std::optional<results::DesignPointEstimate> find_design_point(const SampledNumbe
     if (!factor_of.find_gradient(y, gradient) || gradient.squaredNorm() == 0) return std::nullopt;
     const VectorXd target = gradient * (gradient.dot(y) - g) / gradient.squaredNorm();
     const VectorXd step = target - y;
-    // A step counts when it lowers this merit function (Zhang and Der Kiureghian 1995).
+    // A step is accepted if it decreases this merit function (Zhang and Der Kiureghian 1995).
     const double weight = 2 * std::max(y.norm() / gradient.norm(), 10 * target.squaredNorm() / (1 + std::abs(g)));
     const auto merit = [weight](const VectorXd& at, double value) {
       return 0.5 * at.squaredNorm() + weight * std::abs(value);

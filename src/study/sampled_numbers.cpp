@@ -14,7 +14,7 @@ namespace talus::study {
 
 namespace {
 
-/// The last `count` parts of a path.
+/// Returns the last `count` parts of a path.
 std::string take_end(const std::string& path, std::size_t count) {
   const std::vector<std::string> parts = input::split_path(path);
   std::string text;
@@ -38,15 +38,15 @@ namespace {
 
 using input::Distribution;
 
-/// A distribution of which less than this lies beyond the limits of its key is cut there without a note.
+/// A distribution with a smaller probability beyond the limits of its key is cut there without a note.
 constexpr double worth_telling = 1e-6;
 
 std::string write_value(double x, const std::string& unit, int digits = 6) {
   return fmt::format("{:.{}g}{}{}", x, digits, unit.empty() ? "" : " ", unit);
 }
 
-/// "lognormal, mean 18 kPa, deviation 3.6 kPa", and the limits that the case sets; a note where a limit takes something
-/// away.
+/// Formats "lognormal, mean 18 kPa, deviation 3.6 kPa", with the limits given by the case, and adds a note if a limit
+/// cuts the distribution.
 std::string describe(const results::UncertainNumber& number, const Marginal& m, const input::RandomNumber& given,
                      std::vector<std::string>& notes) {
   const auto write = [&](double x) { return write_value(x, number.unit); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The uncertain numbers of a case: their keys, units and distributions, and how they are correlated.
+// The uncertain numbers of a case: keys, units, distributions and correlations.
 
 #include <string>
 #include <vector>
@@ -11,27 +11,25 @@
 
 namespace talus::study {
 
-// Short names of keys.
-
-/// The shortest end of `path` that no other of `all` ends with.
+/// Returns the shortest end of `path` that is not an end of another path in `all`.
 std::string shorten_path(const std::string& path, const std::vector<std::string>& all);
 
 struct SampledNumbers {
-  std::vector<results::UncertainNumber> numbers;  ///< their names are the shortest ends of keys that no other has
-  std::vector<Marginal> marginals;                ///< of each
-  std::vector<double> means;                      ///< of the distributions as they are cut
+  std::vector<results::UncertainNumber> numbers;  ///< their names are the shortest unique ends of their keys
+  std::vector<Marginal> marginals;                ///< one for each number
+  std::vector<double> means;                      ///< of the cut distributions
   std::vector<double> correlation;                ///< of the normal scores, row by row; empty: none
   std::vector<std::string> notes;                 ///< e.g. a distribution that was cut at the limit of its key
 };
 
-/// [[study.random]] and [[study.correlation]] of a case that was read without a fault.
+/// Reads [[study.random]] and [[study.correlation]] of a valid case.
 SampledNumbers read_sampled_numbers(const input::LoadedCase& base);
 
-/// The changes that make the case with these values of its numbers, without its [study].
+/// Returns the overrides that set these values of the numbers, without the [study] of the case.
 std::vector<input::Override> set_values(const std::vector<input::Override>& overrides, const SampledNumbers& sampled,
                                         const std::vector<double>& values);
 
-/// That case. Throws InputError where a value is impossible.
+/// Reads the case with these values. Throws InputError if a value is impossible.
 input::LoadedCase read_sample(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const SampledNumbers& sampled, const std::vector<double>& values);
 

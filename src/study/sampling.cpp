@@ -31,7 +31,8 @@ namespace talus::study {
 
 namespace {
 
-/// With enough samples a Latin hypercube is made of so many independent ones, whose scatter gives the standard error.
+/// From `enough_samples` on the samples consist of this number of independent hypercubes, whose scatter gives the
+/// standard error.
 constexpr int hypercubes = 10, enough_samples = 1000;
 
 }  // namespace
@@ -112,7 +113,7 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   } else {
     const auto start = std::chrono::steady_clock::now();
     const StudyPlan plan = plan_samples(base, overrides, set);
-    const std::vector<StudyRow> rows = run_study(plan, options);  // it takes the lock itself
+    const std::vector<StudyRow> rows = run_study(plan, options);  // run_study() takes the lock itself
     result.failure = find_failure(rows);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     result.study = make_runs_result(base, plan, rows, passed.count(), set);
@@ -123,13 +124,13 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   return result;
 }
 
-// Samples calculated by runs of the case: finite elements, material points with their runout, or slices in time.
+// The following functions sample by runs of the case: FEM, MPM with its runout, or LEM in time.
 
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The first of the names under which a run tells a number.
+/// Returns the first of `names` under which a run has a result.
 std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
   for (const std::string& name : names)
     for (const StudyRow& row : rows)
@@ -137,14 +138,14 @@ std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::
   return "";
 }
 
-/// Names of the factor by a method, the first one before the others.
+/// Names of the factor by a method, in order of preference.
 std::vector<std::string> list_factors(Method method) {
   if (method == Method::lem) return {"timeline.least"};
   if (method == Method::fem) return {"fem.factor", "fem.associated.factor"};
   return {"factor_of_safety.frozen", "factor_of_safety.bilinear", "factor_of_safety.displacement"};
 }
 
-/// That number of every sample; the first row is the case at the means.
+/// Returns the result `name` of every sample; the first row is the case at the means.
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -154,7 +155,7 @@ std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& n
   return values;
 }
 
-/// When the factor of each sample is first found below the target [s].
+/// Returns the time at which the factor of each sample first falls below the target [s].
 std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
   std::vector<double> times;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -173,7 +174,7 @@ std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
 StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::Override>& given, const SampleSet& set) {
   std::vector<input::Override> overrides = given;
   overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.summary.method))});
-  // Samples scatter by more than the mesh does, and each of them would be run on two.
+  // The scatter of the samples exceeds the mesh effect, and a second mesh would be run for each of them.
   if (set.summary.method == Method::mpm) overrides.push_back({"output.runout_meshes", "1"});
   StudyPlan plan;
   plan.summary = begin_study(base);
@@ -227,21 +228,22 @@ results::StudyResult make_runs_result(const input::LoadedCase& base, const Study
   return describe_study(plan, rows);
 }
 
-// Samples calculated by slices.
+// The following functions sample by LEM.
 
 namespace {
 
-/// Samples of one piece of work.
+/// Samples per task of a thread.
 constexpr std::size_t piece = 25;
-/// Samples that are searched as well: drawn at random, and nearest to failure.
+/// Samples that are also searched individually: drawn at random, and nearest to failure.
 constexpr std::size_t random_checks = 20, critical_checks = 12;
-/// Stream of the random choice among the samples; those of the numbers count from 0.
+/// Random stream for the choice among the samples; those of the numbers count from 0.
 constexpr std::uint64_t check_stream = ~0ULL;
-/// Quick factors may be so much too high; beyond that the surfaces of the searches are kept, so many times at most.
+/// Largest relative excess of a factor on the stored surfaces; above it the surfaces of the searches are added, at
+/// most `most_rounds` times.
 constexpr double good_enough = 0.003, worth_keeping = 1e-4;
 constexpr int most_rounds = 2;
 
-/// NaN where there is none.
+/// Returns the factor of sample i; NaN if there is none.
 double find_one(const SliceFactor& slices, const SampleSet& set, std::size_t i, SliceFactor::Workspace& work) {
   try {
     return slices.find(set.get_sample(i), work).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -257,7 +259,8 @@ class SliceSampling {
 
   void calculate() { set_.factor = find_factors(slices_, set_, 0, set_.size(), options_); }
 
-  /// Searches for some samples individually. Where they find less, their surfaces are kept and all is calculated again.
+  /// Searches some samples individually. If a search finds a lower factor, its surfaces are added and all samples are
+  /// computed again.
   void check() {
     for (int round = 0;; ++round) {
       const std::vector<std::size_t> chosen = choose(round);
@@ -296,8 +299,8 @@ class SliceSampling {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return std::abs(set_.factor[a] - 1) < std::abs(set_.factor[b] - 1);
     });
-    // The nearest to failure stand in front; the others are drawn from what is behind them. Another round takes others:
-    // those that were searched are exact now.
+    // The samples nearest to failure come first; the others are drawn from the rest. A further round takes other
+    // samples, as the factors of those searched are exact.
     RandomStream random(set_.summary.seed, check_stream - static_cast<std::uint64_t>(round));
     const std::size_t skipped = std::min(order.size(), critical_checks * static_cast<std::size_t>(round));
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(skipped));
@@ -319,7 +322,7 @@ std::string list_keys(const std::vector<std::string>& keys) {
   return text;
 }
 
-/// What limit analysis proves with these values, beside the factor that the samples have there.
+/// Describes the proven interval for these values, and the factor of the samples there.
 std::string describe_referee(const char* where, const results::Referee& referee, double factor) {
   if (referee.why_not || !referee.is_interval())
     return fmt::format("Limit analysis cannot judge the factor {}: {}.", where,
@@ -333,7 +336,7 @@ std::string describe_referee(const char* where, const results::Referee& referee,
                                               : "");
 }
 
-/// Limit analysis judges the factors at the means and at the design point, not that of every sample.
+/// Compares the factors at the means and at the design point with limit analysis, but not that of every sample.
 void note_referee(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                   const StudyOptions& options, const SliceFactor& slices, SampleSet& set) {
   if (!base.data.lem.referee) return;
@@ -383,10 +386,10 @@ std::unique_ptr<SliceFactor> begin_slices(const input::LoadedCase& base, const s
   SliceFactor::Workspace work;
   const FactorOf factor = [&](const std::vector<double>& values) { return slices->find(values, work); };
   estimate_first_order(set.sampled, factor, result);
-  // With a search for every sample the iteration would cost more than it is worth.
+  // With a search for every sample the iteration would take too long.
   if (!slices->is_full()) result.design_point = find_design_point(set.sampled, factor);
   if (result.design_point) {
-    // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.
+    // The surface that fails first need not be critical at the means, so a search is made at the design point.
     std::vector<double> values;
     for (const results::DesignPointValue& v : result.design_point->values) values.push_back(v.value);
     if (const auto searched = slices->search(values)) slices->add(searched->surfaces);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statistics of samples: shares, moments and correlations of their results.
+// Statistics of the samples (probabilities, moments and correlations of their results), and their tables study.md and
+// samples.csv.
 #include "study/sampling_table.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ std::vector<double> rank_values(const std::vector<double>& values) {
   return ranks;
 }
 
-/// The next 1, 2 or 5 times a power of ten.
+/// Rounds up to 1, 2 or 5 times a power of ten.
 double round_up(double width) {
   const double power = std::pow(10.0, std::floor(std::log10(width)));
   for (const double step : {1.0, 2.0, 5.0})
@@ -123,11 +124,11 @@ double estimate_error(const std::vector<double>& values, const std::vector<int>&
 namespace {
 
 constexpr double seconds_of_day = 86400;
-/// How often the estimate is told as the samples grow.
+/// Number of points of the convergence curve of the estimate.
 constexpr std::size_t steps_of_growth = 40;
 constexpr std::size_t distances_of_curve = 60;
 
-/// The finite numbers of a list, and their places.
+/// The finite numbers of a list, and their indices.
 struct Present {
   explicit Present(const std::vector<double>& all) {
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -140,7 +141,7 @@ struct Present {
   std::vector<std::size_t> rows;
 };
 
-/// Nothing for a number that is not finite.
+/// Returns nullopt for a number that is not finite.
 std::optional<double> keep_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -167,7 +168,7 @@ results::SampledValues describe_values(const std::vector<double>& all) {
   return values;
 }
 
-/// P(F < 1), its interval, its standard error, and how it converged.
+/// P(F < 1) with its interval, its standard error and its convergence.
 results::FailureProbability describe_failure(const input::Sampling& asked, const SampleSet& set) {
   const Present there(set.factor);
   std::vector<double> failed;
@@ -212,7 +213,7 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
   return failure;
 }
 
-/// Indices that rest on the mean and deviation of the sampled factors.
+/// Reliability indices from the mean and deviation of the sampled factors.
 std::optional<results::FittedLaws> describe_fits(const results::SampledValues& factor) {
   if (factor.deviation <= 0 || factor.mean <= 0) return std::nullopt;
   const double normal = (factor.mean - 1) / factor.deviation;
@@ -234,7 +235,7 @@ std::vector<results::RankCorrelation> describe_ranks(const SampleSet& set, const
   return list;
 }
 
-/// How probable it is that the soil comes farther than a distance.
+/// Computes the probability that the runout exceeds a distance, for several distances.
 void make_runout_result(const input::Sampling& asked, const SampleSet& set, results::SampledRunout& runout) {
   const Present there(set.runout);
   const auto exceed = [&](double distance) {
@@ -244,7 +245,8 @@ void make_runout_result(const input::Sampling& asked, const SampleSet& set, resu
   runout.values = describe_values(set.runout);
   const double end = runout.values.largest;
   for (std::size_t k = 0; k <= distances_of_curve; ++k) {
-    const double distance = end * (static_cast<double>(k) / distances_of_curve);  // the last is the end to the last bit
+    const double distance =
+        end * (static_cast<double>(k) / distances_of_curve);  // the last distance equals `end` exactly
     const results::SampleShare s = exceed(distance);
     runout.curve.push_back({distance, s.probability, s.lower, s.upper});
   }
@@ -276,7 +278,7 @@ void make_samples_result(const input::Sampling& asked, SampleSet& set) {
     out.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
 }
 
-// study.md and samples.csv of sampling.
+// The following functions format study.md and samples.csv.
 
 namespace {
 

@@ -17,9 +17,9 @@ namespace talus::study {
 
 namespace {
 
-/// Numbers of a material that slices do not know.
+/// Properties of a material that LEM does not use.
 const std::set<std::string> idle{"young_modulus", "poisson_ratio", "dilatancy_angle", "tensile_strength"};
-/// Numbers that unit weights are linear in, one at a time.
+/// Properties in which unit weights are linear, one at a time.
 const std::set<std::string> weights{"unit_weight", "saturated_unit_weight", "grain_density"};
 
 /// "cohesion" of "materials.clay.cohesion", and "clay"; empty for another key.
@@ -44,7 +44,8 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
   run::SectionOfCase made = make(middle_values_);
   middle_ = std::move(made.section);
   notes_ = std::move(made.notes);
-  std::set<std::string> porous;  // materials whose porosity varies: there weights are not linear in the grains' density
+  std::set<std::string>
+      porous;  // materials with a varied porosity, in which weights are not linear in the grain density
   for (const results::UncertainNumber& n : sampled.numbers)
     if (const auto [material, key] = split_material_key(n.key); key == "porosity" || key == "void_ratio")
       porous.insert(material);
@@ -110,7 +111,7 @@ void SliceNumbers::apply(const std::vector<double>& values, std::vector<lem::Soi
     const auto s = static_cast<std::size_t>(link.soil);
     lem::Soil& soil = soils[s];
     switch (link.part) {
-      case Part::cohesion:  // the section's may hold that of roots besides
+      case Part::cohesion:  // that of the section may include root cohesion
         soil.cohesion = middle_.soils[s].cohesion + moved * link.factor;
         break;
       case Part::friction:
@@ -141,8 +142,7 @@ void SliceNumbers::apply(const std::vector<double>& values, std::vector<lem::Soi
 
 namespace {
 
-/// Searches are made where one number is so many deviations of its score off, the others at their means: beyond that
-/// one sample of twenty lies.
+/// Searches are made with one number at this score, the others at their means; about one sample of twenty lies beyond.
 constexpr double corner_score = 2;
 
 }  // namespace
@@ -242,7 +242,7 @@ std::optional<SliceFactor::Searched> SliceFactor::search(const std::vector<doubl
         for (const lem::Critical& c : minima) result.surfaces.push_back(c.surface);
     } catch (const Error& error) {
       if (error.code() == ExitCode::interrupted) throw;
-      // No admissible surface: no factor of this sample.
+      // Without an admissible surface this sample has no factor.
     }
   }
   return result.factor > 0 ? std::optional(result) : std::nullopt;

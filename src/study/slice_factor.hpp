@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety by slices as a function of the sampled numbers: quick, over a fixed set of surfaces, or by a
-// search of its own.
+// The LEM factor of safety as a function of the sampled numbers: on a fixed set of surfaces, which is quick, or by a
+// search for each sample.
 
 #include <memory>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace talus::study {
 
-// The effect of an uncertain number on slices: a soil, the earthquake, nothing, or the whole section.
+// An uncertain number affects a soil, the earthquake, nothing, or the whole section.
 
 /// Soils and accelerations as functions of the sampled values, without reading the case again.
 class SliceNumbers {
@@ -23,18 +23,19 @@ class SliceNumbers {
   SliceNumbers(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                const SampledNumbers& sampled);
 
-  /// Whether some number changes more than soils and accelerations, so that every sample needs its own section.
+  /// Returns true if some number affects more than soils and accelerations, so that every sample needs its own
+  /// section.
   bool changes_section() const { return !section_keys_.empty(); }
   const std::vector<std::string>& section_keys() const { return section_keys_; }
-  /// Numbers that slices do not know.
+  /// Keys of numbers that LEM does not use.
   const std::vector<std::string>& idle_keys() const { return idle_keys_; }
 
-  /// The case at the distributions' means.
+  /// Section of the case at the means of the distributions.
   const lem::Section& middle() const { return middle_; }
   const std::vector<std::string>& notes() const { return notes_; }
-  /// The section with these values. Its geometry and water are those of the middle.
+  /// Returns the section with these values. Its geometry and water are those of the middle.
   lem::Section make_section(const std::vector<double>& values) const;
-  /// The same for soils and accelerations alone.
+  /// Sets soils and accelerations alone.
   void apply(const std::vector<double>& values, std::vector<lem::Soil>& soils, double& horizontal,
              double& vertical) const;
 
@@ -57,39 +58,39 @@ class SliceNumbers {
 
 class SliceFactor {
  public:
-  /// Searches at the means and at corners of the distributions, and keeps the surfaces that may be critical. Throws
-  /// what run::make_section() and lem::search() do at the means.
+  /// Searches at the means and at corners of the distributions, and stores the surfaces that may be critical. Throws
+  /// what run::make_section() and lem::search() throw at the means.
   SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
               const SampledNumbers& sampled, int threads);
-  /// The same on surfaces that were kept before, without a search.
+  /// Uses stored surfaces instead of a search.
   SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
               const SampledNumbers& sampled, const std::vector<lem::Surface>& surfaces);
 
-  /// Whether every sample needs its own section and search.
+  /// Returns true if every sample needs its own section and search.
   bool is_full() const { return numbers_.changes_section(); }
   lem::Method method() const { return options_.methods.front(); }
   const SliceNumbers& numbers() const { return numbers_; }
-  /// Surfaces that every sample is evaluated on; 0 with searches.
+  /// Number of surfaces on which every sample is evaluated; 0 with searches.
   int count_surfaces() const { return candidates_ ? candidates_->count() : 0; }
   std::vector<lem::Surface> list_surfaces() const;
-  /// Combinations of values that were searched, besides the means.
+  /// Number of searched combinations of values besides the means.
   int count_corners() const { return corners_; }
 
-  /// Memory of one thread.
+  /// Working memory of one thread.
   struct Workspace {
     lem::Candidates::Workspace candidates;
     std::vector<lem::Soil> soils;
   };
-  /// The smallest factor with these values; nothing where no surface is admissible. Safe to call from many threads.
+  /// Returns the smallest factor with these values; nullopt if no surface is admissible. Thread-safe.
   std::optional<double> find(const std::vector<double>& values, Workspace& work) const;
 
   struct Searched {
     double factor = 0;
-    std::vector<lem::Surface> surfaces;  ///< critical ones and local minima
+    std::vector<lem::Surface> surfaces;  ///< critical surfaces and local minima
   };
-  /// The same by a search for these values alone.
+  /// Returns the factor of a search for these values.
   std::optional<Searched> search(const std::vector<double>& values) const;
-  /// Keeps more surfaces. Not while others call find().
+  /// Adds surfaces. Must not run concurrently with find().
   void add(const std::vector<lem::Surface>& surfaces);
 
  private:

@@ -53,7 +53,7 @@ class VariantRuns {
     end(i, std::move(row));
   }
 
-  /// A finished run is kept, as it is whole or as what it lacks.
+  /// Reads the results of a finished run, and marks it as kept or failed.
   static void keep(const fs::path& folder, StudyRow& row) {
     row.result = load_variant(folder);
     row.kept = row.result && row.result->status == results::Status::finished;
@@ -69,7 +69,7 @@ class VariantRuns {
       row.result = run::run_case(variant.loaded, run);
       row.summary.status = VariantStatus::finished;
       return;
-    } catch (...) {  // not even a defect of the program in one variant must lose the results of the others
+    } catch (...) {  // not even a program error in one variant may lose the results of the others
       const Failure failure = explain_failure(std::current_exception());
       row.code = failure.code;
       row.summary.reason = failure.sentence;
@@ -115,7 +115,7 @@ class VariantRuns {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Returns true for paths, relative to the study's folder, that the study or one of its runs writes.
+/// Returns true for paths, relative to the folder of the study, that the study or one of its runs writes.
 bool is_of_study(const StudyPlan& plan, const fs::path& file) {
   const std::string first = file.begin()->string(), name = file.filename().string();
   for (const char* own : {"jobs.json", "surfaces.json", "jobs.slurm", "study.json", "study.csv", "study.md",
@@ -128,11 +128,11 @@ bool is_of_study(const StudyPlan& plan, const fs::path& file) {
   const auto variant =
       std::find_if(plan.variants.begin(), plan.variants.end(), [&](const Variant& v) { return v.name == first; });
   if (variant == plan.variants.end()) return false;
-  // A list that is not the study's own is that of a run which the user made there.
+  // A list other than that of the study belongs to a run of the user in that folder.
   return first == name || name == list_file || run::is_of_run(variant->loaded.data, file.lexically_relative(first));
 }
 
-/// A larger number is more serious to the user.
+/// Severity of an exit code; a larger number is more serious.
 int rank(ExitCode code) {
   switch (code) {
     case ExitCode::interrupted:
@@ -179,7 +179,7 @@ std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions&
           ExitCode::folder_exists,
           fmt::format("'{}' holds results that this study did not write; move them away, or give another folder",
                       folder.string()));
-    FileList{folder};  // files of the user are there: they stay, and what the run writes is listed
+    FileList{folder};  // the folder holds files of the user: they are left alone, and files of the run are listed
   }
   return files;
 }
@@ -255,7 +255,7 @@ std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {
       ++finished;
       continue;
     }
-    // A variant that was not started has no error of its own: only an interruption keeps one from starting.
+    // A variant that was not started has no error of its own: only an interruption prevents the start.
     const ExitCode own = row.summary.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
     if (rank(own) > rank(code)) code = own;
     if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", row.summary.folder, row.summary.reason);
@@ -271,9 +271,9 @@ std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {
 
 namespace {
 
-/// A forecast is made of so many variants, evenly among all, because material points are stepped for each.
+/// Largest number of variants in a forecast, evenly distributed among all, because MPM is timed for each.
 constexpr std::size_t most_forecasts = 6;
-/// Searches before samples by slices: at the means, and for first-order estimate and design point.
+/// Searches before LEM samples: at the means, and for first-order estimate and design point.
 constexpr double searches = 4;
 
 std::string count(double n, const char* one, const char* many) {
@@ -286,7 +286,7 @@ double find_seconds(const input::Case& data) {
   return seconds;
 }
 
-/// Empty where nothing is known.
+/// Returns ", about 10 minutes"; empty for an unknown time.
 std::string add_time(double seconds) {
   return seconds > 0 ? ", about " + run::write_time(seconds) : "";
 }

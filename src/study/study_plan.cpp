@@ -16,12 +16,12 @@
 namespace talus::study {
 namespace {
 
-/// A grid of more variants than this is a slip of the pen: reading them alone takes minutes.
+/// A grid of more variants is usually a typing error: reading them alone would take minutes.
 constexpr std::size_t most_variants = 10000;
-/// Longest text of one value in a folder's name.
+/// Longest text of one value in the name of a folder.
 constexpr std::size_t longest_name = 40;
 
-/// A TOML text as people write it: without its quotation marks.
+/// Removes the quotation marks of a TOML string.
 std::string strip_quotes(const std::string& text) {
   if (text.size() < 2 || (text.front() != '"' && text.front() != '\'') || text.back() != text.front()) return text;
   return text.substr(1, text.size() - 2);
@@ -31,7 +31,7 @@ std::string name_part(const std::string& text) {
   return make_file_name(text, "empty", longest_name);
 }
 
-/// A combination of values: for every key the number of its value, or nothing for that of the base case.
+/// A combination of values: for every key the index of its value; nullopt for that of the base case.
 using Choice = std::vector<std::optional<std::size_t>>;
 
 std::vector<Choice> list_choices(const input::Study& study) {
@@ -62,7 +62,8 @@ std::vector<Choice> list_choices(const input::Study& study) {
   return choices;
 }
 
-/// With mode = "together", the names of one key's values can name the variants.
+/// Returns true if the values of a key have no names, but those of another key with mode = "together" name the
+/// variants.
 bool is_unnamed(const input::Study& study, std::size_t key) {
   const auto has_names = [](const input::Vary& v) { return !v.names.empty(); };
   return study.mode == input::StudyMode::together && study.vary[key].names.empty() &&
@@ -97,7 +98,7 @@ void check_study(const input::LoadedCase& base) {
   }
 }
 
-/// A variant's name and label, and what it changes in the case.
+/// Sets name and label of a variant, and its changes of the case.
 Variant name_variant(const input::Study& study, const std::vector<std::string>& keys, const Choice& choice,
                      std::vector<input::Override>& changes) {
   Variant variant;
@@ -150,7 +151,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
   const input::Place place = base.places.find("study.vary.0");
   std::vector<Diagnostic> faults;
   std::set<std::string> known_faults, names;
-  std::map<std::string, std::string> known_cases;  // what a case calculates → label
+  std::map<std::string, std::string> known_cases;  // echo of what is calculated → label
   std::map<std::string, std::size_t> numbers;      // label or folder → number of the variant
   for (const Choice& choice : list_choices(study)) {
     std::vector<input::Override> changes = overrides;

@@ -30,10 +30,10 @@ using results::RunResult;
 using results::StudyCell;
 using results::StudyColumn;
 
-/// Two trials are of one factor when their factors differ by less.
+/// Largest difference between equal factors of trials.
 constexpr double same_factor = 1e-9;
 
-/// A number of a part of the result, where the run has that part.
+/// Returns a number of a part of the result; nullopt if the run does not have that part.
 template <class Part, class Owner, class Number>
 std::optional<double> get(const std::optional<Part>& part, Number Owner::*number) {
   return part ? std::optional(static_cast<double>((*part).*number)) : std::nullopt;
@@ -57,7 +57,7 @@ std::optional<double> get_time_step(const RunResult& r) {
   return r.stages && !r.stages->empty() ? std::optional(r.stages->back().time_step) : std::nullopt;
 }
 
-/// All factors whose trials went on until rest, in any variant.
+/// Returns all factors whose trials continued until rest, in any variant.
 std::set<double> list_runout_factors(const std::vector<StudyRow>& rows) {
   std::set<double> factors;
   for (const StudyRow& row : rows)
@@ -66,11 +66,11 @@ std::set<double> list_runout_factors(const std::vector<StudyRow>& rows) {
   return factors;
 }
 
-/// What the patterns of movement are called in the table, in their order.
+/// Words of the patterns of movement in the table, in the order of the enumerators.
 constexpr const char* patterns[] = {
     "none", "one monitor only", "together", "from the bottom upwards", "from the top downwards", "in no such order"};
 
-/// Why the constructions on the curve gave no factor.
+/// Returns why the criteria on the curve gave no factor.
 std::string explain_missing_factors(const RunResult& r, const std::string& label) {
   if (!r.factor_of_safety || !r.factor_of_safety->criteria) return "";
   std::string remarks;
@@ -90,7 +90,7 @@ class Columns {
   explicit Columns(const std::vector<StudyRow>& rows) : rows_(rows) {}
 
   using Getter = std::function<std::optional<double>(const RunResult&)>;
-  /// `format` is that of the shown number, `{:.3f}`; the numbers are SI and shown in `unit`.
+  /// Adds a column. `format` is that of the displayed number, `{:.3f}`; the numbers are SI and displayed in `unit`.
   void add(const std::string& name, const std::string& unit, const char* format, bool always, const Getter& get,
            ColumnKind kind = ColumnKind::other) {
     StudyColumn column = begin_column(name, name, unit);
@@ -108,7 +108,7 @@ class Columns {
     if (any || always) table.push_back(std::move(column));
   }
 
-  /// The factor of safety that runs call `name`.
+  /// Adds the factor of safety with the result name `name`.
   void add_factor(const std::string& title, const std::string& name, ColumnKind kind = ColumnKind::factor) {
     const std::size_t count = table.size();
     add(
@@ -122,15 +122,15 @@ class Columns {
   const std::vector<StudyRow>& rows_;
 };
 
-/// Text inside a Markdown table.
+/// Escapes text for a Markdown table.
 std::string write_cell(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
   return cell.empty() ? "–" : cell;
 }
 
-/// Onset and displacement of every monitor, the latter also over that of the reference, if it moved there, and the
-/// order of movement.
+/// Adds onset and displacement of every monitor, the displacement also over that of the reference if the monitor moved
+/// there, and the order of movement.
 void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Columns& columns) {
   for (const std::string& name : plan.monitors)
     columns.add("onset of " + name, "s", "{:.4g}", false,
@@ -301,14 +301,14 @@ void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows
   write_atomically(folder / "study.md", make_printable(write_study_markdown(plan, rows, study), true), safe);
 }
 
-// The curves of all variants of a study, and the displacement of each monitor over time, as pictures.
+// The following functions draw the curves of all variants of a study, and the displacement of each monitor over time.
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Displacements below this share of the largest one are rounding errors of a slope at rest; a logarithmic axis would
-/// be all theirs.
+/// Displacements below this fraction of the largest one are rounding errors of a slope at rest, which would fill a
+/// logarithmic axis.
 constexpr double smallest_share = 1e-5;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a study shows: one table as CSV and as Markdown, and the curves of all variants in one picture.
+// Output of a study: one table as CSV and as Markdown, and the curves of all variants in one picture.
 
 #include <filesystem>
 #include <string>
@@ -10,28 +10,29 @@
 
 namespace talus::study {
 
-/// The table of a study. Columns that no variant fills are left out, except those of the varied keys and the factors.
+/// Makes the table of a study. Columns without values are left out, except those of the varied keys and the factors.
 std::vector<results::StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
 std::string write_study_csv(const std::vector<results::StudyColumn>& table);
 
-/// Plan, table and how each variant went, for the report; numbers in `full` are in the unit of their column.
+/// Makes plan, table and outcome of each variant for the report; numbers in `full` are in the unit of their column.
 results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
-/// The same as Markdown, with the reasons for missing values and the warnings of the runs below.
+/// Formats the table as Markdown, followed by the reasons for missing values and the warnings of the runs.
 std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows,
                                  const results::StudyResult& study);
 
-/// study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
+/// Writes study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
 
-/// The tables and all pictures. Errors as for them.
+/// Writes the tables and all pictures. Throws what these functions throw.
 void write_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
 
-/// The displacement curves of all variants; nothing is drawn when there is none. Errors as for output::draw.
+/// Draws the displacement curves of all variants; draws nothing if there is none. Throws what output::draw throws.
 void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture);
 
-/// Displacement of each monitor over time in all variants: displacement_NAME.svg in `folder`; errors as above.
+/// Draws the displacement of each monitor over time in all variants, displacement_NAME.svg in `folder`. Throws what
+/// output::draw throws.
 void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
 
 }  // namespace talus::study
