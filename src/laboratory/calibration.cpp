@@ -26,8 +26,8 @@ namespace {
 using results::AtLimit;
 
 constexpr double strong_correlation = 0.95;
-constexpr double share_of_direction = 0.2;  ///< smaller components of a direction are not named
-constexpr double alike = 0.01;              ///< of the misfit: searches that end nearer together found the same
+constexpr double share_of_direction = 0.2;  ///< smaller components of a direction are not listed
+constexpr double alike = 0.01;              ///< of the misfit: largest difference of equally good searches
 constexpr double apart = 0.01;              ///< of the range of a parameter
 
 std::string join(const std::vector<std::string>& words) {
@@ -77,12 +77,12 @@ void add_correlations(const results::Calibration& result, std::vector<std::strin
                         *c > 0 ? "larger value" : "smaller value"));
 }
 
-/// Searches that came nearly as far with other values.
+/// Lists searches with nearly the same misfit but other values.
 void add_rivals(const results::Calibration& result, std::vector<std::string>& list) {
   const results::CalibrationSearch& best = result.starts[result.best];
   std::size_t rivals = 0, agree = 0;
   for (const results::CalibrationSearch& start : result.starts) {
-    // A misfit of nothing but rounding is the same as another.
+    // Misfits that are rounding errors count as equal.
     const double slack = std::max(alike * best.misfit, 1e-6 * static_cast<double>(result.values));
     if (start.misfit > best.misfit + slack) continue;
     double distance = 0;
@@ -129,18 +129,20 @@ std::vector<std::string> list_findings(const input::Calibration& calibration, co
 
 namespace {
 
-/// Of the range of a parameter. The tests are solved to ten digits, so that smaller steps would see their last ones.
+/// Step of the differences, over the range of a parameter. Smaller steps would resolve the error of the tests, which
+/// are solved to ten digits.
 constexpr double difference_step = 5e-4;
-constexpr double rank_limit = 1e-5;  ///< of singular values, over the largest: below it a direction counts as unfixed
-constexpr double felt = 1e-4;        ///< effect of a parameter over its range, in standard errors: below it has none
+constexpr double rank_limit =
+    1e-5;                      ///< of singular values, over the largest: below it a direction counts as undetermined
+constexpr double felt = 1e-4;  ///< effect of a parameter over its range, in standard errors: below it there is none
 
 void refuse_when_interrupted() {
   if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted; a calibration keeps nothing of what it began");
 }
 
-/// The residuals with their derivatives. Ceres has numeric differentiation of its own, which knows of no bounds and
-/// gives up where one neighbour is refused; here differences are central where both neighbours can be had, one-sided
-/// elsewhere, and columns are calculated side by side.
+/// Residuals and their derivatives. The numeric differentiation of Ceres has no bounds and fails if a neighbour is
+/// invalid. Here differences are central if both neighbours are valid and one-sided otherwise, and columns are
+/// computed in parallel.
 class Residuals final : public ceres::CostFunction {
  public:
   Residuals(const CalibrationModel& model, int threads) : model_(model), threads_(threads) {
@@ -152,7 +154,7 @@ class Residuals final : public ceres::CostFunction {
     try {
       return evaluate(parameters[0], residuals, jacobians == nullptr ? nullptr : jacobians[0]);
     } catch (...) {
-      // No exception may pass through Ceres; the search throws it when Ceres has returned.
+      // No exception may pass through Ceres; the search rethrows it when Ceres has returned.
       failure = std::current_exception();
       return false;
     }
@@ -195,7 +197,7 @@ class Residuals final : public ceres::CostFunction {
   int threads_;
 };
 
-/// Tells of the progress, and ends the search when the user wishes so.
+/// Reports the progress, and ends the search when the user interrupts.
 class Watch final : public ceres::IterationCallback {
  public:
   explicit Watch(const std::function<void(int, double)>& tell) : tell_(tell) {}
@@ -238,7 +240,7 @@ Search search(const CalibrationModel& model, const std::vector<double>& from, co
   settings.parameter_tolerance = 1e-9;
   settings.gradient_tolerance = 1e-12;
   settings.logging_type = ceres::SILENT;
-  settings.num_threads = 1;  // the tests are what takes time, and they are run side by side
+  settings.num_threads = 1;  // the tests take the time, and they run in parallel
   settings.callbacks.push_back(&watch);
   ceres::Solver::Summary summary;
   ceres::Solve(settings, &problem, &summary);
@@ -272,7 +274,8 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
   for (int i = 0; i < static_cast<int>(m); ++i)
     (at[static_cast<std::size_t>(i)] <= 0 || at[static_cast<std::size_t>(i)] >= 1 ? held : free).push_back(i);
   if (free.empty()) return result;
-  // A direction without any effect is looked for with columns of length 1, or units would decide.
+  // Columns are scaled to length 1 for the search of a direction without effect, which would otherwise depend on the
+  // units.
   Eigen::MatrixXd scaled(n, static_cast<Eigen::Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
@@ -297,7 +300,7 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
   if (!held.empty()) problem.SetManifold(block, new ceres::SubsetManifold(static_cast<int>(m), held));
   ceres::Covariance::Options settings;
   settings.algorithm_type = ceres::DENSE_SVD;
-  settings.min_reciprocal_condition_number = 1e-40;  // looked for above, without regard to units
+  settings.min_reciprocal_condition_number = 1e-40;  // rank was determined above, independently of units
   ceres::Covariance covariance(settings);
   std::vector<double> matrix(m * m);
   const std::vector<const double*> blocks{block};
@@ -316,10 +319,10 @@ namespace {
 
 using results::AtLimit;
 
-constexpr double at_limit = 1e-6;  ///< of the range: nearer to its end a parameter counts as being there
-constexpr int most_draws = 200;    ///< of a random start that the case does not refuse
+constexpr double at_limit = 1e-6;  ///< of the range: a parameter nearer to its end counts as at its limit
+constexpr int most_draws = 200;    ///< attempts to draw a random start that is a valid case
 
-/// Uniform numbers that are the same with every compiler, which those of <random> are not.
+/// Uniform random numbers that, unlike those of <random>, are the same with every compiler.
 class Draw {
  public:
   explicit Draw(int seed) : engine_(static_cast<std::uint64_t>(seed)) {}
@@ -329,7 +332,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// Where the searches begin: at the user's values, then at random.
+/// Chooses the starts of the searches: the values of the user, then random ones.
 std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, const input::Calibration& calibration,
                                                long& evaluations) {
   const std::size_t m = model.count_parameters();
@@ -345,7 +348,7 @@ std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, co
   return starts;
 }
 
-/// Searches end a little short of a limit, or at it within rounding.
+/// Moves places to a limit that a search has reached within its tolerance.
 std::vector<double> snap(std::vector<double> places) {
   for (double& u : places) u = u < at_limit ? 0 : u > 1 - at_limit ? 1 : u;
   return places;
@@ -382,7 +385,7 @@ std::vector<results::CalibratedCurve> describe_curves(const input::Calibration& 
   return curves;
 }
 
-/// Standard errors and correlations, scaled with the scatter that is left.
+/// Computes standard errors and correlations, scaled with the remaining scatter.
 void add_certainty(const CalibrationModel& model, const std::vector<double>& places, const Certainty& certainty,
                    results::Calibration& result) {
   const std::size_t m = places.size();
@@ -390,7 +393,7 @@ void add_certainty(const CalibrationModel& model, const std::vector<double>& pla
   if (certainty.covariance.empty()) return;
   const auto& c = certainty.covariance;
   for (std::size_t i = 0; i < m; ++i) {
-    if (c[i][i] <= 0) continue;  // held at a limit
+    if (c[i][i] <= 0) continue;  // fixed at a limit
     result.parameters[i].error = std::sqrt(c[i][i]) * result.scatter * model.find_slope(i, places[i]);
     for (std::size_t j = 0; j < m; ++j)
       if (c[j][j] > 0) result.correlation[i][j] = c[i][j] / std::sqrt(c[i][i] * c[j][j]);

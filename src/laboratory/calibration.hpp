@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// `talus calibrate`: parameters of soils from measured curves, by least squares between bounds.
+// `talus calibrate`: least-squares fit of soil parameters to measured curves, with bounds.
 
 #include <functional>
 #include <optional>
@@ -15,14 +15,12 @@
 
 namespace talus::laboratory {
 
-// What to distrust in a calibration, in sentences.
-
-/// `unfixed`: directions in the ranges of the parameters along which no curve changes; `freedom`: measured values less
-/// free parameters. The most serious comes first.
+/// Returns warnings on a calibration, the most serious first. `unfixed`: directions in the ranges of the parameters
+/// along which no curve changes; `freedom`: measured values less free parameters.
 std::vector<std::string> list_findings(const input::Calibration& calibration, const results::Calibration& result,
                                        const std::vector<std::vector<double>>& unfixed, double freedom);
 
-// One search for the parameters that fit best, by Ceres; and what the curves say of them there.
+// One search for the best parameters by Ceres, and the accuracy to which the curves determine them.
 
 struct SearchOptions {
   int iterations = 50, threads = 1;
@@ -32,18 +30,18 @@ struct SearchOptions {
 
 struct Search {
   results::CalibrationSearch summary;
-  std::vector<double> places;  ///< at which it ended, of the parameters in their ranges, 0 … 1
+  std::vector<double> places;  ///< final places of the parameters in their ranges, 0 … 1
   long evaluations = 0;
   std::string log;
 };
 
-/// Throws Error (wrong_input) when the model refuses the places `from`, and Error (interrupted).
+/// Throws Error (wrong_input) if the places `from` are invalid, and Error (interrupted).
 Search search(const CalibrationModel& model, const std::vector<double>& from, const SearchOptions& options);
 
-/// How well the residuals fix the parameters. Places at 0 and 1 are held there.
+/// Accuracy to which the residuals determine the parameters. Places at 0 and 1 are fixed there.
 struct Certainty {
-  std::vector<std::vector<double>> covariance;  ///< of places, for residuals of variance 1; zero rows where held
-  std::vector<std::vector<double>> unfixed;     ///< directions along which nothing changes; then `covariance` is empty
+  std::vector<std::vector<double>> covariance;  ///< of places, for residuals of variance 1; zero rows for fixed ones
+  std::vector<std::vector<double>> unfixed;  ///< directions without an effect; if there are any, `covariance` is empty
   long evaluations = 0;
 };
 Certainty find_certainty(const CalibrationModel& model, const std::vector<double>& places, int threads);
@@ -53,10 +51,9 @@ struct CalibrationOptions {
   Progress* progress = nullptr;
 };
 
-/// Fits the parameters of data.calibration. Parameters are in the units in which the soils keep them and curves in SI;
-/// what people read, and title, seed and seconds, are missing. `log` gets the solver's full report of the best search.
-/// Throws Error (wrong_input) when the parameters at the start are refused by the case or a test cannot be run with
-/// them, and Error (interrupted).
+/// Fits the parameters of data.calibration. Parameters are in the units of the soils and curves in SI; display values,
+/// title, seed and seconds are not set. `log` receives the full report of the solver for the best search. Throws Error
+/// (wrong_input) if the initial parameters are invalid or a test cannot be run with them, and Error (interrupted).
 results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options = {},
                                std::string* log = nullptr);
 

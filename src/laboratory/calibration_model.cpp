@@ -17,7 +17,7 @@ namespace talus::laboratory {
 
 namespace {
 
-/// Signs of the legs: +1 where what the test follows grows.
+/// Signs of the legs: +1 if the controlled quantity increases.
 std::vector<int> list_directions(const input::PointTest& test) {
   const std::vector<double> turns = list_turns(test);
   std::vector<int> directions;
@@ -25,18 +25,18 @@ std::vector<int> list_directions(const input::PointTest& test) {
   return directions;
 }
 
-/// The cheapest division of the points among the legs, and what it costs.
+/// Returns the division of the points among the legs with the least cost, and that cost.
 std::pair<std::vector<std::size_t>, double> divide(const std::vector<std::array<double, 2>>& points,
                                                    const std::vector<int>& directions, int sense) {
   const std::size_t n = points.size(), legs = directions.size();
-  // least[i][k]: least way in the wrong direction up to point i, when it lies on leg k.
+  // least[i][k]: least distance in the wrong direction up to point i, if it lies on leg k.
   std::vector<std::vector<double>> least(n, std::vector<double>(legs, 0));
   std::vector<std::vector<std::size_t>> from(n, std::vector<std::size_t>(legs, 0));
   for (std::size_t i = 1; i < n; ++i)
     for (std::size_t k = 0; k < legs; ++k) {
       least[i][k] = std::numeric_limits<double>::infinity();
       const double wrong = std::max(0.0, -sense * directions[k] * (points[i][0] - points[i - 1][0]));
-      // The step to a point is one of the leg on which the point lies.
+      // The step to a point belongs to the leg of that point.
       for (std::size_t before = 0; before <= k; ++before)
         if (least[i - 1][before] + wrong < least[i][k]) {
           least[i][k] = least[i - 1][before] + wrong;
@@ -55,7 +55,7 @@ std::pair<std::vector<std::size_t>, double> divide(const std::vector<std::array<
 std::vector<std::size_t> find_legs(const input::PointTest& test, const std::vector<std::array<double, 2>>& points) {
   const std::vector<int> directions = list_directions(test);
   if (directions.size() < 2 || points.empty()) return std::vector<std::size_t>(points.size(), 0);
-  // Most abscissae grow with what the test follows; a void ratio or a saturation does not.
+  // Most abscissae increase with the controlled quantity; a void ratio or a saturation decreases.
   const auto with = divide(points, directions, 1), against = divide(points, directions, -1);
   return against.second < with.second ? against.first : with.first;
 }
@@ -81,17 +81,17 @@ Reading read_curve(const PointCurve& curve, std::size_t leg, const std::string& 
 
 namespace {
 
-/// Difference, in standard errors, of a point that the test does not reach; more for points farther away. The end of
-/// a curve at which a soil fails says nothing of the parameters, and any soil that reaches the point is better.
+/// Residual, in standard errors, of a point that the test does not reach; it grows with the distance. The end of a
+/// curve at failure has no information on the parameters, and any soil that reaches the point fits better.
 constexpr double missed = 100;
-constexpr double slack = 1e-6;  ///< of the measured abscissae: less than this beyond the end is at the end
+constexpr double slack = 1e-6;  ///< of the measured abscissae: a smaller distance beyond the end counts as at the end
 constexpr std::size_t most_drawn = 200;
 
-/// What the checks of a case find wrong with the soil; empty when nothing.
+/// Returns the first fault that the checks of a case find in the soil; empty if there is none.
 std::string find_fault(const std::string& name, const input::Material& soil) {
   input::Case alone;
   alone.materials[name] = soil;
-  alone.regions["soil"] = name;  // a soil without use is a fault of its own
+  alone.regions["soil"] = name;  // a soil without a region would be a fault of its own
   alone.mesh.file = "soil";
   input::Places places;
   input::Findings findings(places);
@@ -115,7 +115,7 @@ CalibrationModel::CalibrationModel(const input::Case& data) : data_(data), calib
 
 double CalibrationModel::find_value(std::size_t i, double u) const {
   const input::CalibrationParameter& p = calibration_.parameters[i];
-  // The ends exactly, so that a number at its limit is the limit.
+  // The ends are exact, so that a number at its limit equals the limit.
   if (u <= 0) return p.low;
   if (u >= 1) return p.high;
   return p.scale == input::CalibrationScale::log ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);

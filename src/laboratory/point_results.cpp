@@ -49,7 +49,7 @@ PointGroup describe_group(PointTestKind kind) {
   }
 }
 
-/// Number of `key` among the keys so far.
+/// Returns the index of `key` in the list, to which a new one is appended.
 template <class Key>
 int find_number(std::vector<Key>& keys, const Key& key) {
   const auto at = std::find(keys.begin(), keys.end(), key);
@@ -64,7 +64,7 @@ std::string write_settings(const PointTest& test) {
   return text;
 }
 
-/// Everything about a test but its soil.
+/// Returns a key of all settings of a test except its soil.
 std::string write_path(const PointTest& test) {
   std::string text = std::to_string(static_cast<int>(test.kind)) + std::to_string(static_cast<int>(test.control)) +
                      std::to_string(static_cast<int>(test.drainage));
@@ -75,7 +75,8 @@ std::string write_path(const PointTest& test) {
   return text;
 }
 
-/// Soil by colour and apparatus by dashes where a group has several of both, else each test its own colour.
+/// Selects the lines of a group: colour by soil and dashes by apparatus if there are several of both, otherwise a
+/// colour for each test.
 void choose_lines(PointGroup& group, const std::vector<PointTest>& tests) {
   std::vector<std::string> soils, paths;
   for (const std::size_t i : group.tests) {
@@ -176,20 +177,20 @@ std::string describe_path(const PointTest& test) {
   return text;
 }
 
-/// "root_content = 0.44"; empty when the test sets nothing.
+/// "root_content = 0.44"; empty for a test without settings.
 std::string describe_settings(const PointTest& test) {
   std::string text;
   for (const input::PointSetting& s : test.set) text += (text.empty() ? "" : ", ") + s.key + " = " + s.value;
   return text;
 }
 
-/// The row with the largest |q|.
+/// Returns the row with the largest |q|.
 const PointRow& find_peak(const PointCurve& curve) {
   return *std::max_element(curve.rows.begin(), curve.rows.end(),
                            [](const PointRow& a, const PointRow& b) { return std::abs(a.q) < std::abs(b.q); });
 }
 
-/// The strain that results of the test are told at.
+/// Returns the strain at which results of the test are evaluated.
 double PointRow::*choose_strain(const PointTest& test) {
   return test.kind == PointTestKind::simple_shear ? &PointRow::shear_strain : &PointRow::axial_strain;
 }
@@ -224,7 +225,7 @@ std::string write_point_table(const PointCurve& curve, const std::string& stress
   for (const PointRow& row : curve.rows) {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const double value = get_quantity(row, quantities[i].name);
-      // Ten digits: what is beyond them is the rounding of sums of thousands of increments.
+      // Ten digits: further ones are rounding errors of sums of thousands of increments.
       text += (i > 0 ? "," : "") + fmt::format("{:.10g}", is_stress(quantities[i]) ? value / si : value);
     }
     text += '\n';
@@ -240,7 +241,7 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
     return get_quantity(curve.rows.back(), name.quantity);
   }
   const auto strain = choose_strain(test);
-  // A goal of 0.1 that is reached by a thousand steps may end a rounding error short of it.
+  // After a thousand steps a goal of 0.1 may be missed by a rounding error.
   const double slack = 1e-9;
   for (std::size_t i = 1; i < curve.rows.size(); ++i) {
     const PointRow &a = curve.rows[i - 1], &b = curve.rows[i];

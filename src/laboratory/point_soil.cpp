@@ -22,7 +22,7 @@ PointSoil::PointSoil(const input::Material& material, const Voigt& stress, doubl
   for (std::size_t i = 0; i < 3; ++i) start_.stress[i] -= find_suction_stress(suction);
   start_.suction = suction;
   set_start_state(material);
-  // A stress beyond the strength would jump back in the first step.
+  // A stress beyond the strength would change in a step without strain.
   const PointState same = advance(start_, {}, suction);
   throw_failure();
   double largest = 0, jump = 0;
@@ -51,7 +51,7 @@ void PointSoil::set_start_state(const input::Material& material) {
       [&]<class L>([[maybe_unused]] const L& law) {
         if constexpr (material::IsPreconsolidated<L>)
           if (!material.preconsolidation) {
-            // Without stages the ratio is that to the stress at the start.
+            // Without stages the ratio is that to the initial stress.
             input::Material known = material;
             std::array<double, material::max_state_size> state{};
             law.set_preconsolidation(material.preconsolidation_ratio.value_or(1), start_.stress.data(), state.data());
@@ -75,7 +75,7 @@ PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, do
       law_);
   if (auto failure = material::take_failure(law_)) {
     failure_ = std::move(failure);
-    to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that no caller goes on from here
+    to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // a caller that ignores the failure must not continue
   }
   return to;
 }
@@ -121,8 +121,8 @@ namespace {
 
 constexpr int most_iterations = 40, tangent_every = 5, most_halvings = 12;
 constexpr double difference = 1e-7;      ///< strain of the difference quotients [-]
-constexpr double relative_error = 1e-8;  ///< of the stress that is reached
-constexpr double least_scale = 1e3;      ///< of stresses, against which errors count [Pa]
+constexpr double relative_error = 1e-8;  ///< of the stress reached
+constexpr double least_scale = 1e3;      ///< least stress to which errors are relative [Pa]
 constexpr double most_strain = 0.02;     ///< of a step; beyond it the soil flows rather than deforms [-]
 
 double measure(const Voigt& functional, const Voigt& stress) {
@@ -164,7 +164,7 @@ void PointStep::add(const Voigt& direction, const Voigt& stress, double goal) {
 void PointController::find_tangent(const PointState& from, const PointStep& step, const Vector& x,
                                    const Vector& error) {
   for (std::size_t j = 0; j < step.free_count; ++j) {
-    // Along the way that x goes, so that a yielding soil is met as it yields.
+    // The difference has the direction of x, so that the tangent of a yielding soil is that of plastic loading.
     const double h = std::copysign(difference, x[j]);
     Vector moved = x;
     moved[j] += h;
@@ -205,7 +205,7 @@ bool PointController::solve(PointState& state, Voigt& strain, const PointStep& s
     }
     trial = soil_.advance(state, find_strain(step, x), step.suction);
     const Vector now = find_error<Vector>(step, trial);
-    // Broyden: the error of the tangent's prediction.
+    // Broyden's update: the error of the prediction by the tangent.
     for (std::size_t i = 0; i < n && square > 0; ++i)
       for (std::size_t j = 0; j < n; ++j) tangent_[i][j] += now[i] * dx[j] / square;
     error = now;

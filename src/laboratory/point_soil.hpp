@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One point of soil: its law, stress, state variables and pore water, without a mesh.
+// A material point without a mesh: its law, stress, state variables and pore water, and its mixed control by strains
+// and stresses.
 
 #include <array>
 #include <optional>
@@ -11,25 +12,25 @@
 
 namespace talus::laboratory {
 
-/// xx yy zz xy yz zx; stresses positive in tension, shear strains engineering ones.
+/// xx yy zz xy yz xz; stresses positive in tension, engineering shear strains.
 using Voigt = std::array<double, 6>;
 
-/// What changes from step to step.
+/// Variables of the point that change from step to step.
 struct PointState {
   Voigt stress{};  ///< effective [Pa]
   std::array<double, material::max_state_size> state{};
   double suction = 0;  ///< [Pa]
-  double time = 0;     ///< [s]: what laws with a clock of their own are told
+  double time = 0;     ///< for rate-dependent laws [s]
 };
 
 class PointSoil {
  public:
-  /// `stress`: at the start, net [Pa]. Throws Error (wrong_input) when the soil does not carry it.
+  /// `stress`: initial net stress [Pa]. Throws Error (wrong_input) if it exceeds the strength of the soil.
   PointSoil(const input::Material& material, const Voigt& stress, double suction);
 
   const PointState& start() const { return start_; }
-  /// The state after the strain increment `d_epsilon`, at the end of which the pore water has `suction` [Pa]. If an
-  /// external model fails, the stress is NaN: a smaller step may succeed.
+  /// Returns the state after the strain increment `d_epsilon`, with the final `suction` [Pa]. If an external model
+  /// fails, the stress is NaN, and a smaller step may succeed.
   PointState advance(const PointState& from, const Voigt& d_epsilon, double suction) const;
   /// Throws Error (unstable) with the last failure of an external model, if there was one.
   void throw_failure() const;
@@ -39,7 +40,7 @@ class PointSoil {
   double find_suction_stress(double suction) const;
   /// p'_c [Pa]; 0 for laws without one.
   double find_preconsolidation(const PointState& at) const;
-  /// Of the law's own, or from the volumetric strain (compression positive) since the start [-].
+  /// Void ratio of the law, or from the volumetric strain (compression positive) since the start [-].
   double find_void_ratio(const PointState& at, double volumetric_strain) const;
 
  private:
@@ -54,9 +55,9 @@ class PointSoil {
   mutable std::optional<material::LawFailure> failure_;
 };
 
-// Mixed control of a point of soil: some strains are prescribed, others follow from stresses that are.
+// In mixed control some strain components are prescribed, and the others follow from prescribed stresses.
 
-/// One step: its strain increment is `fixed` + Σ x_k free_k, and measure_k·σ' must reach target_k at its end.
+/// One step: its strain increment is `fixed` + Σ x_k free_k, and measure_k·σ' must be target_k at its end.
 struct PointStep {
   static constexpr std::size_t most_free = 2;
   Voigt fixed{};
@@ -68,17 +69,17 @@ struct PointStep {
   void add(const Voigt& direction, const Voigt& stress, double goal);
 };
 
-/// Makes steps of one test one after the other. Newton's method on x with a tangent by differences of the law, which is
+/// Advances one test by consecutive steps. Newton's method on x with a tangent by differences of the law, which is
 /// kept from step to step and corrected by Broyden's rank-one formula; a step that does not converge is halved.
 class PointController {
  public:
   explicit PointController(const PointSoil& soil) : soil_(soil) {}
 
-  /// The state at the end of the step, and the whole strain increment; false where the soil does not follow: `state`
-  /// and `strain` are then those of the part that it did follow.
+  /// Advances `state` by the step; `strain` is the total strain increment. Returns false if the step does not
+  /// converge; `state` and `strain` are then those of the part that did.
   bool advance(PointState& state, Voigt& strain, const PointStep& step);
 
-  /// Whether a step that was not followed ended with a model that yields no number.
+  /// Returns true if a step failed because the model returned NaN.
   bool has_model_failed() const { return has_model_failed_; }
 
  private:

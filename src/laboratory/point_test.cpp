@@ -130,17 +130,17 @@ using input::PointControl;
 using input::PointTest;
 using input::PointTestKind;
 
-constexpr double largest_strain = 2;  ///< [-]; beyond it, a soil that flows is stopped
+constexpr double largest_strain = 2;  ///< [-]; a soil that flows is stopped at this strain
 
 PointRow make_row(const PointTest& test, const PointSoil& soil, const PointState& state, const Voigt& strain,
                   double time) {
   PointRow row;
   row.time = time;
-  row.axial_strain = 0 - strain[1];  // no minus before a zero
+  row.axial_strain = 0 - strain[1];  // avoids a negative zero
   row.radial_strain = -(strain[0] + strain[2]) / 2;
   row.shear_strain = strain[3];
   row.volumetric_strain = -(strain[0] + strain[1] + strain[2]);
-  const auto norm = [](const Voigt& v, double shear_factor) {  // of the deviator, ½ of engineering shear strains
+  const auto norm = [](const Voigt& v, double shear_factor) {  // of the deviator, with ½ for engineering shear strains
     const double mean = (v[0] + v[1] + v[2]) / 3;
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) sum += (v[i] - mean) * (v[i] - mean);
@@ -153,7 +153,7 @@ PointRow make_row(const PointTest& test, const PointSoil& soil, const PointState
   row.radial_stress = -(s[0] + s[2]) / 2;
   row.shear_stress = s[3];
   row.p = -(s[0] + s[1] + s[2]) / 3;
-  // Shows pure rounding as zero.
+  // Rounding errors are set to zero.
   double q = std::sqrt(1.5) * norm(s, 1);
   if (q < 1e-7 * std::abs(row.p)) q = 0;
   if (std::abs(row.volumetric_strain) < 1e-12) row.volumetric_strain = 0;
@@ -218,7 +218,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
         make_row(test, soil, state, strain, static_cast<double>(i) / static_cast<double>(values.size() - 1));
     if (!std::isfinite(row.p) || !std::isfinite(row.q))
       throw Error(ExitCode::unstable, fmt::format("the model gives no number at step {} of {}", i, values.size() - 1));
-    // A step that was followed in part has taken the soil to where it gives way.
+    // A step that converged in part has brought the soil to failure.
     if (follows || increment != Voigt{}) curve.rows.push_back(row);
     if (!follows || (step.free_count > 0 && largest > largest_strain)) {
       if (!follows && controller.has_model_failed()) {
@@ -238,7 +238,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
 }
 
 double get_quantity(const PointRow& row, const std::string& name) {
-  // In the order of the list.
+  // The order is that of the list of names.
   static constexpr double PointRow::*values[] = {&PointRow::time,
                                                  &PointRow::axial_strain,
                                                  &PointRow::radial_strain,

@@ -11,33 +11,31 @@
 
 namespace talus::laboratory {
 
-// What an element test does to its point, step by step.
-
-/// Stresses of a specimen as the apparatus knows them, compression positive [Pa].
+/// Total stresses of a specimen in the apparatus, compression positive [Pa].
 struct Cell {
   double axial = 0, radial = 0;
 };
 
 Cell find_start(const input::PointTest& test);
 
-/// The step that moves what the test follows from `from` to `to`. `sucked` is χs at its end [Pa].
+/// Makes the step that changes the controlled quantity from `from` to `to`. `sucked` is χs at its end [Pa].
 PointStep make_step(const input::PointTest& test, const Cell& start, double from, double to, double sucked);
 
-/// What the test follows, at its start and at each of its goals.
+/// Values of the controlled quantity at the start and at each goal.
 std::vector<double> list_turns(const input::PointTest& test);
 
-/// The same at every step. `reached` receives the steps of the goals.
+/// Values of the controlled quantity at every step. `reached` receives the steps of the goals.
 std::vector<double> list_values(const input::PointTest& test, std::vector<std::size_t>& reached);
 
-/// One row of a test. Compression and contraction are positive, as in a laboratory's report. Strains are sums of the
-/// increments, as in the engine (logarithmic ones).
+/// One row of a test. Compression and contraction are positive, as in laboratory reports. Strains are sums of the
+/// increments, as in MPM (logarithmic ones).
 struct PointRow {
   double time = 0;                                               ///< running parameter of the test, 0 … 1
   double axial_strain = 0, radial_strain = 0, shear_strain = 0;  ///< ε_a, ε_r, γ of simple shear [-]
   double volumetric_strain = 0, deviatoric_strain = 0;           ///< ε_v, ε_q = √(⅔ e:e) [-]
   double axial_stress = 0, radial_stress = 0, shear_stress = 0;  ///< effective [Pa]
-  double p = 0, q = 0;       ///< mean effective and deviatoric stress; q < 0 where the axial stress is the smaller [Pa]
-  double pore_pressure = 0;  ///< excess, undrained tests [Pa]
+  double p = 0, q = 0;  ///< mean effective and deviatoric stress; q < 0 if the axial stress is the smaller one [Pa]
+  double pore_pressure = 0;                            ///< excess, undrained tests [Pa]
   double suction = 0, saturation = 1, void_ratio = 0;  ///< [Pa], [-], [-]
   double preconsolidation = 0;                         ///< p'_c, 0 for laws without one [Pa]
 };
@@ -45,15 +43,15 @@ struct PointRow {
 struct PointCurve {
   std::vector<PointRow> rows;
   std::vector<std::size_t> turns;  ///< rows at which the test reached a goal of its list
-  std::string stopped;             ///< why the test ended before its goal, one sentence; empty when it did not
+  std::string stopped;             ///< why the test ended before its goal, one sentence; empty if it did not
 };
 
-/// Runs `test` on soil `material` (Case::test_soils holds it with what the test sets). A soil that cannot follow to the
-/// end gives the curve as far as it goes. Throws Error (wrong_input) when the soil does not carry the stress at the
-/// start, and Error (unstable) with the test's name when the model yields no number.
+/// Runs `test` on the soil `material` (from Case::test_soils, with the settings of the test). A soil that fails before
+/// the end gives the curve up to there. Throws Error (wrong_input) if the initial stress exceeds the strength of the
+/// soil, and Error (unstable) with the name of the test if the model returns NaN.
 PointCurve run_point_test(const input::Material& material, const input::PointTest& test);
 
-/// A quantity of a row by its name, one of input::list_point_quantities().
+/// Returns a quantity of a row by its name, one of input::list_point_quantities().
 double get_quantity(const PointRow& row, const std::string& name);
 
 }  // namespace talus::laboratory

@@ -21,14 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 using results::AtLimit;
 
-/// Nine digits, which are more than any measurement has.
+/// Rounds to nine digits, which are more than those of any measurement.
 double round_off(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double power = std::pow(10, 8 - std::floor(std::log10(std::abs(value))));
   return std::isfinite(power) ? std::round(value * power) / power : value;
 }
 
-/// From SI to what people read.
+/// Converts a curve from SI to display units.
 void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
   const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
   c.x = x.summary;
@@ -42,7 +42,7 @@ void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
   c.largest_at /= x.factor;
 }
 
-/// From the units of the soils to those of the keys, and the value as --set takes it.
+/// Converts the parameters from the units of the soils to those of the keys, and formats the value for --set.
 void show_parameters(results::Calibration& result, const input::Calibration& calibration) {
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     results::CalibratedParameter& p = result.parameters[i];
@@ -78,16 +78,16 @@ std::string write_correlation_table(const results::Calibration& result) {
   return text;
 }
 
-/// Of curves in SI: rounded ones would not give their differences.
+/// Formats the curves in SI: rounded values would not give their differences.
 std::string write_curve_table(const results::Calibration& result, const std::string& stress_unit) {
   std::string text = "test,x,x_unit,y,y_unit,x_value,measured,with_start,fitted,difference,standard_error\n";
   for (const results::CalibratedCurve& c : result.curves) {
     const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
     for (std::size_t i = 0; i < c.at.size(); ++i)
       text += fmt::format("{},{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}\n", output::quote_field(c.test),
-                          c.x.name, x.summary.unit, c.y.name, y.summary.unit, c.at[i] / x.factor, c.measured[i] / y.factor,
-                          c.before[i] / y.factor, c.fitted[i] / y.factor, (c.fitted[i] - c.measured[i]) / y.factor,
-                          c.deviation / y.factor);
+                          c.x.name, x.summary.unit, c.y.name, y.summary.unit, c.at[i] / x.factor,
+                          c.measured[i] / y.factor, c.before[i] / y.factor, c.fitted[i] / y.factor,
+                          (c.fitted[i] - c.measured[i]) / y.factor, c.deviation / y.factor);
   }
   return text;
 }
@@ -112,7 +112,7 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   for (results::CalibratedCurve& c : result.curves) show_curve(c, unit);
   show_parameters(result, *loaded.data.calibration);
 
-  // The element tests once more, with the fitted soils: tables, pictures and the report's first half.
+  // Repeats the element tests with the fitted soils, for tables, pictures and the first half of the report.
   std::vector<input::Override> changes = run.overrides;
   for (const results::CalibratedParameter& p : result.parameters) changes.push_back({p.key, p.text});
   const input::LoadedCase fitted =

@@ -27,9 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_plotted = 250;  ///< rows of a test in a picture, so that its script stays small
+constexpr std::size_t most_plotted = 250;  ///< rows of a test in a picture, which limits the size of its script
 
-/// Numbers of the tests that are wanted.
+/// Indices of the requested tests.
 std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std::vector<std::string>& wanted) {
   const std::vector<input::PointTest>& tests = loaded.data.tests;
   if (tests.empty())
@@ -73,7 +73,7 @@ output::PointPlot make_plot(const results::PointGroup& group, const std::vector<
   return plot;
 }
 
-/// Whatever the case compares with a published value.
+/// Returns the results that the case compares with published values.
 std::map<std::string, double> find_results(const input::Case& data, const std::vector<input::PointTest>& tests,
                                            const std::vector<PointCurve>& curves) {
   std::map<std::string, double> found;

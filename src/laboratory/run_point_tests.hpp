@@ -13,17 +13,17 @@
 namespace talus::laboratory {
 
 struct PointOptions {
-  std::filesystem::path folder;    ///< gets point/
+  std::filesystem::path folder;    ///< folder of point/
   std::vector<std::string> names;  ///< of the tests to run; empty: all
   std::string pictures = "svg";    ///< "svg" or "png"
 };
 
-/// Runs the tests and writes into folder/point: a table NAME.csv of each, a picture of each group, and point.json last.
-/// Returns what point.json holds. Throws Error (wrong_input) when the case has no such tests, what run_point_test()
-/// throws, and Error (cannot_write).
+/// Runs the tests and writes into folder/point: a table NAME.csv for each, a picture for each group, and point.json
+/// last. Returns the content of point.json. Throws Error (wrong_input) if the case has no such tests, what
+/// run_point_test() throws, and Error (cannot_write).
 results::PointTests run_point_tests(const input::LoadedCase& loaded, const PointOptions& options);
 
-/// A few lines for the person at the terminal.
+/// Formats a short summary for the terminal.
 std::string write_point_digest(const results::PointTests& tests);
 
 }  // namespace talus::laboratory
