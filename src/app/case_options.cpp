@@ -8,7 +8,8 @@ namespace talus::app {
 
 void CaseOptions::add_to(const Command& command) {
   command.take("case", file, "The case file (TOML)").shown_as("CASE").required();
-  // One value each, or "--set a=1 case.toml" would take the case file for a second change.
+  // --set takes one value each time, since "--set a=1 case.toml" would otherwise take the case file as a second
+  // change.
   command
       .take("--set", sets,
             "Change a key of the case, as in --set materials.sand.cohesion=5; KEY= without a value removes the key or "
@@ -28,9 +29,9 @@ void do_and_report(const std::filesystem::path& folder, bool wants_report, const
     work();
   } catch (...) {
     const ExitCode code = explain_failure(std::current_exception()).code;
-    // Input errors and an occupied folder are found before anything is written: the files there belong to another run.
+    // Input errors and an occupied folder are found before anything is written: existing files belong to another run.
     const bool has_begun = code != ExitCode::wrong_input && code != ExitCode::folder_exists;
-    // Who interrupts wants the end now; `talus report` writes the page of what there is.
+    // After an interruption no report is written; `talus report` can write it from the existing files.
     if (wants_report && has_begun && code != ExitCode::interrupted) {
       try {
         report::write_report(folder);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What every command that reads a case takes: the file, and changes to it.
+// Arguments of every command that reads a case (the file, and changes to it), and the report at the end of a run or a
+// study.
 
 #include <filesystem>
 #include <functional>
@@ -16,17 +17,15 @@ struct CaseOptions {
   std::string file;
   std::vector<std::string> sets;  ///< key=value
 
-  /// Adds CASE and --set to a command; the options must live as long as the command line is parsed.
+  /// Adds CASE and --set to a command; the options must outlive the parsing of the command line.
   void add_to(const Command& command);
-  /// The changes. Throws Error (wrong_input) for one that is not key=value.
+  /// Throws Error (wrong_input) for a change that is not key=value.
   std::vector<input::Override> parse_overrides() const;
 };
 
-// The report at the end of a run or a study.
-
-/// Does `work`, then writes `folder`/report.html, also when the work threw after it had begun, unless it was
-/// interrupted: the report then says how far it came. The exception of the work is thrown again; a report that cannot
-/// be written is an error only when the work succeeded.
+/// Runs `work`, then writes `folder`/report.html, also if the work threw after it had begun, unless it was
+/// interrupted; the report then has the partial results. Rethrows the exception of the work; a failure of the report
+/// is an error only if the work succeeded.
 void do_and_report(const std::filesystem::path& folder, bool wants_report, const std::function<void()>& work);
 
 }  // namespace talus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus check CASE`: every fault of a case file, or what the case would calculate.
+// `talus check CASE`: all faults of a case file, or a summary of its calculation.
 
 #include <fmt/format.h>
 
@@ -23,13 +23,13 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// In the unit that the case's histories and plots have.
+/// Formats a length in the unit of histories and plots of the case.
 std::string show_length(const input::Case& data, double metres) {
   const std::string& unit = data.output.length_unit;
   return fmt::format("{:.4g} {}", metres / units::get_si_factor(unit), unit);
 }
 
-/// What the soil is.
+/// Describes mesh, soils and hydraulic conditions of a case.
 std::string describe_soil(const input::Case& data) {
   const bool has_points = input::uses(data, input::Method::mpm);
   std::string mesh;
@@ -84,7 +84,7 @@ std::string describe_points(const input::Case& data) {
                      count(data.stages.size(), "stage", "stages"), time);
 }
 
-/// One line on the soil and one on each method of the case, with its forecast.
+/// Returns one line on the soil and one on each method of the case, with its forecast.
 std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
   for (const run::MethodForecast& needs : run::forecast(data, true)) {

@@ -19,7 +19,7 @@
 namespace talus::app {
 namespace {
 
-/// CLI11 would only say that a command is required.
+/// Throws Error (wrong_input) for an unknown command, for which CLI11 would only report that a command is required.
 void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
@@ -32,7 +32,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
                           near.empty() ? "see talus --help" : fmt::format("did you mean '{}'?", near)));
 }
 
-/// "-o,--out" as its names; a positional argument has one without dashes.
+/// Describes an option with its names, such as "-o,--out"; a positional argument has one without dashes.
 nlohmann::ordered_json describe_option(const CLI::Option& option) {
   nlohmann::ordered_json names = nlohmann::ordered_json::array();
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -45,7 +45,7 @@ nlohmann::ordered_json describe_option(const CLI::Option& option) {
           {"meaning", option.get_description()}};
 }
 
-/// All commands with their options as JSON: completions of shells and the manual page are made of it.
+/// Lists all commands with their options as JSON, the source of shell completions and of the manual page.
 std::string list_commands(const CLI::App& app) {
   nlohmann::ordered_json commands = nlohmann::ordered_json::array();
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -138,7 +138,7 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // --help is an "error" with code 0 here; every other one is a mistake in the command line.
+    // CLI11 throws an error with code 0 for --help; every other one is a mistake in the command line.
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
     refuse_unknown_command(app, argc, argv);
     const auto used = app.get_subcommands();

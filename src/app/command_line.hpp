@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The command line as the commands see it. command_line.cpp alone includes CLI11, whose headers take six seconds a
-// file.
+// Interface of the commands to the command line. Only command_line.cpp includes CLI11, whose headers take six seconds
+// to compile.
 
 #include <functional>
 #include <string>
@@ -14,7 +14,7 @@ class Option;
 
 namespace talus::app {
 
-/// Threads that a command takes at most: the machine may refuse to start more.
+/// Largest number of threads of a command: the machine may refuse to start more.
 inline constexpr int most_threads = 1024;
 
 /// A value or a flag of a command.
@@ -22,21 +22,21 @@ class Argument {
  public:
   explicit Argument(CLI::Option* option) : option_(option) {}
   Argument required() const;
-  /// Only numbers from 1 to `most`.
+  /// Restricts the value to numbers from 1 to `most`.
   Argument positive(int most) const;
   Argument one_of(const std::vector<std::string>& words) const;
-  /// The two cannot be given together.
+  /// Excludes the combination of both arguments.
   Argument excludes(Argument other) const;
-  /// One value each time that it is given: what follows is another argument.
+  /// Takes one value for each occurrence: what follows is another argument.
   Argument one_each() const;
-  /// `word` stands for the value in the help.
+  /// Shows `word` for the value in the help.
   Argument shown_as(const char* word) const;
 
  private:
   CLI::Option* option_;
 };
 
-/// A command; what its arguments write to must live as long as its action.
+/// A command; the targets of its arguments must outlive its action.
 class Command {
  public:
   Command(CLI::App& app, const char* name, const char* meaning);
@@ -44,14 +44,14 @@ class Command {
   template <class T>
   Argument take(const char* names, T& target, const char* meaning) const;
   Argument flag(const char* names, bool& target, const char* meaning) const;
-  /// What is done when the command is given.
+  /// Sets the action of the command.
   void act(std::function<void()> action) const;
 
  private:
   CLI::App& command_;
 };
 
-/// Runs the command that the arguments name. Throws Error (wrong_input) for a mistake in them; others as the command.
+/// Runs the command of the arguments. Throws Error (wrong_input) for a mistake in them, and what the command throws.
 int run_command_line(int argc, char** argv);
 
 }  // namespace talus::app

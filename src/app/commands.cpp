@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `talus manual`: the reference of every key of a case file, or of the results.
+// Short commands: `talus manual`, the reference of every key of a case file or of the results; `talus schema`, their
+// JSON Schema; `talus template`, a commented case file; `talus version`.
 #include "app/commands.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,6 @@ void add_manual(CLI::App& app) {
   command.act([of_results] { fmt::print("{}", *of_results ? results::write_manual() : input::write_manual()); });
 }
 
-// `talus schema`: the JSON Schema of case files, or of the results.
-
 void add_schema(CLI::App& app) {
   const Command command(app, "schema", "Print the JSON Schema of case files, for editors");
   const auto of_results = std::make_shared<bool>(false);
@@ -38,15 +37,11 @@ void add_schema(CLI::App& app) {
   });
 }
 
-// `talus template`: a commented case file that can be run as it is.
-
 void add_template(CLI::App& app) {
   Command(app, "template", "Print a commented case file with every key; it can be run as it is").act([] {
     fmt::print("{}", input::write_template());
   });
 }
-
-// `talus version`: the version, its source, and how it was built.
 
 std::string write_version() {
   return fmt::format("talus {} (source {}, {}, {}, {})", version, commit, compiler, build_type,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The commands of the program, one file each. Every function adds its command to the command line.
+// The commands of the program. Every function adds its command to the command line.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace talus::app {
 
 /// "talus 0.2.0 (source …)".
 std::string write_version();
-/// Whether the environment asks for this program's level of the instruction set; an Error where it asks for another.
+/// Throws Error if the environment requests a level of the instruction set other than that of this program.
 void check_asked_level();
 
 void add_run(CLI::App& app);

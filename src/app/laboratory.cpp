@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `talus calibrate CASE`: parameters of soils from measured curves.
+// `talus calibrate CASE`: parameters of soils from measured curves; `talus point CASE`: element tests of the soils of
+// a case, without a mesh.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -59,7 +60,7 @@ void add_calibrate(CLI::App& app) {
   command.act([options] { calibrate(*options); });
 }
 
-// `talus point CASE`: element tests of the soils of a case, without a mesh.
+// The following functions implement `talus point`.
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program `talus`: reads the command line, runs one command, and turns every error into a sentence and an exit
+// The program `talus`: reads the command line, runs one command, and converts every error into a message and an exit
 // code.
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// Diagnostics already begin with their place; other errors begin with the program's name.
+/// Returns true for diagnostics, which begin with their place; other errors begin with the name of the program.
 bool has_place(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
@@ -30,7 +30,7 @@ bool has_place(const std::exception_ptr& thrown) {
   }
 }
 
-/// Seconds in which the other ranks meet the same end, or do not.
+/// Time within which the other ranks must report the same failure [s].
 constexpr double patience = 10;
 
 int report(const std::exception_ptr& thrown) {
@@ -46,7 +46,7 @@ int report(const std::exception_ptr& thrown) {
 
 int run(int argc, char** argv) try {
   const int code = talus::app::run_command_line(argc, argv);
-  // What was printed may still wait in memory.
+  // Printed text may still be in a buffer.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw talus::Error(talus::ExitCode::cannot_write, fmt::format("cannot print: {}", std::strerror(errno)));
   talus::get_ranks().meet(std::numeric_limits<double>::infinity());
@@ -59,7 +59,7 @@ int run(int argc, char** argv) try {
 
 int main(int argc, char** argv) {
   talus::app::let_waiting_threads_sleep(argv);
-  // A file that may grow no further is a sentence, as a full disk is.
+  // A limit on the size of a file then gives an error message, as a full disk does.
   std::signal(SIGXFSZ, SIG_IGN);
   const int code = run(argc, argv);
   talus::leave_ranks();

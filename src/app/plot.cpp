@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus plot`: pictures of a run's results, or of the soil-water curves of a case.
+// `talus plot`: pictures of the results of a run, or of the soil-water curves of a case.
 #include "app/plot.hpp"
 
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ void plot_folder(const PlotOptions& options) {
   if (!options.sets.empty()) fail("--set changes a case; results stay as they are");
   const ResultsLock lock(options.folder);
   const auto read = results::read_file<results::RunResult>(options.folder / "summary.json");
-  const results::RunResult run = read.value_or(results::RunResult{});  // a folder of a trial has none
+  const results::RunResult run = read.value_or(results::RunResult{});  // the folder of a trial has no summary
   const bool wants_field = !options.field.empty();
   if (run.curve && !wants_field) {
     output::CurvePlot plot = describe_curve(run, *run.curve);
@@ -123,13 +123,13 @@ void add_plot(CLI::App& app) {
   command.act([options] { fs::is_regular_file(options->folder) ? plot_case(*options) : plot_folder(*options); });
 }
 
-// The fields of a run on its material points, as `talus plot` draws them.
+// The following functions draw the fields of a run on its material points.
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Above this an SVG picture has tens of megabytes, and PNG is the default.
+/// With more points an SVG picture has tens of megabytes, and PNG is the default.
 constexpr std::size_t most_points_in_svg = 20000;
 
 int choose_frame(const output::ResultsReader& reader, const PlotOptions& options) {
@@ -149,7 +149,7 @@ std::string join(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Names of the components of a field, the shown one first when none is asked for.
+/// Names of the components of a field; the default one comes first.
 std::vector<std::string> list_components(int components) {
   if (components == 1) return {};
   if (components == 2) return {"magnitude", "x", "y"};
@@ -161,7 +161,7 @@ std::vector<std::string> list_components(int components) {
   return names;
 }
 
-/// One number per point of `field`: a component, the length of a vector, or a third of a tensor's trace.
+/// Returns one number per point of `field`: a component, the length of a vector, or a third of the trace of a tensor.
 std::vector<double> reduce(const output::Field& field, const std::string& component) {
   const std::vector<std::string> names = list_components(field.components);
   const auto n = static_cast<std::size_t>(field.components), count = field.values.size() / n;
@@ -183,7 +183,7 @@ std::vector<double> reduce(const output::Field& field, const std::string& compon
   return values;
 }
 
-/// The unit in which a stored unit is shown.
+/// Returns the display unit of a field.
 std::string choose_unit(const output::Field& field, const results::DisplayUnits& units) {
   if (field.unit == "Pa") return units.stress;
   if (field.unit == "m") return units.displacement;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `talus report DIR`: one HTML file that shows what a folder of results holds.
+// `talus report DIR`: one HTML file of a folder of results; `talus collect DIR`: result files from the frames of a
+// killed run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,13 +30,13 @@ void add_report(CLI::App& app) {
   });
 }
 
-// `talus collect DIR`: makes result files of the frames that a killed run left behind.
+// The following functions implement `talus collect`.
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder itself and all below it that hold frames: trials and variants keep frames of their own.
+/// Returns the folder itself and all below it that hold frames: trials and variants have frames of their own.
 std::vector<fs::path> find_runs(const fs::path& folder) {
   std::vector<fs::path> found;
   if (output::holds_frames(folder)) found.push_back(folder);
@@ -45,7 +46,7 @@ std::vector<fs::path> find_runs(const fs::path& folder) {
   return found;
 }
 
-/// Throws Error (wrong_input) when a frame that the run wrote is missing or has changed.
+/// Throws Error (wrong_input) if a frame of the run is missing or has changed.
 void check_frames(const fs::path& run) {
   const fs::path frames = fs::absolute(run / "frames").lexically_normal();
   const auto listed = find_listed_folder(frames);
@@ -55,7 +56,7 @@ void check_frames(const fs::path& run) {
 void collect(const std::string& name) {
   if (!fs::is_directory(name)) throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", name));
   const std::vector<fs::path> runs = find_runs(name);
-  const ResultsLock lock(name, runs);  // a run that has just begun has no frames yet
+  const ResultsLock lock(name, runs);  // a run that has just started has no frames yet
   if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
   for (const fs::path& run : runs) {
     check_frames(run);

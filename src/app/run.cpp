@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus run CASE`: calculates a case into its folder.
+// `talus run CASE`: runs a case into its folder.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -33,7 +33,7 @@ struct RunCommand {
   bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false;
 };
 
-/// With --strict a stage that was to end at rest, and did not, is an error once everything is written.
+/// Throws Error if, with --strict, a stage did not come to rest as required; called when all results are written.
 void refuse_restless(const results::RunResult& result) {
   for (const results::Stage& stage : result.stages.value_or(std::vector<results::Stage>{}))
     if (stage.moving)
@@ -42,7 +42,8 @@ void refuse_restless(const results::RunResult& result) {
                                                   stage.name));
 }
 
-/// Ranks beside the first calculate what it does, and keep their results in a folder that goes with them.
+/// Temporary folder of a rank other than the first. These ranks run the same case, and their results are removed with
+/// the folder.
 class OwnFolder {
  public:
   explicit OwnFolder(run::RunOptions& options) {
@@ -53,7 +54,7 @@ class OwnFolder {
     const std::string name = fmt::format("talus_rank_{}_", host);
     remove_left_over(parent, name);
     folder_ = parent / (name + std::to_string(getpid()));
-    // An interrupted run goes on from what it has left.
+    // An interrupted run resumes from its files.
     if (options.resume && std::filesystem::exists(options.folder))
       std::filesystem::copy(options.folder, folder_, std::filesystem::copy_options::recursive);
     options.folder = folder_;
@@ -66,7 +67,7 @@ class OwnFolder {
   OwnFolder& operator=(const OwnFolder&) = delete;
 
  private:
-  /// Those of ranks of this machine that were killed.
+  /// Removes the folders of ranks of this machine that were killed.
   static void remove_left_over(const std::filesystem::path& parent, const std::string& name) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(parent, ignored)) {
@@ -79,7 +80,7 @@ class OwnFolder {
   std::filesystem::path folder_;
 };
 
-/// Values of functions whose last digits are those of a library and a processor.
+/// Samples functions whose last digits depend on the library and the processor.
 std::vector<double> sample_functions() {
   constexpr int samples = 512;
   std::vector<double> values;
@@ -92,7 +93,7 @@ std::vector<double> sample_functions() {
   return values;
 }
 
-/// Another program has other last digits, and so has another library: the ranks must agree on all of them.
+/// Throws Error unless all ranks have the same program and libraries, which determine the last digits of results.
 void check_programs() {
   const auto gather = [](const auto& list) {
     Message mine;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus study CASE`: calculates a case for every value that its [study] lists, here or in jobs that run anywhere.
+// `talus study CASE`: runs a case for every value of its [study], here or in jobs that run anywhere.
 
 #include "study/study.hpp"
 #include "base/text.hpp"
@@ -21,7 +21,7 @@
 namespace talus::app {
 namespace {
 
-/// No number that a person types for a job.
+/// Default of --job; not a valid number.
 constexpr int no_job = std::numeric_limits<int>::min();
 
 struct StudyCommand {
@@ -41,7 +41,7 @@ struct StudyCommand {
   }
 };
 
-/// Runs `calculate`, which writes the tables into `folder`, then the report, and prints the tables.
+/// Runs `calculate`, which writes the tables into `folder`, then writes the report, and prints the tables.
 void print_study(const StudyCommand& command, const std::filesystem::path& folder,
                  const std::function<study::StudyOutcome()>& calculate) {
   study::StudyOutcome outcome;
@@ -95,10 +95,10 @@ void run_study(const StudyCommand& command) {
   print_study(command, options.folder, [&] { return study::calculate_study(base, overrides, options); });
 }
 
-/// What the words of the command line mean together.
+/// Selects the action from the combination of options.
 void choose(const StudyCommand& command) {
   const auto refuse = [](const std::string& sentence) { throw Error(ExitCode::wrong_input, sentence); };
-  // A job is calculated alone, also where each rank of a launcher starts one.
+  // A job runs alone, even if each rank of a launcher starts one.
   if (const int started = count_started(); started > 1 && command.job == no_job)
     refuse(fmt::format(
         "a study does not run on {} ranks of MPI: prepare its jobs (--prepare) and run each of them (--job K)",

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The program `talus` of a package: it becomes the one that was compiled for this processor. Beside it lies a folder
-// for each level of the instruction set, with a whole program in it. It is compiled for every x86-64 processor, and is
-// no part of a build for one machine. Linux alone: it finds itself by /proc/self/exe.
+// The program `talus` of a package, which executes the build for this processor. The folder of the package has a
+// folder with a complete program for each level of the instruction set. The launcher is compiled for every x86-64
+// processor, and is not part of a build for one machine. It requires Linux, since it reads its own path from
+// /proc/self/exe.
 
 #include <unistd.h>
 
@@ -24,7 +25,7 @@ struct Level {
   bool runs_here;
 };
 
-/// From the fastest; the names are those of instruction_level in base/lane.hpp.
+/// Levels from the fastest to the slowest; the names are those of instruction_level in base/lane.hpp.
 std::array<Level, 3> list_levels() {
   __builtin_cpu_init();
   const bool two =
@@ -42,15 +43,15 @@ int refuse(const std::string& sentence, talus::ExitCode code = talus::ExitCode::
   return static_cast<int>(code);
 }
 
-/// The C library has a sine with and one without fused multiplication, which differ in the last bit: the lowest level
-/// has the latter on every processor.
+/// Disables fused multiplication in the C library for the lowest level. Its sine with and without fused multiplication
+/// differ in the last bit, so that results would depend on the processor.
 void hide_fused_multiplication() {
   const char* given = std::getenv("GLIBC_TUNABLES");
   std::string text = given == nullptr || *given == '\0' ? "" : std::string(given) + ":";
   setenv("GLIBC_TUNABLES", (text + "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4").c_str(), 1);
 }
 
-/// A wheel carries the database of units; a package has it from its system.
+/// Sets the path of the database of units, which a wheel includes; a package uses that of the system.
 void find_units(const std::filesystem::path& folder) {
   const std::filesystem::path units = folder / "units" / "udunits2.xml";
   std::error_code failure;
