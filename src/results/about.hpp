@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a result describes itself. Each struct of results/ has one function
+// Descriptions of results: units, titles, the words of enumerations. Each struct of results/ has one function
 //
-//   template <class V, As<Runout> R>
-//   void describe(V& v, R& r) {
-//     v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
-//     v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
-//   }
+// template <class V, As<Runout> R>
+// void describe(V& v, R& r) {
+//   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
+//   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
+// }
 //
-// which names key, unit and title once. The writer and the reader of JSON, its schema, the manual's table and the names
-// of [[compare]] visit that function. `key` is always there, and null where an optional holds nothing; `maybe` is left
-// out where there is nothing to say; `merge` puts the keys of a block beside those of its owner, and knows by the key
-// `sign` whether the block is there.
+// which lists key, unit and title of each member once. The writer and the reader of JSON, the JSON Schema, the table of
+// the manual and the names of [[compare]] are visitors of that function. `key` is always written, as null for an empty
+// optional; `maybe` is omitted for an empty optional; `merge` writes the keys of a block beside those of its owner, and
+// the reader detects the block by the key `sign`.
 
 #include <array>
 #include <concepts>
@@ -22,30 +22,30 @@
 
 namespace talus::results {
 
-/// R is T, const for writers and not const for readers: one description serves both.
+/// Matches T and const T, so that one description serves writers (const) and readers.
 template <class R, class T>
 concept As = std::same_as<std::remove_const_t<R>, T>;
 
 /// Unit and title of a key.
 struct About {
-  const char* unit = "";   ///< of the stored number, as UDUNITS writes it; empty: dimensionless, or no number
-  const char* title = "";  ///< as tables, [[compare]] and Python call it
+  const char* unit = "";   ///< UDUNITS symbol of the stored number; empty if dimensionless or not a number
+  const char* title = "";  ///< name in tables, [[compare]] and Python
 };
 
-/// One enumerator and its word in the files.
+/// One enumerator and its word in result files.
 template <class E>
 struct Word {
   E value;
   const char* word;
 };
 template <class E>
-Word(E, const char*) -> Word<E>;  // clang 14 does not deduce it for an aggregate
+Word(E, const char*) -> Word<E>;  // clang 14 does not deduce the arguments of an aggregate
 
-/// The words of the enumeration E; specialised beside it.
+/// The words of the enumeration E; each enumeration specialises it beside its definition.
 template <class E>
 inline constexpr auto words = nullptr;
 
-/// The word of an enumerator.
+/// Returns the word of an enumerator.
 template <class E>
 const char* to_word(E value) {
   for (const auto& w : words<E>)
@@ -53,7 +53,7 @@ const char* to_word(E value) {
   return "";
 }
 
-/// The enumerator of a word; nothing where there is none.
+/// Returns the enumerator of a word, or nullopt for an unknown word.
 template <class E>
 std::optional<E> from_word(std::string_view word) {
   for (const auto& w : words<E>)
@@ -61,6 +61,6 @@ std::optional<E> from_word(std::string_view word) {
   return std::nullopt;
 }
 
-using Point = std::array<double, 2>;  ///< of a section [m]
+using Point = std::array<double, 2>;  ///< point of a plane section [m]
 
 }  // namespace talus::results

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The interval that limit analysis proves: bounds, meshes, and the fields that prove them.
+// Results of limit analysis: the bounds, the interval that limits the factors of limit equilibrium, the meshes, and the
+// fields that prove the bounds.
 
 #include <array>
 #include <cmath>
@@ -13,17 +14,15 @@
 
 namespace talus::results {
 
-// The interval of limit analysis that the factors of limit equilibrium are held against.
-
-/// What limit analysis proves of a factor.
+/// Classification of a factor by the proven bounds.
 enum class Verdict { possible, too_low, too_high };
 template <>
 inline constexpr auto words<Verdict> =
     std::array{Word{Verdict::possible, "possible"}, Word{Verdict::too_low, "below_lower_bound"},
                Word{Verdict::too_high, "above_upper_bound"}};
 
-/// A bound as it is shown, with the three digits of a factor: rounded away from the interval's middle, so that what is
-/// shown is proven too.
+/// Return a bound as printed, with three decimals. Rounding is away from the middle of the interval, so that the
+/// printed bound is also proven.
 inline double show_lower(double factor) {
   return std::floor(1e3 * factor) / 1e3;
 }
@@ -31,18 +30,18 @@ inline double show_upper(double factor) {
   return std::ceil(1e3 * factor) / 1e3;
 }
 
-/// "lem.referee" of summary.json. Soil as limit equilibrium has it: ψ = φ, tension up to the apex c/tan φ, ends and
-/// base of the section fixed.
+/// "lem.referee" of summary.json: the interval that limit analysis proves for the soil of limit equilibrium. It assumes
+/// ψ = φ, tension up to the apex c/tan φ, and fixed ends and base of the section.
 struct Referee {
-  std::optional<std::string> why_not;  ///< why limit analysis cannot judge; then nothing below
+  std::optional<std::string> why_not;  ///< why no interval was computed; if set, the members below are not written
   std::optional<double> lower, upper;
-  std::string no_lower, no_upper;         ///< why there is no bound; empty where there is one
-  std::optional<std::string> upper_only;  ///< why factors below the lower bound are not refused
+  std::string no_lower, no_upper;         ///< why there is no bound; empty if there is one
+  std::optional<std::string> upper_only;  ///< why factors below the lower bound are not rejected
   int triangles = 0, programs = 0;
   double seconds = 0;
 
   bool is_interval() const { return lower && upper; }
-  /// Of a factor of limit equilibrium. Bounds are taken as they are shown.
+  /// Classifies a factor of limit equilibrium against the printed bounds.
   Verdict judge(double factor) const {
     if (upper && factor > show_upper(*upper)) return Verdict::too_high;
     return lower && !upper_only && factor < show_lower(*lower) ? Verdict::too_low : Verdict::possible;
@@ -62,9 +61,7 @@ void describe(V& v, R& r) {
   v.key("seconds", r.seconds, {"s", "seconds"});
 }
 
-// The sides of a section whose soil moves to both, and the slip line of one.
-
-/// "to the left", "to the right" of a section whose x grows to the right.
+/// Returns "to the left" or "to the right"; x grows to the right.
 inline const char* name_side(int direction) {
   return direction < 0 ? "to the left" : "to the right";
 }
@@ -79,10 +76,10 @@ void describe(V& v, R& r) {
   v.key("points", r.points, {"m", "its points"});
 }
 
-/// The direction of an earthquake that governs where both were tried.
+/// Direction of the governing earthquake, where both directions were tried.
 struct EarthquakeSide {
-  int direction = 0;                   ///< -1 towards smaller x, 1 towards larger x
-  std::optional<double> other_stable;  ///< a factor at which the slope is stable in the other direction
+  int direction = 0;                   ///< -1: towards smaller x, +1: towards larger x
+  std::optional<double> other_stable;  ///< factor at which the slope is stable under the other direction
 };
 template <class V, As<EarthquakeSide> R>
 void describe(V& v, R& r) {
@@ -93,17 +90,17 @@ void describe(V& v, R& r) {
       {"", "factor at which the slope is stable in the other direction: with equilibrium on the same mesh, or proven"});
 }
 
-/// "the earthquake towards smaller x governs (towards larger x WHAT 1.620)".
+/// Returns "the earthquake towards smaller x governs (towards larger x WHAT 1.620)"; `what` replaces WHAT.
 std::string describe_side(const EarthquakeSide& side, const char* what);
 inline constexpr const char *stable_on_mesh = "the same mesh is in equilibrium at",
                             *proven_stable = "the lower bound is";
 
-/// One of the nested meshes.
+/// One of the nested meshes of the adaptive refinement.
 struct BoundsMesh {
   int triangles = 0;
-  std::optional<double> lower, upper;  ///< proven up to it
+  std::optional<double> lower, upper;  ///< best bounds proven on this mesh and the coarser ones
   int programs = 0, iterations = 0;
-  double seconds = 0;  ///< since the first mesh was begun
+  double seconds = 0;  ///< since the start of the first mesh
 };
 template <class V, As<BoundsMesh> R>
 void describe(V& v, R& r) {
@@ -117,22 +114,22 @@ void describe(V& v, R& r) {
 
 /// "bounds" of summary.json.
 struct BoundsResult {
-  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::optional<std::string> error;  ///< why limit analysis gave no result; if set, only the warnings are written
   std::vector<std::string> warnings;
   std::optional<double> lower, upper;
-  std::string no_lower, no_upper;  ///< why there is none; empty where there is one
-  double asked_gap = 0;            ///< of the interval over its middle
-  bool is_davis = false;           ///< of soil with Davis' strength: then nothing is proven of the soil as given
-  bool takes_tension = false;      ///< the largest tension of the soils is taken as given
-  double imbalance = 0;            ///< largest, of the stress field over the unit of stress
+  std::string no_lower, no_upper;  ///< why there is no bound; empty if there is one
+  double asked_gap = 0;            ///< required width of the interval over its middle
+  bool is_davis = false;           ///< the strength is that of Davis, so the bounds do not hold for the given soil
+  bool takes_tension = false;      ///< the given tensile strength of the soils is used
+  double imbalance = 0;            ///< largest imbalance of the stress field over the unit of stress
   std::vector<BoundsMesh> meshes;
-  std::optional<std::vector<SideLine>> sides;  ///< lines along which the mechanism slides
-  std::optional<EarthquakeSide> earthquake;    ///< nothing: there is none, or the case gives its direction
+  std::optional<std::vector<SideLine>> sides;  ///< slip lines of the mechanism
+  std::optional<EarthquakeSide> earthquake;    ///< nullopt if there is no earthquake or the case gives its direction
   std::string fields_file;
   std::optional<Seepage> seepage;
   std::optional<double> seconds;
 
-  /// Both ends.
+  /// Returns true if both bounds were proven.
   bool is_interval() const { return lower && upper; }
 };
 template <class V, As<BoundsResult> R>
@@ -156,12 +153,12 @@ void describe(V& v, R& r) {
   v.maybe("seconds", r.seconds, {"s", "seconds"});
 }
 
-/// The field of the lower bound.
+/// Stress field of the lower bound.
 struct HoldingField {
   std::vector<Point> nodes;  ///< [m]
   std::vector<std::vector<int>> triangles;
-  std::vector<std::vector<double>> stress;  ///< effective xx, yy, xy at the corners of each triangle, nine numbers [Pa]
-  std::vector<double> utilisation;          ///< of each triangle: the factor of the field over that of its worst corner
+  std::vector<std::vector<double>> stress;  ///< by triangle: effective xx, yy, xy at its corners [Pa], tension positive
+  std::vector<double> utilisation;          ///< by triangle: factor of the field over that of its worst corner
 };
 template <class V, As<HoldingField> R>
 void describe(V& v, R& r) {
@@ -171,12 +168,12 @@ void describe(V& v, R& r) {
   v.key("utilisation", r.utilisation, {"", "how much of the strength is used"});
 }
 
-/// The field of the upper bound.
+/// Velocity field of the upper bound.
 struct MovingField {
-  std::vector<Point> nodes;  ///< corners, then middles of edges [m]
+  std::vector<Point> nodes;  ///< corner nodes, then midside nodes [m]
   std::vector<std::vector<int>> triangles;
-  std::vector<Point> velocity;     ///< of the nodes; the fastest has 1
-  std::vector<double> shear_rate;  ///< of each triangle; the largest is 1
+  std::vector<Point> velocity;     ///< of the nodes, scaled so that the largest is 1
+  std::vector<double> shear_rate;  ///< by triangle, scaled so that the largest is 1
 };
 template <class V, As<MovingField> R>
 void describe(V& v, R& r) {
@@ -186,7 +183,7 @@ void describe(V& v, R& r) {
   v.key("shear_rate", r.shear_rate, {"", "shear strain rate of the triangles; the largest is 1"});
 }
 
-/// bounds.json: what an interrupted run need not calculate again, and the fields.
+/// bounds.json: the results that a resumed run reads instead of computing them again, and the fields.
 struct BoundsFile {
   std::string input_hash;
   BoundsResult summary;

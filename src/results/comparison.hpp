@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The methods beside one another, design values, and results by name beside what the case expects.
+// Comparison of the methods with one another, design values by partial factors, and the results of [[compare]] beside
+// their expected values.
 
 #include <optional>
 #include <string>
@@ -16,21 +17,21 @@ template <>
 inline constexpr auto words<Method> = std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"},
                                                  Word{Method::bounds, "bounds"}, Word{Method::mpm, "mpm"}};
 
-/// Where the surface of a factor comes from.
+/// Origin of the slip surface of a factor.
 enum class SurfaceSource { none, critical, noncircular, given, handed, optimised, band, mechanism, slip_line };
 template <>
 inline constexpr auto words<SurfaceSource> =
-    std::array{Word{SurfaceSource::none, "none"},                // none is drawn
-               Word{SurfaceSource::critical, "critical"},        // critical circle of slices
-               Word{SurfaceSource::noncircular, "noncircular"},  // critical polyline of slices
-               Word{SurfaceSource::given, "given"},              // of the case
-               Word{SurfaceSource::handed, "handed"},            // of another method, given to slices
-               Word{SurfaceSource::optimised, "optimised"},      // the same, improved by slices
-               Word{SurfaceSource::band, "band"},                // of the shear strain of finite elements
-               Word{SurfaceSource::mechanism, "mechanism"},      // of the upper bound
-               Word{SurfaceSource::slip_line, "slip_line"}};     // of the material points
+    std::array{Word{SurfaceSource::none, "none"},                // no surface
+               Word{SurfaceSource::critical, "critical"},        // critical circle of LEM
+               Word{SurfaceSource::noncircular, "noncircular"},  // critical polyline of LEM
+               Word{SurfaceSource::given, "given"},              // surface of the case
+               Word{SurfaceSource::handed, "handed"},            // surface of another method, evaluated by LEM
+               Word{SurfaceSource::optimised, "optimised"},      // surface of another method, optimised by LEM
+               Word{SurfaceSource::band, "band"},                // shear band of FEM
+               Word{SurfaceSource::mechanism, "mechanism"},      // mechanism of the upper bound
+               Word{SurfaceSource::slip_line, "slip_line"}};     // slip line of MPM
 
-/// The criterion of a factor of finite elements: no equilibrium beyond it, or displacements that run away.
+/// Criterion of a factor of FEM: the largest factor with equilibrium, or the sharp rise of displacement.
 enum class FactorMeasure { equilibrium, displacement };
 template <>
 inline constexpr auto words<FactorMeasure> =
@@ -39,13 +40,13 @@ inline constexpr auto words<FactorMeasure> =
 /// One factor of the table of methods.
 struct MethodRow {
   Method method = Method::lem;
-  std::string name;       ///< word of the method of slices, the flow rule or the criterion: "spencer", "as_given"
+  std::string name;       ///< word of the method of slices, of the flow rule or of the criterion: "spencer", "as_given"
   std::string title;      ///< "Spencer", "Finite elements, ψ = φ"
-  std::string label;      ///< the same beside its method: "Spencer", "ψ = φ"; empty: unknown to an older version
-  std::string criterion;  ///< "critical circle"
-  std::string surface;    ///< name of its surface; empty: none is drawn
-  std::optional<SurfaceSource> source;   ///< nothing: unknown to an older version
-  std::optional<FactorMeasure> measure;  ///< of finite elements alone
+  std::string label;      ///< title within its method: "Spencer", "ψ = φ"; empty in old files
+  std::string criterion;  ///< such as "critical circle"
+  std::string surface;    ///< name of its surface; empty if none is drawn
+  std::optional<SurfaceSource> source;   ///< nullopt in files of older versions
+  std::optional<FactorMeasure> measure;  ///< for FEM only
   std::optional<double> factor, lower, upper;
   std::optional<double> seconds;
   std::string note;
@@ -67,23 +68,22 @@ void describe(V& v, R& r) {
   v.key("note", r.note, {"", "what to know"});
 }
 
-/// Names of the lines that finite elements (ψ as given; with ψ = φ), the mechanism of the upper bound and material
-/// points slide along.
+/// Names of the slip lines of FEM (ψ as given; ψ = φ), of the mechanism of the upper bound, and of MPM.
 inline constexpr const char *band_name = "fem.band", *associated_band_name = "fem.associated.band",
                             *mechanism_name = "bounds.mechanism", *slip_line_name = "mpm.slip_line";
 
-/// What follows the name of a line where the soil moves to both sides, of the side that slices are not given.
+/// Suffix of the name of a second slip line where the soil moves to both sides; LEM does not evaluate this line.
 inline constexpr const char* other_side_name = ".other_side";
 
-/// A surface of a method, for the section.
+/// Slip surface of a method, as drawn in the section.
 struct MethodSurface {
   std::string name, title;
   Method method = Method::lem;
   std::optional<double> factor;
   std::vector<Point> points;          ///< [m]
-  std::optional<std::string> source;  ///< of material points: where the line was taken from
-  std::optional<int> direction;       ///< +1: its soil moves towards larger x; nothing: all soil moves one way
-  std::optional<std::string> beside;  ///< the surface of the other side, which slices are given instead of this one
+  std::optional<std::string> source;  ///< for MPM: from which field the line was traced
+  std::optional<int> direction;       ///< +1: towards larger x; nullopt if all soil moves in one direction
+  std::optional<std::string> beside;  ///< name of the other side's surface, which LEM evaluates instead
 };
 template <class V, As<MethodSurface> R>
 void describe(V& v, R& r) {
@@ -97,11 +97,11 @@ void describe(V& v, R& r) {
   v.maybe("beside", r.beside, {"", "name of the surface of the other side, which slices are given instead"});
 }
 
-/// A surface of one method given to a method of slices.
+/// Slip surface of another method, evaluated by a method of slices.
 struct HandedSurface {
   std::string from, to, title;
   std::optional<double> factor;
-  std::string refusal;  ///< why a search would refuse it
+  std::string refusal;  ///< reason for which a search would reject it; empty if admissible
 };
 template <class V, As<HandedSurface> R>
 void describe(V& v, R& r) {
@@ -112,7 +112,6 @@ void describe(V& v, R& r) {
   v.key("refusal", r.refusal, {"", "why a search would refuse it"});
 }
 
-/// A partial factor.
 struct PartialFactor {
   std::string key, title, symbol;
   double value = 1;
@@ -125,10 +124,10 @@ void describe(V& v, R& r) {
   v.key("value", r.value, {"", "value"});
 }
 
-/// A number of a soil before and after.
+/// A soil parameter before and after division by its partial factor.
 struct DesignValue {
   std::string material, quantity, symbol, unit;
-  double characteristic = 0, design = 0;  ///< in `unit`
+  double characteristic = 0, design = 0;  ///< [unit]
 };
 template <class V, As<DesignValue> R>
 void describe(V& v, R& r) {
@@ -152,7 +151,7 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor"});
 }
 
-/// The changes by partial factors, and the over-design factor.
+/// Values changed by the partial factors, and the over-design factor.
 struct DesignStatement {
   std::string set;
   std::vector<PartialFactor> values;
@@ -173,7 +172,6 @@ void describe(V& v, R& r) {
   v.key("notes", r.notes, {"", "notes"});
 }
 
-/// The subject of a remark.
 enum class Topic { agreement, slices, elements, bounds, points, mechanism, seconds };
 template <>
 inline constexpr auto words<Topic> =
@@ -181,7 +179,7 @@ inline constexpr auto words<Topic> =
                Word{Topic::bounds, "bounds"},       Word{Topic::points, "points"}, Word{Topic::mechanism, "mechanism"},
                Word{Topic::seconds, "seconds"}};
 
-/// A sentence, with what it is about.
+/// A sentence and its topic.
 struct Remark {
   Topic topic = Topic::agreement;
   std::string text;
@@ -198,12 +196,12 @@ struct MethodComparison {
   std::vector<MethodRow> table;
   std::vector<MethodSurface> surfaces;
   std::vector<HandedSurface> handed;
-  std::vector<CriticalSurface> optimised;  ///< Spencer's, from the surfaces of other methods
-  std::vector<std::string> warnings;       ///< on factors that lie far apart
+  std::vector<CriticalSurface> optimised;  ///< surfaces of other methods, optimised by Spencer's method
+  std::vector<std::string> warnings;       ///< on factors that differ widely
   std::vector<Remark> remarks;
   std::optional<DesignStatement> partial_factors;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   MethodComparison();
   MethodComparison(const MethodComparison&);
   MethodComparison(MethodComparison&&) noexcept;
@@ -223,7 +221,7 @@ void describe(V& v, R& r) {
   v.key("partial_factors", r.partial_factors, {"", "design values"});
 }
 
-/// A unit as results are shown in it: value in SI = value shown × si.
+/// Unit of display: value in SI = displayed value × si.
 struct Unit {
   std::string name;
   double si = 1;
@@ -234,11 +232,11 @@ void describe(V& v, R& r) {
   v.key("si", r.si, {"", "one of it in SI"});
 }
 
-/// A result under the name that [[compare]] calls it by.
+/// A result under its name in [[compare]].
 struct NamedResult {
   std::string name, title;
-  double value = 0;  ///< SI
-  Unit unit;         ///< that it is shown in
+  double value = 0;  ///< [SI]
+  Unit unit;         ///< unit of display
 };
 template <class V, As<NamedResult> R>
 void describe(V& v, R& r) {
@@ -248,13 +246,13 @@ void describe(V& v, R& r) {
   v.key("unit", r.unit, {"", "unit that it is shown in"});
 }
 
-/// A result beside what the case expects.
+/// A result beside the value that the case expects.
 struct Comparison {
   std::string name, title;
   Unit unit;
-  std::optional<double> computed;  ///< SI
-  double published = 0;            ///< SI
-  double tolerance = 0;            ///< SI
+  std::optional<double> computed;  ///< [SI]
+  double published = 0;            ///< [SI]
+  double tolerance = 0;            ///< [SI]
   std::string tolerance_text, source;
   bool passes = false;
   std::string note;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Strength reduction by finite elements: factors, trials, slip line, and the fields at failure.
+// Results of the strength reduction by FEM: factors, trials, slip line, and the fields at failure.
 
 #include <array>
 #include <optional>
@@ -13,7 +13,6 @@
 
 namespace talus::results {
 
-/// The flow rule of a strength reduction.
 enum class Flow { as_given, associated };
 template <>
 inline constexpr auto words<Flow> = std::array{Word{Flow::as_given, "as_given"}, Word{Flow::associated, "associated"}};
@@ -37,11 +36,11 @@ void describe(V& v, R& r) {
   v.key("seconds", r.seconds, {"s", "seconds"});
 }
 
-/// The factor on one of two meshes.
+/// Factor of safety on one of two meshes.
 struct ElementMeshFactor {
-  double size = 0;  ///< mean, of its elements [m]
+  double size = 0;  ///< mean element size [m]
   double factor = 0, stable = 0, failed = 0;
-  std::optional<double> flowing;  ///< nothing: every trial without equilibrium ran out of iterations
+  std::optional<double> flowing;  ///< nullopt if all failed trials reached the iteration limit
 };
 template <class V, As<ElementMeshFactor> R>
 void describe(V& v, R& r) {
@@ -52,7 +51,7 @@ void describe(V& v, R& r) {
   v.maybe("flowing", r.flowing, {"", "smallest factor at which the soil flows"});
 }
 
-/// What the factor of two meshes is known to: error of the mesh, brackets of both searches, and undecided trials.
+/// Interval of a factor from two meshes: discretisation error, brackets of both searches, and undecided trials.
 struct ElementInterval {
   double lower = 0, upper = 0;
 };
@@ -62,21 +61,21 @@ void describe(V& v, R& r) {
   v.key("upper", r.upper, {"", "upper end of the interval of mesh and search"});
 }
 
-/// One strength reduction.
+/// Strength reduction with one flow rule.
 struct ElementRun {
   Flow flow = Flow::as_given;
-  std::array<double, 2> psi{};  ///< least and greatest ψ [rad]
+  std::array<double, 2> psi{};  ///< smallest and largest ψ [rad]
   double factor = 0, stable = 0, failed = 0;
-  std::optional<double> by_displacement;  ///< factor where displacements run away
+  std::optional<double> by_displacement;  ///< factor at the sharp rise of displacement
   std::vector<ElementTrial> trials;
-  std::vector<Point> slip_line;                ///< of the soil that moves fastest [m]; empty: there is no band
-  std::optional<std::vector<SideLine>> sides;  ///< to smaller and to larger x; nothing: the soil moves one way
+  std::vector<Point> slip_line;                ///< of the fastest soil [m]; empty if there is no shear band
+  std::optional<std::vector<SideLine>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
   double seconds = 0;
   std::vector<std::string> warnings;
-  std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; then `factor` is extrapolated from them
-  std::optional<EarthquakeSide> earthquake;              ///< nothing: there is none, or the case gives its direction
-  std::optional<ElementInterval> interval;  ///< nothing: the error of the mesh is not known, as of one mesh
-  std::optional<Verdict> verdict;           ///< of the bounds of the same soil with ψ = φ; nothing: they do not judge
+  std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; if set, `factor` is extrapolated from them
+  std::optional<EarthquakeSide> earthquake;  ///< nullopt without earthquake or if the case gives its direction
+  std::optional<ElementInterval> interval;   ///< nullopt if the discretisation error is unknown, as with one mesh
+  std::optional<Verdict> verdict;            ///< by bounds for the soil with ψ = φ; nullopt if none apply
 };
 template <class V, As<ElementRun> R>
 void describe(V& v, R& r) {
@@ -99,12 +98,12 @@ void describe(V& v, R& r) {
 
 /// "fem" of summary.json.
 struct ElementResult {
-  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::optional<std::string> error;  ///< why FEM gave no result; if set, only the warnings are written
   std::vector<std::string> warnings;
   std::size_t elements = 0, nodes = 0;
   int unknowns = 0;
-  double size = 0;      ///< mean, of the elements [m]
-  std::string element;  ///< "T6"
+  double size = 0;      ///< mean element size [m]
+  std::string element;  ///< such as "T6"
   std::vector<ElementRun> runs;
   std::string fields_file;
   std::optional<Seepage> seepage;
@@ -126,12 +125,11 @@ void describe(V& v, R& r) {
   v.maybe("seconds", r.seconds, {"s", "seconds"});
 }
 
-/// Fields of one strength reduction at failure.
 struct ElementFields {
   Flow flow = Flow::as_given;
-  std::vector<std::vector<double>> displacement;  ///< of the nodes [m]
-  std::vector<double> shear_strain;               ///< of the nodes
-  std::vector<int> yields;                        ///< of the elements: 1 where most of it yields
+  std::vector<std::vector<double>> displacement;  ///< nodal [m]
+  std::vector<double> shear_strain;               ///< nodal
+  std::vector<int> yields;                        ///< by element: 1 if most of its integration points yield
 };
 template <class V, As<ElementFields> R>
 void describe(V& v, R& r) {
@@ -141,10 +139,9 @@ void describe(V& v, R& r) {
   v.key("yields", r.yields, {"", "whether an element yields"});
 }
 
-/// The quadratic mesh and its fields.
 struct ElementMesh {
   std::vector<std::vector<double>> nodes;  ///< [m]
-  std::vector<std::vector<int>> elements;  ///< numbers of nodes
+  std::vector<std::vector<int>> elements;  ///< node numbers
   std::vector<ElementFields> runs;
 };
 template <class V, As<ElementMesh> R>
@@ -154,7 +151,7 @@ void describe(V& v, R& r) {
   v.key("runs", r.runs, {"", "fields by flow rule"});
 }
 
-/// fem.json: what an interrupted run need not calculate again, and the fields for the report.
+/// fem.json: the results that a resumed run reads instead of computing them again, and the fields for the report.
 struct ElementFile {
   std::string input_hash;
   ElementResult summary;

@@ -9,7 +9,7 @@
 namespace talus::results {
 namespace {
 
-/// The smaller, the more it governs.
+/// Returns the sort key of a surface; the surface with the smallest key governs.
 std::tuple<bool, int, double> rank(const CriticalSurface& c) {
   return {!c.checks.refusal.empty(), rank_equilibrium(c.surface.method), *c.surface.factor};
 }
@@ -82,7 +82,8 @@ void take_referee(Referee referee, SliceResult& slices) {
       for (CriticalSurface& c : *list) {
         if (!c.surface.factor) continue;
         c.verdict = referee.judge(*c.surface.factor);
-        // Without a search the factor is that of a surface, not of the slope: another mechanism may have a lower one.
+        // Without a search the factor belongs to one given surface, which may lie above the bound of the slope because
+        // another mechanism governs.
         if (c.verdict == Verdict::too_high && !slices.search) c.verdict = Verdict::possible;
       }
   slices.referee = std::move(referee);
@@ -129,7 +130,8 @@ std::optional<double> find_main_factor(const RunResult& run) {
     if (const TimedReduction* elements = find_least_reduction(*run.timeline)) take(elements->runs.front().factor);
   }
   if (!run.bounds || run.bounds->is_davis) return least;
-  // What is proven is no estimate: an upper bound lowers what others found, and bounds alone answer with the lower one.
+  // A proven upper bound limits the factors of the other methods. With limit analysis alone the lower bound is the
+  // result.
   take(least ? run.bounds->upper : run.bounds->lower);
   return least;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor that governs. All code that needs one surface or one factor takes it from here.
+// Rules that select the governing slip surface and the governing factor of safety of a run. All other code uses these
+// functions.
 
 #include <optional>
 #include <string>
@@ -9,41 +10,43 @@
 
 namespace talus::results {
 
-/// The slip surface of slices that governs.
+/// The governing slip surface of LEM.
 struct GoverningSurface {
-  const CriticalSurface* found;  ///< has a factor
+  const CriticalSurface* found;  ///< never null; its factor is set
   SurfaceSource source;
-  std::string name;  ///< as MethodRow::surface: "lem.noncircular.spencer"
+  std::string name;  ///< as MethodRow::surface, such as "lem.noncircular.spencer"
 };
 
-/// The admissible surface with the smallest factor, by the methods with the lowest rank_equilibrium() that found one:
-/// among circles, polylines, the surfaces of the case, and those that slices improved from other methods. Surfaces
-/// that a search would refuse count only where there is no other, and surfaces whose factor limit analysis proves
-/// impossible never. Nothing: slices have no such factor.
+/// Returns the admissible surface with the smallest factor among the critical circles and polylines, the surfaces of
+/// the case, and the surfaces of other methods that LEM optimised. Of these, the methods with the lowest
+/// rank_equilibrium() that have a factor count. Surfaces that a search would reject count only if there is no other;
+/// surfaces whose factor limit analysis proves impossible never count. Returns nullopt if no surface remains.
 std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
-/// The same. `methods`: where there are improved surfaces; nullptr: there are none.
+/// Same for one LEM result; `methods` has the optimised surfaces and may be null.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
 
-/// Marks the factors that limit analysis proves impossible, and keeps its interval.
+/// Marks the factors that limit analysis proves impossible, and stores its interval in `slices`.
 void take_referee(Referee referee, SliceResult& slices);
 
-/// The same as the next, of what was found at one time.
+/// Same as the next function, for the results of one time of a timeline.
 std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods);
-/// The factor of limit equilibrium: that of the governing surface. Where limit analysis proves all factors impossible,
-/// its lower bound if one of them lies below it, else its upper bound.
+/// Returns the factor of LEM, that of the governing surface. If limit analysis proves all factors impossible, returns
+/// its lower bound if at least one of them lies below that, otherwise its upper bound.
 std::optional<double> find_slices_factor(const RunResult& run);
 
-/// "critical polyline", "given surface 'bed'".
+/// Returns a description such as "critical polyline" or "given surface 'bed'".
 std::string name_surface(const GoverningSurface& surface);
 
-/// The factor of safety of the material points: at frozen geometry, or else by the first criterion that found one.
+/// Returns the factor of safety of MPM: at frozen geometry, otherwise by the first criterion of the displacement curve
+/// that gave one.
 std::optional<double> find_points_factor(const RunResult& run);
-/// The strength reduction by finite elements that stands for them: with ψ as given before ψ = φ, and none with a factor
-/// that is proven too low; nullptr where there is none.
+/// Returns the governing strength reduction of FEM: ψ as given before ψ = φ. Runs whose factor limit analysis proves
+/// too low are excluded; nullptr if none remains.
 const ElementRun* find_governing_elements(const RunResult& run);
 
-/// The end of a proven interval that the main factor is: a lower one where nothing else is possible, an upper one below
-/// what all other methods found. Nothing: it is a method's own factor.
+/// Returns which proven bound equals the main factor: a lower bound if all factors of LEM were proven impossible or
+/// only limit analysis was run, an upper bound if it is below the factors of all other methods. Returns nullopt if the
+/// main factor is that of another method.
 enum class ProvenEnd { lower, upper };
 std::optional<ProvenEnd> find_proven_end(const RunResult& run);
 inline bool is_main_factor_proven(const RunResult& run) {

@@ -83,7 +83,7 @@ TALUS_JSON(PointTests)
 TALUS_JSON(Calibration)
 #undef TALUS_JSON
 
-// Parts of a result that the page of a report is given as they are.
+// Parts of a result that the report copies unchanged into the contract of its page.
 #define TALUS_JSON(T) template nlohmann::json to_json<T>(const T&);
 TALUS_JSON(Project)
 TALUS_JSON(Provenance)
@@ -107,7 +107,7 @@ using nlohmann::json;
 template <class T>
 json write_type_schema();
 
-/// Writes a struct as the schema of an object. What it is made of is visited in its default state.
+/// Writes the JSON Schema of a struct. Member structs are visited in their default state.
 class SchemaWriter {
  public:
   template <class T>
@@ -147,7 +147,7 @@ json write_type_schema() {
   } else if constexpr (std::is_integral_v<T>) {
     return {{"type", "integer"}};
   } else if constexpr (std::is_floating_point_v<T>) {
-    return {{"type", json::array({"number", "null"})}};  // null: not finite
+    return {{"type", json::array({"number", "null"})}};  // non-finite numbers are written as null
   } else if constexpr (std::is_same_v<T, std::string>) {
     return {{"type", "string"}};
   } else if constexpr (is_optional<T>) {
@@ -170,7 +170,7 @@ json write_type_schema() {
   }
 }
 
-/// The struct that a member holds, through optionals, lists and maps; void for what is no struct.
+/// The struct type that a member contains, through optionals, lists and maps; void if it contains none.
 template <class T>
 struct Inner {
   using Type = std::conditional_t<std::is_class_v<T> && !std::is_same_v<T, std::string> && !std::is_same_v<T, JsonTree>,
@@ -195,7 +195,7 @@ struct Inner<std::map<std::string, T>> {
   static constexpr const char* mark = ".NAME";
 };
 
-/// Writes a line of a table for each key, and those of what it holds below it.
+/// Writes one table row for each key, followed by the rows of the struct that it contains.
 class TableWriter {
  public:
   explicit TableWriter(std::string& text, std::string path = "") : text_(text), path_(std::move(path)) {}

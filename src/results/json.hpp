@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Results as JSON. This is the only place that knows how; the description of a struct says what it holds.
+// Conversion of results to and from JSON, and their JSON Schema and table for the manual. This is the only interface to
+// the JSON of results; the keys are those of the describe() functions.
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -9,35 +10,35 @@
 
 namespace talus::results {
 
-/// Any struct of results/ that is a file of its own, or stands in one of the page's contract.
+/// Converts a result to JSON. It is instantiated for the structs with a file of their own and for those that the
+/// contract of the page contains.
 template <class T>
 nlohmann::json to_json(const T& result);
 
-/// Keys that are missing keep the defaults of the struct: older versions knew fewer. Throws Error (wrong_input) with
-/// the place in `file` where something is not of its kind.
+/// Converts JSON to a result. Missing keys keep the defaults of the struct, so that files of older versions can be
+/// read. Throws Error (wrong_input) with the place in `file` if a value has the wrong type.
 template <class T>
 T from_json(const nlohmann::json& tree, const std::string& file);
 
-/// The file at `path`; nothing where there is none. Throws Error (wrong_input) when it is no JSON, or as from_json().
+/// Reads the file at `path`; returns nullopt if there is none. Throws Error (wrong_input) if it is not JSON, or as
+/// from_json().
 template <class T>
 std::optional<T> read_file(const std::filesystem::path& path);
 
-/// Likewise; nothing also where it is damaged or of another version: such a file only saves time and can be
-/// calculated again.
+/// Same, but returns nullopt also for a damaged file or one of another version. It is for files that only save
+/// computing time.
 template <class T>
 std::optional<T> find_file(const std::filesystem::path& path);
 
-/// With `indent` spaces a level; -1: on one line. Throws Error (cannot_write), which says with `safe` what is not
-/// harmed.
+/// Writes a result with `indent` spaces a level (-1: on one line). Throws Error (cannot_write); its message names with
+/// `safe` what remains intact.
 template <class T>
 void write_file(const std::filesystem::path& path, const T& result, int indent = 2, const std::string& safe = "");
 
-// The descriptions of results for people and editors: a JSON Schema, and a table for the manual.
-
-/// JSON Schema of summary.json: `talus schema --results`.
+/// Returns the JSON Schema of summary.json for `talus schema --results`.
 std::string write_schema();
 
-/// Every key of summary.json with its unit and what it is, as a Markdown table: `talus manual --results`.
+/// Returns every key of summary.json with unit and title as a Markdown table for `talus manual --results`.
 std::string write_manual();
 
 }  // namespace talus::results

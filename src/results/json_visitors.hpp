@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The visitors that turn described structs into JSON and back. Only results/json*.cpp includes this.
+// Visitors that convert described structs to JSON and back. Only results/json*.cpp includes this header.
 
 #include <fmt/format.h>
 
@@ -49,13 +49,13 @@ class JsonWriter {
   void maybe(const char* name, const std::optional<T>& member, const About& about) {
     if (member) key(name, *member, about);
   }
-  /// What follows from other members: written, never read.
+  /// Writes a value that follows from other members; readers ignore it.
   template <class T>
   void derived(const char* name, const T& value, const About& about) {
     key(name, value, about);
   }
 
-  /// The keys of a block, beside those of its owner.
+  /// Writes the keys of a block beside those of its owner.
   template <class T>
   void merge(const char* /*sign*/, const std::optional<T>& block) {
     if (block) describe(*this, *block);
@@ -89,7 +89,7 @@ nlohmann::json write_value(const T& value) {
   }
 }
 
-/// Where a value stands: a chain of keys up to the file, written only when something is wrong.
+/// Position of a value as a chain of keys up to the file. It is formatted only for an error message.
 class JsonPlace {
  public:
   explicit JsonPlace(const std::string& file) : key_(file) {}
@@ -102,7 +102,7 @@ class JsonPlace {
   }
 
  private:
-  /// "summary.json: fem.runs[0].factor".
+  /// Returns a position such as "summary.json: fem.runs[0].factor".
   std::string write() const {
     if (owner_ == nullptr) return std::string(key_);
     if (key_.empty()) return fmt::format("{}[{}]", owner_->write(), index_);
@@ -158,7 +158,7 @@ void read_value(const nlohmann::json& node, T& value, const JsonPlace& place) {
     if (!node.is_boolean()) place.refuse("true or false");
     value = node.get<bool>();
   } else if constexpr (std::is_floating_point_v<T>) {
-    // What is not finite is written as null.
+    // non-finite numbers are stored as null
     if (!node.is_number() && !node.is_null()) place.refuse("a number");
     value = node.is_null() ? std::nan("") : node.get<T>();
   } else if constexpr (std::is_integral_v<T>) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Element tests and calibration: point/point.json and calibration/calibration.json.
+// Results of element tests and of calibration: point/point.json and calibration/calibration.json.
 
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace talus::results {
 struct PointTest {
   std::string name, material, kind, path, set, file;
   std::size_t steps = 0;
-  std::vector<std::size_t> turns;  ///< rows where the path turns
-  std::string stopped;             ///< why it ended early; empty: it did not
+  std::vector<std::size_t> turns;  ///< rows at which the loading path changes direction
+  std::string stopped;             ///< why the test ended early; empty if it did not
   double peak_q = 0;               ///< [Pa]
   double peak_q_strain = 0;
   std::map<std::string, double> end;  ///< every quantity of the last row [SI]
@@ -52,7 +52,7 @@ void describe(V& v, R& r) {
   v.key("log_x", r.log_x, {"", "whether x is logarithmic"});
 }
 
-/// Tests that are drawn together.
+/// Tests drawn in one picture.
 struct PointGroup {
   std::string id, title, picture;
   std::vector<PointPanel> panels;
@@ -80,12 +80,12 @@ struct PointTests {
   DisplayUnits units;
   std::vector<PointTest> tests;
   std::vector<PointGroup> groups;
-  std::map<std::string, double> point_results;  ///< what [[compare]] names [SI]
+  std::map<std::string, double> point_results;  ///< results by their names in [[compare]] [SI]
   std::vector<std::string> warnings;
   std::vector<Comparison> comparisons;
   Timing timing;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   PointTests();
   PointTests(const PointTests&);
   PointTests(PointTests&&) noexcept;
@@ -109,17 +109,16 @@ void describe(V& v, R& r) {
   v.key("timing", r.timing, {"", "seconds"});
 }
 
-/// Whether a fitted parameter lies at a limit.
 enum class AtLimit { no, low, high };
 template <>
 inline constexpr auto words<AtLimit> =
     std::array{Word{AtLimit::no, "no"}, Word{AtLimit::low, "low"}, Word{AtLimit::high, "high"}};
 
-/// In `unit`.
+/// A fitted soil parameter; numbers are in `unit`.
 struct CalibratedParameter {
   std::string key, unit;
   double start = 0, value = 0;
-  std::string text;  ///< as --set takes it
+  std::string text;  ///< value as `--set` takes it
   double low = 0, high = 0;
   std::optional<double> error;  ///< standard error
   AtLimit limit = AtLimit::no;
@@ -137,7 +136,7 @@ void describe(V& v, R& r) {
   v.key("limit", r.limit, {"", "limit that it lies at"});
 }
 
-/// A quantity as people read it.
+/// A quantity with its unit of display.
 struct ShownQuantity {
   std::string name, title, unit;
 };
@@ -148,7 +147,7 @@ void describe(V& v, R& r) {
   v.key("unit", r.unit, {"", "unit"});
 }
 
-/// A measured curve with the calculated ones, in the units of its axes.
+/// A measured curve and the calculated curves, in the units of its axes.
 struct CalibratedCurve {
   std::string test;
   ShownQuantity x, y;
@@ -178,7 +177,7 @@ void describe(V& v, R& r) {
   v.key("missing", r.missing, {"", "share of the abscissae that the test does not reach"});
 }
 
-/// One of the searches.
+/// One of the least-squares searches, each from its own start.
 struct CalibrationSearch {
   std::vector<double> from, to;
   double misfit = 0, misfit_before = 0;

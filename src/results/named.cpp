@@ -15,12 +15,12 @@
 namespace talus::results {
 namespace {
 
-/// Two factors are one when they differ by less.
+/// Factors that differ by less count as equal.
 constexpr double same_factor = 1e-9;
-/// Ends the title of a discharge into the soil, which [[compare]] counts negative.
+/// End of the title of a discharge; [[compare]] counts inflow negative.
 constexpr const char* inflow_sign = ", counted negative";
 
-/// Finds a number of a described struct by its key.
+/// Visitor that selects a number of a described struct by its key.
 struct Member {
   std::string_view wanted;
   About about{};
@@ -38,7 +38,7 @@ struct Member {
   }
 };
 
-/// What the line called `name` is.
+/// Returns a description of the slip line `name`.
 const char* describe_line(const MethodComparison& methods, const std::string& name) {
   const auto found = std::find_if(methods.surfaces.begin(), methods.surfaces.end(),
                                   [&](const MethodSurface& s) { return s.name == name; });
@@ -49,7 +49,7 @@ const char* describe_line(const MethodComparison& methods, const std::string& na
 
 constexpr std::string_view factor_at = "timeline.factor[";
 
-/// The time of "timeline.factor[43200]" [s]; nothing for another name.
+/// Returns the time [s] in a name such as "timeline.factor[43200]"; nullopt for any other name.
 std::optional<double> read_time(const std::string& name) {
   if (!name.starts_with(factor_at) || !name.ends_with("]")) return std::nullopt;
   double time = 0;
@@ -82,7 +82,7 @@ class Values {
     add_factor("main_factor", "factor of safety that governs", find_main_factor(run));
   }
 
-  /// What holds for the surface that governs.
+  /// Adds the factor and the yield acceleration of the governing surface.
   void add_governing(const RunResult& run) {
     const std::optional<GoverningSurface> governing = find_governing_surface(run);
     if (run.slices && run.slices->referee) {
@@ -112,7 +112,7 @@ class Values {
 
   void add_methods(const MethodComparison& methods) {
     for (const HandedSurface& h : methods.handed) {
-      const auto by = from_word<SliceMethod>(h.to);  // nothing: optimised from the surface
+      const auto by = from_word<SliceMethod>(h.to);  // nullopt for a surface that was optimised
       const char* line = describe_line(methods, h.from);
       add({fmt::format("lem.handed[{}].{}", h.from, h.to),
            by ? fmt::format("{}, factor of safety on {}", get_title(*by), line) : h.title, "", ResultKind::factor,
@@ -169,7 +169,7 @@ class Values {
     }
   }
 
-  /// `of` follows the titles: ", runout at SRF 1.75".
+  /// Adds the runout; `of` is appended to the titles: ", runout at SRF 1.75".
   void add_runout(const std::string& path, const std::string& of, const Runout& runout) {
     add_side(path, of, runout);
     const RunoutUncertainty about(runout);
@@ -269,7 +269,7 @@ class Values {
     add_member("seepage", seepage, "largest_suction", ResultKind::seepage);
   }
 
-  /// The number of `owner` that is described under `key`; nullptr: called by its key.
+  /// Adds the number of `owner` with the key `key`, named `called` or, if that is null, `key`.
   template <class T>
   void add_member(const std::string& path, const T& owner, const char* key, ResultKind kind, const std::string& of = "",
                   const char* called = nullptr) {
@@ -353,7 +353,7 @@ bool is_same_result(const std::string& known, const std::string& asked) {
 }
 
 std::optional<double> find_value(const RunResult& run, const std::string& name) {
-  constexpr int any = 2;  // decides units alone
+  constexpr int any = 2;  // only the units depend on the dimension
   for (const NamedValue& value : list_values(run, any))
     if (is_same_result(value.name, name)) return value.value;
   return std::nullopt;

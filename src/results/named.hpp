@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Results by the names that [[compare]], studies and Python call them by: "runout[1.75].front_advance".
+// Results under the names that [[compare]], studies and Python use, such as "runout[1.75].front_advance".
 
 #include <optional>
 #include <string>
@@ -10,7 +10,6 @@
 
 namespace talus::results {
 
-/// What a result is about.
 enum class ResultKind { factor, yield_acceleration, over_design, runout, motion, stage, mesh, water, seepage, other };
 template <>
 inline constexpr auto words<ResultKind> = std::array{Word{ResultKind::factor, "factor"},
@@ -24,8 +23,7 @@ inline constexpr auto words<ResultKind> = std::array{Word{ResultKind::factor, "f
                                                      Word{ResultKind::seepage, "seepage"},
                                                      Word{ResultKind::other, "other"}};
 
-/// A number of a run under its name.
-/// The uncertainty that the mesh leaves in a value; nothing where it was calculated on one mesh.
+/// Discretisation error of a value; nullopt if it was computed on one mesh only.
 struct MeshUncertainty {
   std::optional<double> value;
 };
@@ -33,30 +31,30 @@ struct MeshUncertainty {
 struct NamedValue {
   std::string name;   ///< "runout[1.75].moved_volume"
   std::string title;  ///< "moved volume, runout at SRF 1.75"
-  std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
+  std::string unit;   ///< SI, as a UDUNITS symbol; empty if dimensionless
   ResultKind kind = ResultKind::other;
   std::string quantity;           ///< "moved_volume"
-  std::optional<SliceMethod> by;  ///< of the slices, factors and accelerations
+  std::optional<SliceMethod> by;  ///< method of slices, for factors and yield accelerations of LEM
   double value = 0;               ///< [unit]
-  /// Uncertainty of a runout by its mesh; nothing where the number has none.
+  /// discretisation error, for runouts only
   std::optional<MeshUncertainty> uncertainty = {};
 };
 
-/// All numbers that `run` holds, in the order of the report, but the displacements of single trials. `dimension` is
-/// that of the section: a plane one is one metre thick.
+/// Returns all numbers of `run` in the order of the report, except the displacements of single trials. `dimension` is
+/// that of the section; results of a plane section are per metre of thickness.
 std::vector<NamedValue> list_values(const RunResult& run, int dimension);
 
-/// Whether two names call one result. A time of the timeline is a number, which a reader may round or write otherwise:
-/// `timeline.factor[1110093]` is the factor at a time within a millionth of that.
+/// Returns true if two names refer to the same result. Times in names of the timeline may be rounded:
+/// `timeline.factor[1110093]` matches a time within a relative tolerance of 1e-6.
 bool is_same_result(const std::string& known, const std::string& asked);
 
-/// The one called `name` [SI]; nothing when the run did not reach it.
+/// Returns the result `name` [SI], or nullopt if the run did not produce it.
 std::optional<double> find_value(const RunResult& run, const std::string& name);
 
-/// The displacement at a factor of the curve, interpolated between its neighbours where no trial has that factor.
+/// Displacement at a factor of the displacement curve, interpolated linearly if no trial has this factor.
 struct CurveValue {
   std::optional<double> displacement;  ///< [m]
-  std::string note;                    ///< between which trials it was interpolated; empty: it was calculated
+  std::string note;                    ///< the trials of the interpolation; empty if a trial has this factor
 };
 CurveValue find_displacement(const RunResult& run, double factor);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// All results of a run: summary.json.
+// The result of a run, summary.json, and the parts of it that belong to no method: title block, provenance, timing,
+// mesh, budgets, and the work of the ranks.
 
 #include <map>
 #include <memory>
@@ -21,9 +22,7 @@
 
 namespace talus::results {
 
-// Where a number comes from: title block, program, machine, units of display, seconds.
-
-/// The title block of a report.
+/// Title block of a report.
 struct Project {
   std::string title, project, client, author, checked_by, revision, notes;
 };
@@ -38,12 +37,12 @@ void describe(V& v, R& r) {
   v.key("notes", r.notes, {"", "notes"});
 }
 
-/// Program, build, machine and input.
+/// Program, build, machine and input of a run.
 struct Provenance {
   std::string program, version, commit, compiler, build_type, architecture, level, machine, started, case_file,
       input_hash;
   int lane_width = 0, threads = 0;
-  std::string device;  ///< that took the points through their steps; empty: the processor did
+  std::string device;  ///< GPU of the MPM steps; empty if they ran on the processor
 };
 template <class V, As<Provenance> R>
 void describe(V& v, R& r) {
@@ -63,7 +62,7 @@ void describe(V& v, R& r) {
   v.key("input_hash", r.input_hash, {"", "hash of what the results depend on"});
 }
 
-/// The units that reports show lengths, displacements and stresses in.
+/// Units of display for lengths, displacements and stresses.
 struct DisplayUnits {
   std::string length = "m", displacement = "mm", stress = "kPa";
 };
@@ -74,14 +73,13 @@ void describe(V& v, R& r) {
   v.key("stress", r.stress, {"", "unit of stresses"});
 }
 
-/// How a run went.
 enum class Status { unfinished, finished, interrupted, unstable, failed };
 template <>
 inline constexpr auto words<Status> = std::array{
     Word{Status::unfinished, "unfinished"}, Word{Status::finished, "finished"},
     Word{Status::interrupted, "interrupted"}, Word{Status::unstable, "unstable"}, Word{Status::failed, "failed"}};
 
-/// Seconds of a part of the calculation, of all threads.
+/// Time in a part of the calculation, summed over all threads [s].
 struct TimedPart {
   std::string name, title;
   double seconds = 0;
@@ -93,7 +91,7 @@ void describe(V& v, R& r) {
   v.key("seconds", r.seconds, {"s", "seconds of all threads"});
 }
 
-/// Seconds of the parts of the step.
+/// Time in the phases of the MPM step [s].
 struct StepSeconds {
   double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
 };
@@ -108,7 +106,7 @@ void describe(V& v, R& r) {
 
 struct Timing {
   double wall = 0;            ///< [s]
-  std::optional<double> cpu;  ///< of all threads [s]
+  std::optional<double> cpu;  ///< summed over all threads [s]
   std::optional<StepSeconds> stage_steps;
   std::optional<std::vector<TimedPart>> parts;
 };
@@ -120,7 +118,7 @@ void describe(V& v, R& r) {
   v.maybe("parts", r.parts, {"", "seconds by part"});
 }
 
-/// Mesh and material points at the start.
+/// Mesh and material points at the start of the run.
 struct Mesh {
   int dimension = 2;
   int nodes = 0, elements = 0, soil_elements = 0;
@@ -146,7 +144,7 @@ void describe(V& v, R& r) {
   v.key("smallest_angle", r.smallest_angle, {"deg", "smallest angle"});
 }
 
-/// A point that left the grid.
+/// A material point that left the grid.
 struct LostPoint {
   int id = 0;
   double time = 0;               ///< [s]
@@ -163,7 +161,7 @@ struct LostPoints {
   std::size_t points = 0;
   double mass = 0;               ///< [kg]
   std::vector<double> momentum;  ///< [kg m/s]
-  std::vector<LostPoint> first;  ///< at most a hundred
+  std::vector<LostPoint> first;  ///< the first ones, at most 100
 };
 template <class V, As<LostPoints> R>
 void describe(V& v, R& r) {
@@ -173,14 +171,14 @@ void describe(V& v, R& r) {
   v.key("first", r.first, {"", "the first of them"});
 }
 
-/// Energy, momentum and mass: what came in, what is there, what was lost.
+/// Budgets of energy, momentum and mass of MPM.
 struct Budgets {
   double mass = 0;  ///< [kg]
   int points = 0;
   double kinetic_energy = 0, potential_energy = 0, elastic_energy = 0;  ///< [J]
   double plastic_work = 0, damping_work = 0, external_work = 0;         ///< [J]
   double wall_work = 0, mapping_loss = 0;                               ///< [J]
-  std::optional<double> drag_work, pore_water_work;                     ///< of soil with pore water [J]
+  std::optional<double> drag_work, pore_water_work;                     ///< with pore water only [J]
   std::vector<double> momentum;                                         ///< [kg m/s]
   LostPoints lost;
 };
@@ -202,10 +200,10 @@ void describe(V& v, R& r) {
   v.key("lost", r.lost, {"", "points that left the grid"});
 }
 
-/// The result that a run started from.
+/// The earlier result that a run started from.
 struct Origin {
   std::string result, hash, title, input_hash;
-  double time = 0;  ///< at its end [s]
+  double time = 0;  ///< simulated time at its end [s]
 };
 template <class V, As<Origin> R>
 void describe(V& v, R& r) {
@@ -216,10 +214,10 @@ void describe(V& v, R& r) {
   v.key("time", r.time, {"s", "time at its end"});
 }
 
-/// Finite elements in equilibrium whose stress material points began with.
+/// FEM equilibrium that gives the initial stress of MPM.
 struct StressStart {
-  double factor = 1;          ///< what the strength was divided by: 1, or less where the soil does not stand with it
-  double force_residual = 0;  ///< unbalanced force over the loads [-]
+  double factor = 1;          ///< strength reduction factor; below 1 if there is no equilibrium at 1
+  double force_residual = 0;  ///< unbalanced force over the loads
   int elements = 0;
 };
 template <class V, As<StressStart> R>
@@ -229,12 +227,12 @@ void describe(V& v, R& r) {
   v.key("elements", r.elements, {"", "finite elements"});
 }
 
-/// Processes that calculated the case together.
+/// Communication between the ranks of a run.
 struct RankWork {
   int ranks = 1;
-  double bytes = 0;    ///< that the first of them has sent
-  double seconds = 0;  ///< that it spent with it, waiting for others too [s]
-  int hand_overs = 0;  ///< of soil between ranks, because some had more to do
+  double bytes = 0;    ///< sent by rank 0
+  double seconds = 0;  ///< time that rank 0 spent in communication, waiting included [s]
+  int hand_overs = 0;  ///< number of load rebalances between ranks
 };
 template <class V, As<RankWork> R>
 void describe(V& v, R& r) {
@@ -249,8 +247,8 @@ struct RunResult {
   Project project;
   Provenance provenance;
   DisplayUnits units;
-  std::vector<std::vector<Point>> outlines;  ///< of the soils [m]
-  JsonTree input;                            ///< the case as it was read; empty where it is unknown
+  std::vector<std::vector<Point>> outlines;  ///< polygons of the soils [m]
+  JsonTree input;                            ///< echo of the case; empty if unknown
   Status status = Status::unfinished;
   std::optional<std::string> error;
   std::vector<std::string> warnings;
@@ -260,7 +258,7 @@ struct RunResult {
   std::optional<ElementResult> elements;
   std::optional<BoundsResult> bounds;
   std::optional<Timeline> timeline;
-  // Of material points.
+  // Results of MPM.
   std::optional<Mesh> mesh;
   std::optional<std::vector<Stage>> stages;
   std::optional<Origin> start;
@@ -277,7 +275,7 @@ struct RunResult {
   std::optional<WaterBudget> water;
   std::optional<Seepage> seepage;
   std::optional<Season> season;
-  /// In time; the last one is that which the methods began with, or that after a rapid drawdown.
+  /// In order of time; the last is the initial state of the methods or, after a rapid drawdown, the lowered state.
   std::optional<std::vector<WaterState>> water_states;
 
   std::optional<MethodComparison> methods;
@@ -286,7 +284,7 @@ struct RunResult {
   std::optional<Timing> timing;
   std::optional<RankWork> ranks;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   RunResult();
   RunResult(const RunResult&);
   RunResult(RunResult&&) noexcept;
@@ -295,9 +293,9 @@ struct RunResult {
   ~RunResult();
 };
 
-/// The main factor of the run: the smallest of those that slices, finite elements and material points found, each by
-/// the rules of results/governing.hpp, and of a proven upper bound; over a timeline the least of them; of proven bounds
-/// alone the lower one. Nothing: no method found a factor.
+/// Returns the main factor of the run: the smallest of the factors of LEM, FEM and MPM, each selected by the rules of
+/// results/governing.hpp, of the factors of a timeline, and of a proven upper bound. With limit analysis alone it is
+/// the lower bound. Returns nullopt if no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>

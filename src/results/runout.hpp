@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How far the soil has run.
+// Results of runouts: onset of movement at the monitors, sections, ground profiles, and runout distances with their
+// discretisation error.
 
 #include <array>
 #include <optional>
@@ -11,14 +12,12 @@
 
 namespace talus::results {
 
-// When and in which order monitored places began to move, and the lines along which fields were taken.
-
-/// The clock of onset, sections and pictures.
+/// Clock of onsets, sections and pictures.
 struct Clock {
-  std::string stage;                ///< at whose start it is zero
-  double start = 0;                 ///< then [s]
-  bool resets = false;              ///< displacements are counted from there
-  std::vector<double> shown_times;  ///< of sections and pictures [s]; empty: evenly spread
+  std::string stage;                ///< stage at whose start the clock is zero
+  double start = 0;                 ///< simulated time at the start of that stage [s]
+  bool resets = false;              ///< displacements are reset at the start of that stage
+  std::vector<double> shown_times;  ///< times of sections and pictures [s]; empty: equally spaced
 };
 template <class V, As<Clock> R>
 void describe(V& v, R& r) {
@@ -28,7 +27,7 @@ void describe(V& v, R& r) {
   v.key("shown_times", r.shown_times, {"s", "times of sections and pictures"});
 }
 
-/// In which order places began to move.
+/// Order in which the monitors began to move.
 enum class MotionPattern { none, single, together, upwards, downwards, mixed };
 template <>
 inline constexpr auto words<MotionPattern> =
@@ -38,8 +37,8 @@ inline constexpr auto words<MotionPattern> =
 
 struct MonitorMotion {
   std::string name;
-  std::optional<double> onset;         ///< on the clock [s]; nothing: it did not move
-  std::optional<double> displacement;  ///< at the end [m]; nothing: it left the grid
+  std::optional<double> onset;         ///< time on the clock [s]; nullopt if the monitor did not move
+  std::optional<double> displacement;  ///< at the end [m]; nullopt if the point left the grid
 };
 template <class V, As<MonitorMotion> R>
 void describe(V& v, R& r) {
@@ -49,11 +48,11 @@ void describe(V& v, R& r) {
 }
 
 struct Motion {
-  std::string stage;     ///< that the clock starts with
-  double start = 0;      ///< [s]
-  double threshold = 0;  ///< displacement that counts as movement [m]
+  std::string stage;     ///< stage at whose start the clock is zero
+  double start = 0;      ///< simulated time at the start of that stage [s]
+  double threshold = 0;  ///< displacement above which a monitor counts as moving [m]
   std::vector<MonitorMotion> monitors;
-  std::vector<std::string> order;  ///< names of those that moved, first to last
+  std::vector<std::string> order;  ///< names of the monitors that moved, earliest onset first
   MotionPattern pattern = MotionPattern::none;
   std::string sentence;
 };
@@ -68,11 +67,11 @@ void describe(V& v, R& r) {
   v.key("sentence", r.sentence, {"", "the same in words"});
 }
 
-/// A line through the soil along which the fields of the frames were taken; its table is sections/NAME.csv.
+/// Line along which the fields of the frames are sampled; its table is sections/NAME.csv.
 struct SectionLine {
   std::string name;
   std::array<double, 3> from{}, to{};  ///< [m]
-  double width = 0;                    ///< of the band whose points count [m]
+  double width = 0;                    ///< width of the band of averaging [m]
 };
 template <class V, As<SectionLine> R>
 void describe(V& v, R& r) {
@@ -82,9 +81,9 @@ void describe(V& v, R& r) {
   v.key("width", r.width, {"m", "width of the band"});
 }
 
-/// Height of the ground over the horizontal coordinate x, in bins [m]. Empty bins have no entry.
+/// Ground level over x, in bins. Empty bins are omitted.
 struct Profile {
-  double bin = 0;                 ///< width [m]
+  double bin = 0;                 ///< width of a bin [m]
   std::vector<double> x, height;  ///< bin centres and ground level [m]
 };
 template <class V, As<Profile> R>
@@ -94,10 +93,10 @@ void describe(V& v, R& r) {
   v.key("height", r.height, {"m", "level of the ground"});
 }
 
-/// What the ends of the box limit in a runout.
+/// Ends of the box that limit a runout.
 struct BoxLimit {
-  bool front = false;  ///< soil that moved lies at the end of the box that it moves to
-  bool crest = false;  ///< it reaches back to the other end
+  bool front = false;  ///< moved soil reaches the end of the box in the direction of movement
+  bool crest = false;  ///< moved soil reaches the opposite end
 };
 template <class V, As<BoxLimit> R>
 void describe(V& v, R& r) {
@@ -105,21 +104,21 @@ void describe(V& v, R& r) {
   v.key("crest", r.crest, {"", "soil that moved reaches back to the other end of the box"});
 }
 
-/// How far soil that moves one way has run.
+/// Runout of the soil that moves in one direction.
 struct RunoutSide {
   double moved_volume = 0;          ///< of points displaced by more than the threshold [m³ or m³/m]
-  int direction = 1;                ///< +1: the soil moved towards larger x
-  double front_advance = 0;         ///< front that holds 99 % of the moved mass: how far it went [m]
-  double farthest_advance = 0;      ///< the same for the farthest point; a few detached points are not the front [m]
-  double toe = 0;                   ///< where the front is now, x [m]
-  double initial_toe = 0;           ///< where the ground met its lower level at the start, x [m]
-  double toe_distance = 0;          ///< how far the front is beyond that [m]; 0 while it has not passed it
-  double crest_retreat = 0;         ///< how far behind the initial crest the moved soil begins, against the motion [m]
+  int direction = 1;                ///< +1: towards larger x, -1: towards smaller x
+  double front_advance = 0;         ///< advance of the front that encloses 99 % of the moved mass [m]
+  double farthest_advance = 0;      ///< advance of the farthest point, which may be a detached one [m]
+  double toe = 0;                   ///< x of the front at the end [m]
+  double initial_toe = 0;           ///< x of the toe at the start, where the ground meets its lower level [m]
+  double toe_distance = 0;          ///< distance of the front beyond the initial toe, at least 0 [m]
+  double crest_retreat = 0;         ///< distance of the rear end of the moved soil behind the initial crest [m]
   double crest = 0;                 ///< x of the crest at the start [m]
-  double centre_advance = 0;        ///< of the centre of mass of the moved soil, along x [m]
-  double centre_drop = 0;           ///< and downwards [m]
+  double centre_advance = 0;        ///< horizontal advance of the centre of mass of the moved soil [m]
+  double centre_drop = 0;           ///< drop of the centre of mass of the moved soil [m]
   double largest_displacement = 0;  ///< [m]
-  std::optional<BoxLimit> limits;   ///< nothing: the soil that moved keeps away from the ends of the box
+  std::optional<BoxLimit> limits;   ///< nullopt if the moved soil does not reach the ends of the box
 };
 template <class V, class R>
 void describe_side(V& v, R& r) {
@@ -142,11 +141,11 @@ void describe(V& v, R& r) {
   describe_side(v, r);
 }
 
-/// A runout on elements twice as large.
+/// Runout on elements of twice the size.
 struct CoarserRunout {
-  double size = 0;  ///< of its elements [m]
+  double size = 0;  ///< mean element size [m]
   double front_advance = 0, toe_distance = 0, crest_retreat = 0, moved_volume = 0,
-         highest_ground = 0;  ///< as of Runout
+         highest_ground = 0;  ///< as in Runout
 };
 template <class V, As<CoarserRunout> R>
 void describe(V& v, R& r) {
@@ -158,20 +157,20 @@ void describe(V& v, R& r) {
   v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground"});
 }
 
-/// The uncertainty that a mesh leaves in a number, from meshes of which one has elements twice as large: three times
-/// their difference. This is the grid convergence index of two meshes with the factor of safety 3 and the first order
-/// (Roache 1994, J. Fluids Eng. 116, 405–413).
+/// Returns the discretisation error of a result from two meshes whose element sizes differ by a factor of two: three
+/// times the difference. This is the grid convergence index of two meshes with the safety factor 3 and first-order
+/// convergence (Roache 1994, J. Fluids Eng. 116, 405–413).
 constexpr double find_mesh_uncertainty(double value, double coarser) {
   return 3 * (value < coarser ? coarser - value : value - coarser);
 }
 
-/// How far the soil has run. Where it moved to both sides, volume and largest displacement are those of all of it, and
-/// everything else is of the side whose front went farther beyond its toe.
+/// Runout of all moved soil. Where soil moves to both sides, the volume and the largest displacement are totals, and
+/// all other members are those of the side whose front advanced farther beyond its toe.
 struct Runout : RunoutSide {
-  double threshold = 0;                          ///< [m]
+  double threshold = 0;                          ///< displacement above which a point counts as moved [m]
   double highest_ground = 0;                     ///< y of the highest ground at the end [m]
-  std::optional<CoarserRunout> coarser_mesh;     ///< nothing: the runout was calculated on one mesh
-  std::optional<std::vector<RunoutSide>> sides;  ///< to smaller and to larger x; nothing: the soil moved one way
+  std::optional<CoarserRunout> coarser_mesh;     ///< nullopt if the runout was computed on one mesh only
+  std::optional<std::vector<RunoutSide>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
 template <class V, As<Runout> R>
 void describe(V& v, R& r) {
@@ -184,7 +183,7 @@ void describe(V& v, R& r) {
   v.maybe("sides", r.sides, {"", "the same of each side, where the soil moved to both"});
 }
 
-/// Uncertainties of a runout that the mesh causes; nothing where it was calculated on one mesh.
+/// Discretisation errors of a runout; all are nullopt if it was computed on one mesh only.
 struct RunoutUncertainty {
   std::optional<double> front_advance, toe_distance, crest_retreat, moved_volume, highest_ground;
   explicit RunoutUncertainty(const Runout& r) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Uncertain numbers: the samples, the factors, the probability of failure, and the sensitivities.
+// Results of a probabilistic analysis: samples, factors of safety, probability of failure, and sensitivities.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,6 @@ template <>
 inline constexpr auto words<SampleDraw> =
     std::array{Word{SampleDraw::random, "random"}, Word{SampleDraw::latin_hypercube, "latin_hypercube"}};
 
-/// Of a sample of numbers.
 struct SampleMoments {
   double mean = 0, deviation = 0, smallest = 0, largest = 0;
 };
@@ -30,11 +29,11 @@ void describe(V& v, R& r) {
   v.key("largest", r.largest, {"", "largest"});
 }
 
-/// An uncertain number, in its unit.
+/// An uncertain parameter, in its unit.
 struct UncertainNumber {
   std::string key, name, unit, distribution, text;
   double mean = 0, deviation = 0;
-  std::optional<double> lowest, highest;  ///< nothing: no limit
+  std::optional<double> lowest, highest;  ///< truncation limits; nullopt: unlimited
   SampleMoments sampled;
 };
 template <class V, As<UncertainNumber> R>
@@ -82,7 +81,7 @@ void describe(V& v, R& r) {
   v.key("counts", r.counts, {"", "samples in each class"});
 }
 
-/// The distribution of a result over the samples.
+/// Distribution of a result over the samples.
 struct SampledValues {
   long count = 0, none = 0;
   double mean = 0, deviation = 0;
@@ -105,7 +104,7 @@ void describe(V& v, R& r) {
   v.key("histogram", r.histogram, {"", "histogram"});
 }
 
-/// A share of the samples with its interval.
+/// Fraction of the samples with a property, with its confidence interval.
 struct SampleShare {
   long count = 0, samples = 0;
   double probability = 0, lower = 0, upper = 0;
@@ -119,14 +118,14 @@ void describe(V& v, R& r) {
   v.key("upper", r.upper, {"", "upper end of its interval"});
 }
 
-/// P(F < 1).
+/// Probability of failure P(F < limit).
 struct FailureProbability {
   SampleShare share;
   double limit = 1, confidence = 0;
   std::optional<double> index, index_lower, index_upper, standard_error;
-  std::string interval;                           ///< what the interval is
-  std::vector<std::array<double, 4>> growth;      ///< samples so far, probability, lower, upper
-  std::optional<double> with_largest_difference;  ///< if every factor were off by the largest difference of the check
+  std::string interval;                           ///< kind of the confidence interval
+  std::vector<std::array<double, 4>> growth;      ///< convergence: number of samples, probability, lower and upper end
+  std::optional<double> with_largest_difference;  ///< with all factors lowered by the largest SurfaceCheck
 };
 template <class V, As<FailureProbability> R>
 void describe(V& v, R& r) {
@@ -143,7 +142,7 @@ void describe(V& v, R& r) {
           {"", "probability with the largest difference of the check"});
 }
 
-/// Mean value first-order second-moment estimate.
+/// First-order second-moment estimate at the mean values (FOSM).
 struct FirstOrderEstimate {
   double mean_factor = 0, deviation = 0, index_normal = 0, index_lognormal = 0;
 };
@@ -168,7 +167,7 @@ void describe(V& v, R& r) {
   v.key("importance", r.importance, {"", "importance"});
 }
 
-/// First-order reliability method.
+/// First-order reliability method (FORM): reliability index and design point.
 struct DesignPointEstimate {
   double index = 0, probability = 0;
   bool converged = false;
@@ -195,7 +194,7 @@ void describe(V& v, R& r) {
   v.key("probability", r.probability, {"", "probability of failure"});
 }
 
-/// Laws with the mean and deviation of the sampled factors.
+/// Distributions fitted to the mean and the standard deviation of the sampled factors.
 struct FittedLaws {
   FittedLaw normal, lognormal;
 };
@@ -205,7 +204,7 @@ void describe(V& v, R& r) {
   v.key("lognormal", r.lognormal, {"", "lognormal"});
 }
 
-/// A bar of the tornado.
+/// One bar of the tornado diagram.
 struct TornadoBar {
   std::string key, name, unit;
   double low_value = 0, high_value = 0, low_factor = 0, high_factor = 0;
@@ -232,10 +231,10 @@ void describe(V& v, R& r) {
   v.key("coefficient", r.coefficient, {"", "Spearman's coefficient"});
 }
 
-/// Quick factors against searches of their own.
+/// Comparison of the factors on the common set of surfaces with those of separate searches.
 struct SurfaceCheck {
   int samples = 0;
-  double largest = 0, mean = 0;  ///< by how much the quick factor lies above that of the search, relative
+  double largest = 0, mean = 0;  ///< relative excess of the factor on the common surfaces
 };
 template <class V, As<SurfaceCheck> R>
 void describe(V& v, R& r) {
@@ -244,7 +243,7 @@ void describe(V& v, R& r) {
   v.key("mean", r.mean, {"", "mean difference"});
 }
 
-/// The probability that the soil comes farther than a distance.
+/// Probability that the runout exceeds a distance.
 struct Exceedance {
   SampleShare share;
   double distance = 0;  ///< [m]
@@ -258,7 +257,7 @@ void describe(V& v, R& r) {
 struct SampledRunout {
   SampledValues values;
   std::string name, unit = "m";
-  std::vector<std::array<double, 4>> curve;  ///< distance [m], probability, lower, upper
+  std::vector<std::array<double, 4>> curve;  ///< distance [m], probability, lower and upper end
   std::vector<Exceedance> exceedance;
   std::vector<RankCorrelation> ranks;
 };
@@ -290,14 +289,14 @@ struct Sampling {
   std::optional<FittedLaws> fits;
   std::optional<std::vector<TornadoBar>> tornado;
   std::optional<std::vector<RankCorrelation>> ranks;
-  int surfaces = 0;  ///< that every sample was evaluated on; 0: each sample was searched
+  int surfaces = 0;  ///< number of surfaces on which every sample is evaluated; 0: separate search for each sample
   std::optional<SurfaceCheck> check;
   std::optional<SampledRunout> runout;
-  std::optional<SampledValues> failure_time;  ///< of the samples that fail within the timeline [day]
+  std::optional<SampledValues> failure_time;  ///< over the samples that fail within the timeline [day]
   std::vector<std::string> notes;
   std::string samples_file;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   Sampling();
   Sampling(const Sampling&);
   Sampling(Sampling&&) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Limit equilibrium: critical surfaces with their slices, what the search did, and its trials.
+// Results of limit equilibrium: critical surfaces with their slices, statistics of the search, and the trial surfaces.
 
 #include <map>
 #include <optional>
@@ -38,15 +38,14 @@ void describe(V& v, R& r) {
   v.key("radius", r.radius, {"m", "radius"});
 }
 
-/// A slip surface with its factor.
 struct SlipSurface {
   SliceMethod method = SliceMethod::spencer;
-  std::string title;  ///< of the method
+  std::string title;  ///< title of the method
   bool circular = false;
-  std::optional<double> factor;  ///< nothing: none was found
+  std::optional<double> factor;  ///< nullopt if there is no admissible solution
   std::optional<Circle> circle;
   std::vector<Point> points;        ///< [m]
-  std::optional<std::string> name;  ///< of a surface that the case gives
+  std::optional<std::string> name;  ///< name in the case, for a given surface
 };
 template <class V, As<SlipSurface> R>
 void describe(V& v, R& r) {
@@ -59,10 +58,10 @@ void describe(V& v, R& r) {
   v.maybe("name", r.name, {"", "name in the case"});
 }
 
-/// The checks of a surface.
+/// Admissibility checks of a surface.
 struct SurfaceChecks {
   double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0, residual = 0;
-  std::string refusal;  ///< why a search would refuse it; empty: it would not
+  std::string refusal;  ///< reason for which a search would reject the surface; empty if admissible
 };
 template <class V, As<SurfaceChecks> R>
 void describe(V& v, R& r) {
@@ -73,7 +72,7 @@ void describe(V& v, R& r) {
   v.key("refusal", r.refusal, {"", "why a search would refuse it"});
 }
 
-/// The slices of a surface, a column for each quantity.
+/// The slices of a surface, one column for each quantity.
 struct SliceTable {
   std::vector<double> left, right;           ///< x [m]
   std::vector<Point> base_left, base_right;  ///< [m]
@@ -111,19 +110,19 @@ void describe(V& v, R& r) {
   v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side"});
 }
 
-/// Which strength of a base counts after a drawdown.
+/// Strength that governs the base of a slice after a drawdown.
 enum class Drainage { drained, undrained };
 template <>
 inline constexpr auto words<Drainage> =
     std::array{Word{Drainage::drained, "drained"}, Word{Drainage::undrained, "undrained"}};
 
-/// A surface in the stages of a rapid drawdown. Lists: a value for each slice, of methods by total stresses.
+/// Stages of a rapid drawdown for one surface. The lists are by slice and filled by the total-stress methods only.
 struct DrawnSurface {
-  std::optional<double> factor_before;          ///< of the same surface before it; nothing: none was found
-  std::optional<double> undrained_factor;       ///< of the second stage of three
-  std::vector<double> normal, shear;            ///< effective normal stress and shear stress on the base before it [Pa]
-  std::vector<std::optional<double>> strength;  ///< undrained [Pa]; nothing in soil that drains
-  std::vector<Drainage> counts;                 ///< which strength does
+  std::optional<double> factor_before;          ///< before the drawdown; nullopt without a solution
+  std::optional<double> undrained_factor;       ///< second stage of the three-stage method
+  std::vector<double> normal, shear;            ///< effective, on the base before the drawdown [Pa]
+  std::vector<std::optional<double>> strength;  ///< undrained strength [Pa]; nullopt in soil that drains
+  std::vector<Drainage> counts;                 ///< strength that governs
 };
 template <class V, As<DrawnSurface> R>
 void describe(V& v, R& r) {
@@ -135,20 +134,20 @@ void describe(V& v, R& r) {
   v.key("counts", r.counts, {"", "which strength of the base counts"});
 }
 
-/// A surface with all its results.
+/// A slip surface with all its results.
 struct CriticalSurface {
   SlipSurface surface;
-  std::optional<double> lambda;  ///< of Spencer and of Morgenstern and Price
-  double correction = 1;         ///< f₀ of Janbu
+  std::optional<double> lambda;  ///< for Spencer and Morgenstern–Price only
+  double correction = 1;         ///< f₀ of corrected Janbu
   double area = 0;               ///< [m²]
-  double depth = 0;              ///< greatest [m]
-  std::optional<double> crack;   ///< depth of the dry tension crack that the search added [m]
+  double depth = 0;              ///< largest depth [m]
+  std::optional<double> crack;   ///< depth of the dry tension crack added by the search [m]
   std::string volume_note = "m³ per metre of slope";
   bool slides_left = false;
-  std::optional<double> yield_acceleration;  ///< k_y
-  std::optional<DrawnSurface> drawdown;      ///< where there is one: `surface.factor` is after it
+  std::optional<double> yield_acceleration;  ///< k_y, over g
+  std::optional<DrawnSurface> drawdown;      ///< with rapid drawdown; `surface.factor` is then that after it
   SurfaceChecks checks;
-  std::optional<Verdict> verdict;  ///< of limit analysis; nothing: it does not judge
+  std::optional<Verdict> verdict;  ///< by limit analysis; nullopt if no bounds apply
   SliceTable slices;
   std::vector<std::string> warnings;
 };
@@ -175,11 +174,11 @@ template <>
 inline constexpr auto words<SearchKind> =
     std::array{Word{SearchKind::entry_exit, "entry_exit"}, Word{SearchKind::grid, "grid"}};
 
-/// The grid of centres that was searched.
+/// Grid of the centres of trial circles.
 struct GridRange {
   Point from{}, to{};  ///< [m]
   int columns = 0, rows = 0, radii = 0;
-  std::optional<Point> levels;  ///< lowest and highest tangent [m]
+  std::optional<Point> levels;  ///< lowest and highest level of the horizontal tangents [m]
 };
 template <class V, As<GridRange> R>
 void describe(V& v, R& r) {
@@ -191,9 +190,9 @@ void describe(V& v, R& r) {
   v.key("levels", r.levels, {"m", "lowest and highest tangent"});
 }
 
-/// Where the search looked: by entries and exits, or on a grid.
+/// Ranges of the search: entry and exit points, or the grid of centres.
 struct SearchRanges {
-  std::optional<Point> exit, entry;  ///< x from and to [m]
+  std::optional<Point> exit, entry;  ///< range of x [m]
   std::optional<int> exits, entries, depths;
   std::optional<GridRange> grid;
 };
@@ -207,10 +206,10 @@ void describe(V& v, R& r) {
   v.maybe("grid", r.grid, {"", "grid of centres"});
 }
 
-/// A critical surface that lies at a limit of the search.
+/// A critical surface at a limit of the search ranges.
 struct LimitHit {
-  std::string method;  ///< its name
-  std::string limit;   ///< "the critical circle …"
+  std::string method;  ///< title of the method of slices
+  std::string limit;   ///< such as "the critical circle …"
 };
 template <class V, As<LimitHit> R>
 void describe(V& v, R& r) {
@@ -220,11 +219,11 @@ void describe(V& v, R& r) {
 
 struct SliceSearch {
   SearchKind kind = SearchKind::entry_exit;
-  long tried = 0;                                              ///< circles
-  std::map<std::string, std::map<std::string, long>> refused;  ///< by method and reason
+  long tried = 0;                                              ///< number of trial circles
+  std::map<std::string, std::map<std::string, long>> refused;  ///< number of rejected circles by method and reason
   std::vector<LimitHit> limit_hits;
   SearchRanges ranges;
-  double smallest_depth = 0;  ///< [m]
+  double smallest_depth = 0;  ///< smallest depth of a sliding mass that counts [m]
   double seconds = 0, circles_per_second = 0;
 };
 template <class V, As<SliceSearch> R>
@@ -241,19 +240,19 @@ void describe(V& v, R& r) {
 
 /// "lem" of summary.json.
 struct SliceResult {
-  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::optional<std::string> error;  ///< why LEM gave no result; if set, only the warnings are written
   std::vector<std::string> warnings;
   std::vector<SliceMethod> methods;
-  int slices = 0;  ///< of a surface
+  int slices = 0;  ///< number of slices of a surface
   std::optional<DrawdownMethod> drawdown;
   std::vector<CriticalSurface> critical, noncircular, given;
-  std::map<std::string, std::vector<SlipSurface>> minima;  ///< by method
-  std::optional<Referee> referee;                          ///< nothing: it was not asked for
+  std::map<std::string, std::vector<SlipSurface>> minima;  ///< local minima by method
+  std::optional<Referee> referee;                          ///< nullopt if no bounds were requested
   std::optional<SliceSearch> search;
   std::optional<std::string> trials_file;
   double seconds = 0;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   SliceResult();
   SliceResult(const SliceResult&);
   SliceResult(SliceResult&&) noexcept;
@@ -279,11 +278,11 @@ void describe(V& v, R& r) {
   v.key("seconds", r.seconds, {"s", "seconds"});
 }
 
-/// Smallest factor over the centres of a grid.
+/// Smallest factor by centre of the trial circles, on a regular grid.
 struct FactorMap {
   Point from{}, to{};  ///< [m]
   int columns = 0, rows = 0;
-  std::vector<std::optional<double>> factor;  ///< row by row; nothing where there is none
+  std::vector<std::optional<double>> factor;  ///< row by row; nullopt where no circle was admissible
 };
 template <class V, As<FactorMap> R>
 void describe(V& v, R& r) {
@@ -294,10 +293,10 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "smallest factor, row by row"});
 }
 
-/// Every circle that was tried.
+/// Factors of all trial circles.
 struct SliceTrials {
   std::vector<std::string> methods;
-  std::vector<std::vector<double>> trials;  ///< centre x, y, radius, from, to [m], factor by each method
+  std::vector<std::vector<double>> trials;  ///< centre x, y, radius, x range [m], factor by method
   std::map<std::string, FactorMap> maps;    ///< by method
 };
 template <class V, As<SliceTrials> R>
@@ -307,7 +306,7 @@ void describe(V& v, R& r) {
   v.key("maps", r.maps, {"", "smallest factor over the centres"});
 }
 
-/// lem.json: what an interrupted run need not calculate again, and the trials for the report.
+/// lem.json: the results that a resumed run reads instead of computing them again, and the trials for the report.
 struct SliceFile {
   std::string input_hash;
   SliceResult summary;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The special members of what is large: each file that holds a result would compile them again.
+// Special members of the largest result structs, defined here so that each is compiled only once.
 #include "results/run.hpp"
 
 #include "results/laboratory.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A study: its table, how each variant went, the extrapolated factors, and the statistics of samples. study.json.
+// Results of a study, study.json: table, status of the variants, extrapolated factors and statistics of samples; and
+// the files of a study that is divided into jobs.
 
 #include <array>
 #include <optional>
@@ -13,7 +14,6 @@
 
 namespace talus::results {
 
-/// A key that was varied.
 struct StudyKey {
   std::string key, unit;
   std::vector<std::string> values;
@@ -25,7 +25,7 @@ void describe(V& v, R& r) {
   v.key("values", r.values, {"", "values"});
 }
 
-/// One number of the table, in full and as people read it; both empty where a variant has no such result.
+/// One cell of the table: full precision, and rounded for display. Both are empty if the variant has no such result.
 struct StudyCell {
   std::string full, shown;
 };
@@ -35,7 +35,7 @@ void describe(V& v, R& r) {
   v.key("shown", r.shown, {"", "as people read it"});
 }
 
-/// The kind of a column, where the program must know it: ranges are given for these, and factors are extrapolated.
+/// Kind of a column, where it affects the output: intervals are computed for these kinds, and factors are extrapolated.
 enum class ColumnKind { other, governing, factor, runout, displacement, ratio };
 template <>
 inline constexpr auto words<ColumnKind> = std::array{Word{ColumnKind::other, "other"},
@@ -46,12 +46,12 @@ inline constexpr auto words<ColumnKind> = std::array{Word{ColumnKind::other, "ot
                                                      Word{ColumnKind::ratio, "ratio"}};
 
 struct StudyColumn {
-  std::string name;              ///< in the CSV, `strength_reduction.curve.damping`
-  std::string title;             ///< in the Markdown, `damping`
-  std::string unit;              ///< empty for plain numbers and words
-  std::vector<StudyCell> cells;  ///< one per variant
+  std::string name;              ///< header in the CSV file, `strength_reduction.curve.damping`
+  std::string title;             ///< header in the Markdown file, `damping`
+  std::string unit;              ///< empty for dimensionless numbers and words
+  std::vector<StudyCell> cells;  ///< by variant
   ColumnKind kind = ColumnKind::other;
-  std::string by;  ///< of a factor of safety: by which method or criterion
+  std::string by;  ///< method or criterion of a factor of safety
 };
 template <class V, As<StudyColumn> R>
 void describe(V& v, R& r) {
@@ -63,7 +63,6 @@ void describe(V& v, R& r) {
   v.key("by", r.by, {"", "method or criterion of a factor of safety"});
 }
 
-/// How a variant went.
 enum class VariantStatus { not_started, finished, interrupted, unstable, failed };
 template <>
 inline constexpr auto words<VariantStatus> =
@@ -74,7 +73,7 @@ inline constexpr auto words<VariantStatus> =
 struct StudyVariant {
   std::string name, folder;
   VariantStatus status = VariantStatus::not_started;
-  std::string reason;  ///< why it is not finished
+  std::string reason;  ///< why it did not finish
 };
 template <class V, As<StudyVariant> R>
 void describe(V& v, R& r) {
@@ -84,9 +83,9 @@ void describe(V& v, R& r) {
   v.key("reason", r.reason, {"", "why it is not finished"});
 }
 
-/// One factor over the key, extrapolated to zero (docs/manual/study.md).
+/// One factor, extrapolated to zero of the varied key (docs/manual/study.md).
 struct ExtrapolatedFactor {
-  std::string criterion, by, variant;  ///< title of the column, method or criterion, other keys
+  std::string criterion, by, variant;  ///< title of the column; method or criterion; values of the other keys
   std::vector<double> sizes, factors;
   double linear = 0;
   std::optional<double> standard_error;
@@ -118,7 +117,7 @@ void describe(V& v, R& r) {
   v.key("factors", r.factors, {"", "factors"});
 }
 
-/// The units of a study; stress where samples were drawn.
+/// Units of display of a study; stress only where samples were drawn.
 struct StudyUnits {
   std::string displacement = "mm", length = "m";
   std::optional<std::string> stress;
@@ -140,12 +139,12 @@ struct StudyResult {
   StudyUnits units;
   std::optional<StudyExtrapolation> extrapolation;
   std::optional<Sampling> sampling;
-  // For samples by slices, which have no run that holds it.
+  // Set for samples evaluated by LEM, which have no RunResult.
   std::optional<Project> project;
   std::optional<Provenance> provenance;
   std::optional<JsonTree> input;
 
-  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
   StudyResult();
   StudyResult(const StudyResult&);
   StudyResult(StudyResult&&) noexcept;
@@ -172,10 +171,10 @@ void describe(V& v, R& r) {
   v.maybe("input", r.input, {"", "every key of the case"});
 }
 
-// A study cut into jobs that are calculated anywhere: the list of jobs, the surfaces that samples are evaluated on, and
-// what a job has found.
+// Files of a study that is divided into jobs: the list of jobs, the common slip surfaces of the samples, and the result
+// of a job.
 
-/// A change of the case, as --set has it.
+/// A changed key of the case, as with `--set`.
 struct JobChange {
   std::string key, value;
 };
@@ -185,9 +184,9 @@ void describe(V& v, R& r) {
   v.key("value", r.value, {"", "its value as TOML"});
 }
 
-/// A file of the case.
+/// A file that the case needs.
 struct JobFile {
-  std::string name, hash;  ///< the name is relative to the folder of the jobs
+  std::string name, hash;  ///< name relative to the folder of the jobs
 };
 template <class V, As<JobFile> R>
 void describe(V& v, R& r) {
@@ -195,7 +194,6 @@ void describe(V& v, R& r) {
   v.key("hash", r.hash, {"", "hash of its content"});
 }
 
-/// One run: a variant of the case, or a sample.
 struct JobVariant {
   std::string folder, label;
   std::vector<JobChange> changes;
@@ -207,13 +205,12 @@ void describe(V& v, R& r) {
   v.key("changes", r.changes, {"", "what it changes in the case"});
 }
 
-/// What a job calculates.
 enum class JobWork { runs, slice_samples };
 template <>
 inline constexpr auto words<JobWork> =
     std::array{Word{JobWork::runs, "runs"}, Word{JobWork::slice_samples, "slice_samples"}};
 
-/// The part of one job: the variants or samples from `first` to before `end`, counted from 0.
+/// Part of one job: the variants or samples with the indices [first, end).
 struct JobPart {
   int first = 0, end = 0;
 };
@@ -223,15 +220,15 @@ void describe(V& v, R& r) {
   v.key("end", r.end, {"", "the one after the last"});
 }
 
-/// jobs.json.
+/// jobs.json: the jobs of a study and their input.
 struct StudyJobs {
   int format = 1;
-  std::string version, commit, level;  ///< of the program that prepared them
-  std::string title, case_file;        ///< the file as it was named then
-  std::vector<JobFile> files;          ///< the copy of the case, then the files that it names
-  std::vector<JobChange> changes;      ///< of --set
+  std::string version, commit, level;  ///< of the program that prepared the jobs
+  std::string title, case_file;        ///< case file as named at preparation
+  std::vector<JobFile> files;          ///< the copy of the case, then the files that it refers to
+  std::vector<JobChange> changes;      ///< by `--set`
   JobWork work = JobWork::runs;
-  std::vector<JobVariant> variants;  ///< empty for samples by slices
+  std::vector<JobVariant> variants;  ///< empty for samples evaluated by LEM
   std::vector<JobPart> jobs;
 };
 template <class V, As<StudyJobs> R>
@@ -249,12 +246,12 @@ void describe(V& v, R& r) {
   v.key("variants", r.variants, {"", "the runs"});
 }
 
-/// A slip surface to the last bit.
+/// A slip surface in full precision.
 struct JobSurface {
   std::string name;
-  std::optional<std::array<double, 3>> circle;  ///< centre and radius [m]
-  std::vector<std::array<double, 2>> line;      ///< [m]
-  double from = 0, to = 0;                      ///< [m]
+  std::optional<std::array<double, 3>> circle;  ///< centre x, y and radius [m]
+  std::vector<std::array<double, 2>> line;      ///< vertices of a polyline [m]
+  double from = 0, to = 0;                      ///< range of x [m]
 };
 template <class V, As<JobSurface> R>
 void describe(V& v, R& r) {
@@ -265,9 +262,9 @@ void describe(V& v, R& r) {
   v.key("to", r.to, {"m", "x of its right end"});
 }
 
-/// surfaces.json: those that samples by slices are evaluated on; none where every sample is searched for itself.
+/// surfaces.json: the slip surfaces on which all samples are evaluated; empty if each sample is searched separately.
 struct JobSurfaces {
-  std::string study;  ///< hash of its jobs.json
+  std::string study;  ///< hash of jobs.json
   std::vector<JobSurface> surfaces;
 };
 template <class V, As<JobSurfaces> R>
@@ -276,16 +273,16 @@ void describe(V& v, R& r) {
   v.key("surfaces", r.surfaces, {"", "slip surfaces"});
 }
 
-/// What a job has found; it exists when all of its part has ended.
+/// Result of a job; the file is written after the whole part of the job has ended.
 struct JobResult {
-  std::string study;                   ///< hash of its jobs.json
-  int job = -1;                        ///< its number
+  std::string study;                   ///< hash of jobs.json
+  int job = -1;                        ///< index of the job
   double seconds = 0;                  ///< [s]
-  int code = 0;                        ///< exit code of the gravest failure; 0: none
-  std::string reason;                  ///< of the samples by slices, where the job failed
-  std::vector<StudyVariant> variants;  ///< of runs: how each ended
-  std::vector<int> codes;              ///< and its exit code
-  std::vector<double> factors;         ///< of samples by slices; NaN where a sample has none
+  int code = 0;                        ///< exit code of the most severe failure; 0 if there is none
+  std::string reason;                  ///< message, if samples evaluated by LEM failed
+  std::vector<StudyVariant> variants;  ///< for runs: status of each
+  std::vector<int> codes;              ///< for runs: exit code of each
+  std::vector<double> factors;         ///< for samples evaluated by LEM; NaN where a sample has no factor
 };
 template <class V, As<JobResult> R>
 void describe(V& v, R& r) {

@@ -20,7 +20,7 @@ const TimedReduction* find_least_reduction(const Timeline& t) {
 
 void find_failure(Timeline& t) {
   const TimedFactor* last = nullptr;
-  double above = 0;  // the last time at which the factor was clearly above the target; else the start
+  double above = 0;  // last time with a factor above the target by more than search_scatter; 0 if there is none
   for (const TimedFactor& f : t.factors) {
     if (!f.factor) continue;
     if (!t.least || *f.factor < *t.least) t.least = f.factor, t.least_time = f.time;
@@ -63,7 +63,7 @@ std::string format_failure(const Timeline& t) {
 
 namespace {
 
-/// When finite elements lose equilibrium, with a space behind it; empty where nobody asked.
+/// Returns a sentence on the loss of equilibrium in FEM, followed by a space; empty if it was not computed.
 std::string format_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
@@ -74,7 +74,7 @@ std::string format_loss(const Timeline& t) {
                      format_moment(t, *loss.from), format_moment(t, *loss.to));
 }
 
-/// What the points began with, behind a space; empty where not with finite elements.
+/// Returns a sentence on the initial stress of MPM, followed by a space; empty if it is not from FEM.
 std::string format_start(const std::vector<Release>& releases) {
   double most = 1;
   bool any = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety in time: when it was found, where it is least, and when it falls below the target.
+// The factor of safety over time: factors, smallest factor, time of failure, and the MPM runs released from the
+// timeline.
 
 #include <optional>
 #include <string>
@@ -13,14 +14,14 @@
 
 namespace talus::results {
 
-/// The slip surface that governs at one time.
+/// Governing slip surface at one time.
 struct TimedFactor {
   double time = 0;               ///< [s]
-  std::optional<double> factor;  ///< nothing: no surface was admissible
+  std::optional<double> factor;  ///< nullopt if no surface was admissible
   SlipSurface surface;
-  std::string source;              ///< "critical polyline"
-  std::string refusal;             ///< why a search would refuse it; empty: it would not
-  std::optional<Referee> referee;  ///< at governing times: the interval that the factor is held against
+  std::string source;              ///< such as "critical polyline"
+  std::string refusal;             ///< reason for which a search would reject the surface; empty if admissible
+  std::optional<Referee> referee;  ///< bounds by limit analysis; computed for the governing times only
 };
 template <class V, As<TimedFactor> R>
 void describe(V& v, R& r) {
@@ -32,16 +33,16 @@ void describe(V& v, R& r) {
   v.maybe("referee", r.referee, {"", "limit analysis at this time, where the time governs"});
 }
 
-/// By how much the factors of two searches of one slope may differ, over the factor: twenty random starts scatter by as
-/// much (docs/verification_data/search.md).
+/// Relative scatter of the factor between searches of the same slope, from twenty random starts
+/// (docs/verification_data/search.md).
 inline constexpr double search_scatter = 0.003;
 
-/// Between two times the factor falls below the target; both were tried.
+/// Interval of time in which the factor falls below the target; searches were made at both ends.
 struct FailureTime {
   double from = 0, to = 0;                ///< [s]
   double factor_from = 0, factor_to = 0;  ///< [-]
-  double earliest = 0;                    ///< the last time before at which it is higher by more than searches scatter
-  std::optional<double> latest;           ///< the first time at which it is lower by as much; nothing: it never is
+  double earliest = 0;                    ///< last time with a factor above target (1 + search_scatter) [s]
+  std::optional<double> latest;           ///< first time with a factor below target (1 - search_scatter) [s]
 };
 template <class V, As<FailureTime> R>
 void describe(V& v, R& r) {
@@ -54,18 +55,18 @@ void describe(V& v, R& r) {
   v.key("latest", r.latest, {"s", "first time at which it is below the target by as much"});
 }
 
-/// Material points that took over at one time.
+/// An MPM run that starts from one time of the timeline.
 struct Release {
   double time = 0;               ///< [s]
-  std::optional<double> factor;  ///< of the slices at that time
-  std::string folder;            ///< of its results, inside that of the run; empty: the run itself
-  bool rests = false;            ///< the soil came to rest before it was let go
-  /// Strength factor of the equilibrium of finite elements whose stress the points began with; nothing: of none.
+  std::optional<double> factor;  ///< of LEM at that time
+  std::string folder;            ///< folder of its results within that of the run; empty for the run itself
+  bool rests = false;            ///< a stage at rest precedes the release
+  /// Strength reduction factor of the FEM equilibrium that gives the initial stress; nullopt if it is not from FEM.
   std::optional<double> start_factor;
   std::optional<std::string> error;
-  double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as of Runout
-  std::optional<double> front_uncertainty;  ///< that the mesh leaves in the advance of the front [m]; nothing: unknown
-  std::optional<BoxLimit> limits;           ///< as of Runout
+  double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as in Runout
+  std::optional<double> front_uncertainty;  ///< discretisation error of the front advance [m]; nullopt if unknown
+  std::optional<BoxLimit> limits;           ///< as in Runout
 };
 template <class V, As<Release> R>
 void describe(V& v, R& r) {
@@ -85,10 +86,10 @@ void describe(V& v, R& r) {
   v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
 }
 
-/// Finite elements at one time.
+/// FEM results at one time.
 struct TimedReduction {
   double time = 0;               ///< [s]
-  std::string folder;            ///< of its results, inside that of the run
+  std::string folder;            ///< folder of its results within that of the run
   std::vector<ElementRun> runs;  ///< by flow rule
   std::optional<std::string> error;
 };
@@ -100,11 +101,11 @@ void describe(V& v, R& r) {
   v.key("error", r.error, {"", "why there is no answer"});
 }
 
-/// Between two times finite elements with the strength as given lose their equilibrium; both were tried.
+/// Interval of time in which the equilibrium of FEM with the given strength is lost.
 struct EquilibriumLoss {
-  std::optional<double> from;  ///< [s]; nothing: there was none at time 0 either
-  std::optional<double> to;    ///< [s]; nothing: it was never lost
-  int trials = 0;              ///< equilibria that were looked for
+  std::optional<double> from;  ///< [s]; nullopt if there is no equilibrium at time 0
+  std::optional<double> to;    ///< [s]; nullopt if equilibrium is never lost
+  int trials = 0;              ///< number of equilibria computed in the bisection
 };
 template <class V, As<EquilibriumLoss> R>
 void describe(V& v, R& r) {
@@ -113,27 +114,26 @@ void describe(V& v, R& r) {
   v.key("trials", r.trials, {"", "equilibria that were looked for"});
 }
 
-/// "timeline" of summary.json.
 struct Timeline {
   double duration = 0;               ///< [s]
-  std::optional<std::string> start;  ///< the date of time 0, "2023-03-01"
+  std::optional<std::string> start;  ///< date of time 0, "2023-03-01"; nullopt if not given
   double target = 1;
-  std::vector<TimedFactor> factors;  ///< in time
-  std::optional<double> least;       ///< of the factors
+  std::vector<TimedFactor> factors;  ///< in order of time
+  std::optional<double> least;       ///< smallest factor
   std::optional<double> least_time;  ///< [s]
   bool fails_from_start = false;     ///< the factor at time 0 is below the target
   std::optional<FailureTime> failure;
-  bool chosen = false;  ///< times were chosen, not given
+  bool chosen = false;  ///< the times were selected by the program, not given
   std::optional<double>
-      distance;  ///< largest estimate of what a straight line between two times is off, over the factor
-  std::vector<WaterState> states;              ///< where the water stood at the times of the factors
-  std::vector<TimedReduction> elements;        ///< in time
-  std::optional<EquilibriumLoss> equilibrium;  ///< where it is the criterion of the release
-  bool pool_loading = false;                   ///< pools load saturated soil
-  std::vector<Release> releases;               ///< the first is that of the run
+      distance;  ///< largest estimated error of linear interpolation between two times, relative to the factor
+  std::vector<WaterState> states;              ///< at the times of the factors
+  std::vector<TimedReduction> elements;        ///< in order of time
+  std::optional<EquilibriumLoss> equilibrium;  ///< if it is the criterion of the release
+  bool pool_loading = false;                   ///< ponded water loads saturated soil
+  std::vector<Release> releases;               ///< the first is that of the run itself
   std::vector<std::string> notes;
   Season weather;
-  double step_error = 0;  ///< the largest of a step of the seepage, by its prediction [m of water]
+  double step_error = 0;  ///< largest difference between prediction and solution of a seepage step [m of water]
   double seepage_seconds = 0, search_seconds = 0;
 };
 template <class V, As<Timeline> R>
@@ -160,11 +160,11 @@ void describe(V& v, R& r) {
   v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
 }
 
-/// The surfaces that were found at one time, with their methods.
+/// Critical surfaces at one time, by method.
 struct SearchedMoment {
   double time = 0;  ///< [s]
   std::vector<SlipSurface> circular, noncircular, given;
-  std::string error;  ///< why there is none
+  std::string error;  ///< why the search failed; empty if it did not
 };
 template <class V, As<SearchedMoment> R>
 void describe(V& v, R& r) {
@@ -175,7 +175,7 @@ void describe(V& v, R& r) {
   v.key("error", r.error, {"", "why there is none"});
 }
 
-/// timeline.json: what an interrupted run has found.
+/// timeline.json: the searches that a resumed run reads instead of computing them again.
 struct TimelineFile {
   std::string input_hash;
   std::vector<SearchedMoment> moments;
@@ -186,19 +186,21 @@ void describe(V& v, R& r) {
   v.key("moments", r.moments, {"", "times that are searched"});
 }
 
-/// Finite elements at the time at which their factor is least, by the first flow rule; nullptr: they have none in time.
+/// Returns the FEM results at the time of the smallest factor, by the first flow rule; nullptr if there are none.
 const TimedReduction* find_least_reduction(const Timeline& timeline);
 
-/// Sets the least factor and the time of failure from the factors in time.
+/// Sets the smallest factor and the time of failure from the factors of the timeline.
 void find_failure(Timeline& timeline);
 
-/// "2.5 days", with " (2023-03-03 12:00)" where the date of time 0 is known.
+/// Returns a time such as "2.5 days", followed by " (2023-03-03 12:00)" if the date of time 0 is known.
 std::string format_moment(const Timeline& timeline, double time);
 
-/// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
+/// Returns sentences such as "The factor of safety falls below 1 between 3.38 and 3.94 h, where it is 1.0001 and
+/// 0.9990. It is least at 72 h, 0.941."
 std::string format_failure(const Timeline& timeline);
 
-/// What moved after the releases, and how much of it hangs on their time; empty where there are none.
+/// Returns sentences on the runouts of the releases and their dependence on the time of release; empty if there are
+/// none.
 std::string format_releases(const Timeline& timeline);
 
 }  // namespace talus::results

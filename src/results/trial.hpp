@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Stages and trials of the material points, the displacement curve, and the factors of safety from them.
+// Results of the stages and trials of MPM, the displacement curve, and the factors of safety by its criteria.
 
 #include <cstdint>
 #include <optional>
@@ -17,11 +17,11 @@ template <>
 inline constexpr auto words<StageEnd> =
     std::array{Word{StageEnd::time, "time"}, Word{StageEnd::rest, "rest"}, Word{StageEnd::failed, "failed"}};
 
-/// The outcome of setting the preconsolidation of soils after a stage.
+/// Preconsolidation pressures set from R₀ at the end of a stage.
 struct Preconsolidation {
-  int points = 0;                    ///< that were given one
-  double smallest = 0, largest = 0;  ///< p'_c of these, with suction and roots [Pa]
-  int beyond = 0;                    ///< of these, whose stress lies outside the yield surface that follows
+  int points = 0;                    ///< number of points whose preconsolidation pressure was set
+  double smallest = 0, largest = 0;  ///< of p'_c, the parts of suction and roots included [Pa]
+  int beyond = 0;                    ///< number of these whose stress lies outside the resulting yield surface
 };
 template <class V, As<Preconsolidation> R>
 void describe(V& v, R& r) {
@@ -31,12 +31,12 @@ void describe(V& v, R& r) {
   v.key("points_beyond_yield_surface", r.beyond, {"", "points whose stress was beyond the yield surface"});
 }
 
-/// The calculation became unstable, went back to an earlier state and on from there with other settings.
+/// A retry after instability: the stage returned to an earlier state and was repeated with other settings.
 struct Retry {
   double time = 0, back_to = 0;  ///< [s]
-  double courant = 0;            ///< from there on
-  std::string smoothing;         ///< from there on, as the case file calls it
-  std::string reason;            ///< what moved faster than soil can, and where
+  double courant = 0;            ///< Courant number of the retry
+  std::string smoothing;         ///< `smoothing` of the retry, as in the case file
+  std::string reason;            ///< what exceeded the limit of speed, and where
 };
 template <class V, As<Retry> R>
 void describe(V& v, R& r) {
@@ -47,12 +47,12 @@ void describe(V& v, R& r) {
   v.key("reason", r.reason, {"", "what was unstable"});
 }
 
-/// What still moves at the end of a stage that should have come to rest.
+/// Remaining movement at the end of a stage that did not reach rest.
 struct MovingSoil {
   double speed = 0;           ///< of the fastest node [m/s]
-  std::vector<double> place;  ///< of that node [m]
-  std::string material;       ///< of the soil there
-  double share = 0;           ///< of all mass, at a tenth of that speed or more
+  std::vector<double> place;  ///< of the fastest node [m]
+  std::string material;       ///< soil at the fastest node
+  double share = 0;           ///< fraction of the mass that moves with at least a tenth of that speed
 };
 template <class V, As<MovingSoil> R>
 void describe(V& v, R& r) {
@@ -62,19 +62,19 @@ void describe(V& v, R& r) {
   v.key("share", r.share, {"", "share of the mass that moves at a tenth of that speed or more"});
 }
 
-/// How a stage went.
+/// Outcome of a stage.
 struct Stage {
   std::string name;
   StageEnd end = StageEnd::time;
   double start = 0, time = 0;  ///< [s]
   std::int64_t steps = 0;
-  double time_step = 0;     ///< last [s]
-  double displacement = 0;  ///< largest at the end [m]
+  double time_step = 0;     ///< last time step [s]
+  double displacement = 0;  ///< largest displacement of a point at the end [m]
   double force_ratio = 0, speed = 0;
   double wall = 0;  ///< [s]
   std::optional<Preconsolidation> preconsolidation;
-  std::optional<MovingSoil> moving;            ///< it was to end at rest, and did not
-  std::optional<std::vector<Retry>> setbacks;  ///< in the order in which they happened
+  std::optional<MovingSoil> moving;            ///< set if the stage was to end at rest but did not
+  std::optional<std::vector<Retry>> setbacks;  ///< in order of occurrence
 };
 template <class V, As<Stage> R>
 void describe(V& v, R& r) {
@@ -93,7 +93,7 @@ void describe(V& v, R& r) {
   v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
 }
 
-/// What a run keeps of its stages until it is finished: stages.json.
+/// stages.json: the stages of an unfinished run.
 struct StageRecord {
   std::vector<Stage> stages;
   std::vector<std::string> warnings;
@@ -104,11 +104,11 @@ void describe(V& v, R& r) {
   v.key("warnings", r.warnings, {"", "warnings"});
 }
 
-/// The slip line of the smallest factor that failed on a mesh: slip_line.json.
+/// slip_line.json: the slip line at the smallest factor that failed on a mesh.
 struct SlipLine {
   double factor = 0;
-  std::vector<Point> points;                   ///< of the side where more soil moves [m]
-  std::optional<std::vector<SideLine>> sides;  ///< to smaller and to larger x; nothing: the soil moves one way
+  std::vector<Point> points;                   ///< of the side on which more soil moves [m]
+  std::optional<std::vector<SideLine>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
 template <class V, As<SlipLine> R>
 void describe(V& v, R& r) {
@@ -117,16 +117,15 @@ void describe(V& v, R& r) {
   v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
 }
 
-/// One trial of the strength reduction.
 struct Trial {
-  double factor = 0;  ///< strength reduction factor
+  double factor = 0;  ///< strength reduction factor (SRF)
   StageEnd end = StageEnd::time;
-  double displacement = 0;  ///< largest of a point at the end, from the trial's start [m]
+  double displacement = 0;  ///< largest displacement of a point during the trial [m]
   double time = 0;          ///< simulated [s]
   std::int64_t steps = 0;
   double force_ratio = 0;    ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ at the end
   double speed = 0;          ///< largest nodal speed at the end [m/s]
-  double largest_speed = 0;  ///< in the whole trial [m/s]
+  double largest_speed = 0;  ///< largest nodal speed during the trial [m/s]
   std::optional<std::vector<Retry>> setbacks;
 };
 template <class V, As<Trial> R>
@@ -142,9 +141,9 @@ void describe(V& v, R& r) {
   v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
 }
 
-/// A trial of the curve that went on until rest.
+/// A trial of the displacement curve that was continued until rest.
 struct RunoutTrial {
-  Trial trial;  ///< how it ended, its whole time and steps, its largest speed
+  Trial trial;  ///< outcome; time, steps and largest speed of the whole trial
   Runout runout;
   Profile profile;                     ///< at the end
   std::optional<double> failure_time;  ///< from the start of the trial [s]
@@ -157,7 +156,7 @@ void describe(V& v, R& r) {
   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
 }
 
-/// What a trial leaves, where it was calculated by other ranks.
+/// Results of a trial that other ranks computed.
 struct TrialOutcome {
   Trial trial;
   std::optional<RunoutTrial> runout;
@@ -170,18 +169,18 @@ void describe(V& v, R& r) {
   v.maybe("slip_line", r.slip_line, {"", "of one that failed at frozen geometry"});
 }
 
-/// The criterion of a factor of safety by material points.
+/// Criterion of a factor of safety of MPM.
 enum class CriterionKind { frozen, bilinear, displacement, jump };
 template <>
 inline constexpr auto words<CriterionKind> =
     std::array{Word{CriterionKind::frozen, "frozen"}, Word{CriterionKind::bilinear, "bilinear"},
                Word{CriterionKind::displacement, "displacement"}, Word{CriterionKind::jump, "jump"}};
 
-/// A factor of safety and the computed factors on either side of it.
+/// A factor of safety and the nearest computed factors on either side of it.
 struct Criterion {
   CriterionKind kind = CriterionKind::bilinear;
-  std::optional<double> factor, lower, upper;  ///< nothing when the curve does not hold it
-  std::string note;                            ///< why there is none, or what to know
+  std::optional<double> factor, lower, upper;  ///< nullopt if the curve does not contain the factor
+  std::string note;                            ///< why there is no factor, or a remark
 };
 template <class V, As<Criterion> R>
 void describe(V& v, R& r) {
@@ -192,9 +191,9 @@ void describe(V& v, R& r) {
   v.key("note", r.note, {"", "why there is none, or what to know"});
 }
 
-/// u = slope·SRF + intercept, fitted to the listed factors.
+/// Branch of the displacement curve: u = slope·SRF + intercept, fitted to the listed factors.
 struct Branch {
-  double slope = 0, intercept = 0;  ///< [m], [m]
+  double slope = 0, intercept = 0;  ///< [m]
   std::vector<double> factors;
 };
 template <class V, As<Branch> R>
@@ -204,7 +203,7 @@ void describe(V& v, R& r) {
   v.key("points", r.factors, {"", "factors that it was fitted to"});
 }
 
-/// The construction of Feng and Xu (2021): lines through the first and the last branch, and where they meet.
+/// Bilinear construction of Feng and Xu (2021): lines fitted to the first and the last branch, and their intersection.
 struct BilinearLines {
   double factor = 0;
   Branch first, second;
@@ -216,7 +215,7 @@ void describe(V& v, R& r) {
   v.key("second", r.second, {"", "second line"});
 }
 
-/// The displacement curve on moving geometry, with every criterion.
+/// Displacement over strength reduction factor on moving geometry, with all its criteria.
 struct DisplacementCurve {
   std::vector<Trial> points;
   std::vector<Criterion> criteria;
@@ -229,15 +228,15 @@ void describe(V& v, R& r) {
   v.maybe("bilinear", r.bilinear, {"", "the two lines"});
 }
 
-/// The factor on one mesh at frozen geometry.
+/// Factor of safety on one mesh at frozen geometry.
 struct MeshFactor {
   double size = 0;  ///< element size h [m]
   int points = 0;
-  std::optional<double> lower;  ///< largest factor that came to rest; nothing: none did
-  std::optional<double> upper;  ///< smallest factor that did not; nothing: all came to rest
-  bool undecided = false;       ///< some trial neither rested nor ran away; it counts as failed
-  std::vector<Trial> trials;    ///< in the order of their factors
-  /// Between the two; nothing where one of them was not found.
+  std::optional<double> lower;  ///< largest factor that came to rest; nullopt if none did
+  std::optional<double> upper;  ///< smallest factor that did not come to rest; nullopt if all did
+  bool undecided = false;       ///< a trial neither came to rest nor failed; it counts as failed
+  std::vector<Trial> trials;    ///< in order of the factor
+  /// Returns the midpoint of the bracket, or nullopt if one of its ends is missing.
   std::optional<double> factor() const {
     return lower && upper ? std::optional(0.5 * (*lower + *upper)) : std::nullopt;
   }
@@ -253,21 +252,21 @@ void describe(V& v, R& r) {
   v.key("trials", r.trials, {"", "trials by factor"});
 }
 
-/// Rest or run-away at frozen geometry.
+/// Factor of safety at frozen geometry, where each trial comes to rest or fails.
 struct FrozenFactor {
-  std::optional<double> factor;  ///< nothing: a mesh has none
-  std::string note;              ///< why there is none
-  /// Half the width of the interval: brackets, and what the mesh does. Nothing from one mesh: its bracket is that of
-  /// the search, and says nothing of the mesh.
+  std::optional<double> factor;  ///< nullopt if a mesh gave no factor
+  std::string note;              ///< why there is no factor
+  /// Half the width of the interval: the brackets and the discretisation error. With one mesh it is nullopt: the
+  /// bracket of the search has no information on the discretisation error.
   std::optional<double> uncertainty;
-  double bracket = 0;                  ///< of it, half the width of the brackets as the extrapolation passes them on
-  std::optional<double> mesh_effect;   ///< of it, what the mesh does; nothing: not estimated
-  std::optional<double> extrapolated;  ///< to h = 0
+  double bracket = 0;                  ///< its part from the brackets: half widths, weighted as in the extrapolation
+  std::optional<double> mesh_effect;   ///< its part from the mesh; nullopt if not estimated
+  std::optional<double> extrapolated;  ///< factor extrapolated to h = 0
   std::vector<MeshFactor> meshes;      ///< coarse to fine
-  std::optional<MeshFactor> coarser;   ///< a mesh of twice the coarsest size, for the extrapolation alone
-  std::optional<MeshFactor> other;     ///< the coarse mesh by another mesher
+  std::optional<MeshFactor> coarser;   ///< mesh of twice the coarsest size, used for the extrapolation only
+  std::optional<MeshFactor> other;     ///< coarse mesh by another mesh algorithm
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
-  /// The meshes that have a factor, coarse to fine.
+  /// Returns the meshes that have a factor, coarse to fine.
   std::vector<const MeshFactor*> list_found() const {
     std::vector<const MeshFactor*> found;
     if (coarser && coarser->factor()) found.push_back(&*coarser);
@@ -298,11 +297,11 @@ void describe(V& v, R& r) {
   v.key("dilatancy_angle_max", r.dilatancy_angle_max, {"deg", "largest dilatancy angle"});
 }
 
-/// Factors of safety of the material points.
+/// Factors of safety of MPM.
 struct PointFactors {
-  std::optional<double> value;  ///< the frozen one
+  std::optional<double> value;  ///< that at frozen geometry
   std::optional<FrozenFactor> frozen;
-  std::optional<std::vector<Criterion>> criteria;  ///< on the displacement curve
+  std::optional<std::vector<Criterion>> criteria;  ///< of the displacement curve
 };
 template <class V, As<PointFactors> R>
 void describe(V& v, R& r) {

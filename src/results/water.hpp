@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water: the budget of a run, steady seepage, the season before it, and where the water stood.
+// Results on pore water: budget of a run, steady seepage, weather before the run, and the states of the pore water.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,6 @@
 
 namespace talus::results {
 
-/// The hydraulic condition of a surface.
 enum class SurfaceCondition { open, seepage_face, rain, flux, total_head, pressure };
 template <>
 inline constexpr auto words<SurfaceCondition> = std::array{Word{SurfaceCondition::open, "open"},
@@ -20,7 +19,7 @@ inline constexpr auto words<SurfaceCondition> = std::array{Word{SurfaceCondition
                                                            Word{SurfaceCondition::total_head, "total_head"},
                                                            Word{SurfaceCondition::pressure, "pressure"}};
 
-/// Water through one surface [kg; per metre in plane strain].
+/// Mass of water through one surface [kg; kg/m in plane strain].
 struct SurfaceWater {
   std::string name;
   SurfaceCondition condition = SurfaceCondition::open;
@@ -36,11 +35,11 @@ void describe(V& v, R& r) {
   v.key("runoff", r.runoff, {"kg", "water that ran off"});
 }
 
-/// The water of a run [kg; per metre in plane strain].
+/// Mass budget of the pore water of a run [kg; kg/m in plane strain].
 struct WaterBudget {
   double density = 1000;  ///< [kg/m³]
   double initial = 0, stored = 0, entered = 0, left = 0, runoff = 0, lost_between = 0, left_grid = 0, pressed_in = 0;
-  double error = 0;                                  ///< the error of the budget, over the water in the model
+  double error = 0;                                  ///< relative to the mass of water in the model
   double largest_pressure = 0, largest_suction = 0;  ///< at the end [Pa]
   std::vector<double> largest_suction_at;            ///< [m]
   std::vector<SurfaceWater> surfaces;
@@ -65,7 +64,7 @@ void describe(V& v, R& r) {
   v.maybe("transpired", r.transpired, {"kg", "water that roots drew"});
 }
 
-/// Flow through a named side [m³/s; per metre in plane strain]; of a season the volume [m³].
+/// Flow through a named side [m³/s; m³/(s m) in plane strain]; for a season the volume [m³; m³/m].
 struct Discharge {
   std::string name;
   double inflow = 0, outflow = 0, runoff = 0;
@@ -78,7 +77,7 @@ void describe(V& v, R& r) {
   v.key("runoff", r.runoff, {"m3/s", "flow that runs off"});
 }
 
-/// Where water comes out of a seepage face.
+/// Seepage exit: where water leaves a side.
 struct SeepageExit {
   std::string name;
   std::vector<double> highest, lowest;  ///< [m]
@@ -90,17 +89,17 @@ void describe(V& v, R& r) {
   v.key("lowest", r.lowest, {"m", "lowest wet place"});
 }
 
-/// Steady seepage by finite elements.
+/// Steady seepage by FEM.
 struct Seepage {
-  double inflow = 0, outflow = 0;  ///< [m³/s; per metre in plane strain]
+  double inflow = 0, outflow = 0;  ///< [m³/s; m³/(s m) in plane strain]
   double balance_error = 0;
   int iterations = 0;
-  int undecided = 0;                       ///< nodes of the ground that fit neither a dry nor a wet surface
+  int undecided = 0;                       ///< ground nodes with neither a dry nor a wet solution
   double largest_suction = 0;              ///< [Pa]
   std::vector<double> largest_suction_at;  ///< [m]
   std::vector<Discharge> discharges;
   std::vector<SeepageExit> exits;
-  std::vector<std::vector<std::vector<double>>> water_table;  ///< lines of points [m]
+  std::vector<std::vector<std::vector<double>>> water_table;  ///< polylines [m]
 };
 template <class V, As<Seepage> R>
 void describe(V& v, R& r) {
@@ -116,7 +115,7 @@ void describe(V& v, R& r) {
   v.key("water_table", r.water_table, {"m", "lines of zero pressure"});
 }
 
-/// What plants on one ground drew [m³].
+/// Potential and actual transpiration of the plants on one ground surface [m³].
 struct PlantWater {
   std::string ground;
   double potential = 0, transpired = 0;
@@ -128,9 +127,9 @@ void describe(V& v, R& r) {
   v.key("transpired", r.transpired, {"m3", "transpiration"});
 }
 
-/// Suction in a layer below the ground [Pa].
+/// Suction in a layer parallel to the ground [Pa].
 struct SuctionLayer {
-  double depth = 0;  ///< of its lower end [m]
+  double depth = 0;  ///< of the lower end of the layer [m]
   double initial = 0, mean = 0, least = 0, greatest = 0, driest = 0;
 };
 template <class V, As<SuctionLayer> R>
@@ -143,12 +142,12 @@ void describe(V& v, R& r) {
   v.key("driest", r.driest, {"Pa", "greatest suction of the season"});
 }
 
-/// Rain and transpiration before the run [m³; per metre in plane strain].
+/// Water budget of the weather before the run [m³; m³/m in plane strain].
 struct Season {
   double duration = 0;  ///< [s]
   double initial = 0, growth = 0, inflow = 0, outflow = 0, runoff = 0, potential = 0, transpired = 0;
-  std::optional<double> standing;  ///< nothing: none stands at the end
-  double error = 0;                ///< of the budget, relative
+  std::optional<double> standing;  ///< nullopt if there is no ponded rain at the end
+  double error = 0;                ///< relative error of the budget
   int steps = 0, rejected = 0, iterations = 0;
   std::vector<Discharge> surfaces;
   std::vector<PlantWater> plants;
@@ -174,18 +173,17 @@ void describe(V& v, R& r) {
   v.key("layers", r.layers, {"", "suction by depth"});
 }
 
-/// What the pore pressures of a state follow from; lowered: the water table after a rapid drawdown, in soil that
-/// drains.
+/// Origin of the pore pressures of a state. `lowered` is the water table after a rapid drawdown, for soil that drains.
 enum class WaterFlow { hydrostatic, steady, transient, lowered };
 template <>
 inline constexpr auto words<WaterFlow> =
     std::array{Word{WaterFlow::hydrostatic, "hydrostatic"}, Word{WaterFlow::steady, "steady"},
                Word{WaterFlow::transient, "transient"}, Word{WaterFlow::lowered, "lowered"}};
 
-/// Water that stands on a stretch of the ground.
+/// Ponded water on a part of the ground.
 struct StandingWater {
-  Point from{}, to{};                   ///< on the ground, from left to right [m]
-  double level_from = 0, level_to = 0;  ///< of the water there [m]
+  Point from{}, to{};                   ///< ends on the ground, left to right [m]
+  double level_from = 0, level_to = 0;  ///< water level at these ends [m]
 };
 template <class V, As<StandingWater> R>
 void describe(V& v, R& r) {
@@ -195,16 +193,16 @@ void describe(V& v, R& r) {
   v.key("level_to", r.level_to, {"m", "level of the water at the right end"});
 }
 
-/// Where the water stood at one time, and what passed each side then.
+/// State of the pore water at one time, with the flow through each side.
 struct WaterState {
   WaterFlow flow = WaterFlow::hydrostatic;
-  double time = 0;                 ///< 0: the methods begin with this state [s]
-  double inflow = 0, outflow = 0;  ///< [m³/s; per metre in plane strain]
-  double storage_rate = 0;         ///< growth of the water in the soil [m³/s]
+  double time = 0;                 ///< [s]; 0 for the initial state of the methods
+  double inflow = 0, outflow = 0;  ///< [m³/s; m³/(s m) in plane strain]
+  double storage_rate = 0;         ///< rate of change of the water volume in the soil [m³/s]
   std::vector<Discharge> discharges;
   std::vector<SeepageExit> exits;
-  std::vector<std::vector<Point>> water_table;  ///< lines of zero pressure [m]; none in 3D
-  std::vector<StandingWater> ponds;             ///< none in 3D
+  std::vector<std::vector<Point>> water_table;  ///< lines of zero pressure [m]; empty in 3D
+  std::vector<StandingWater> ponds;             ///< empty in 3D
 };
 template <class V, As<WaterState> R>
 void describe(V& v, R& r) {
@@ -219,13 +217,13 @@ void describe(V& v, R& r) {
   v.key("ponds", r.ponds, {"", "water that stands on the ground"});
 }
 
-/// The fields of such a state.
+/// Fields of one state of the pore water.
 struct WaterField {
   WaterFlow flow = WaterFlow::hydrostatic;
   double time = 0;                            ///< [s]
-  std::vector<double> pressure;               ///< at the nodes, compression positive [Pa]
-  std::vector<double> saturation;             ///< of the elements; empty where it is not known
-  std::vector<std::vector<double>> velocity;  ///< Darcy's, of the elements [m/s]; empty where nothing flows
+  std::vector<double> pressure;               ///< nodal, positive in compression [Pa]
+  std::vector<double> saturation;             ///< by element; empty if unknown
+  std::vector<std::vector<double>> velocity;  ///< Darcy velocity by element [m/s]; empty if there is no flow
 };
 template <class V, As<WaterField> R>
 void describe(V& v, R& r) {
@@ -236,12 +234,12 @@ void describe(V& v, R& r) {
   v.key("velocity", r.velocity, {"m/s", "Darcy's velocity of the elements"});
 }
 
-/// water.json: the pore pressures that the methods began with, and those before, on triangles.
+/// water.json: fields of the pore water on triangles, up to the initial state of the methods.
 struct WaterFields {
   double unit_weight = 0;                  ///< of water [N/m³]
   std::vector<Point> nodes;                ///< [m]
-  std::vector<std::vector<int>> elements;  ///< numbers of nodes
-  std::vector<WaterField> states;          ///< in time; the last one is that which the methods began with
+  std::vector<std::vector<int>> elements;  ///< node numbers
+  std::vector<WaterField> states;          ///< in order of time; the last is the initial state of the methods
 };
 template <class V, As<WaterFields> R>
 void describe(V& v, R& r) {
