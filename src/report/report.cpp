@@ -60,7 +60,7 @@ std::vector<TrialFolder> list_trials(const fs::path& folder) {
   return trials;
 }
 
-/// A run that was killed before its summary has frames only; plane strain is known by its zeros.
+/// Sets the dimension of a run that was killed before it wrote a summary: plane strain if all z of its frames are zero.
 void note_dimension(ResultFolder& folder) {
   if (folder.run.mesh || !folder.frames || folder.frames->size() == 0) return;
   const output::Frame frame = folder.frames->read(0);
@@ -71,7 +71,7 @@ void note_dimension(ResultFolder& folder) {
   mesh.points = frame.point_count();
 }
 
-/// Element tests themselves give what a report needs of a run.
+/// Returns a run with the parts that element tests contain: title, case, units, warnings.
 results::RunResult make_run_of_tests(const results::PointTests& tests) {
   results::RunResult run;
   run.title = tests.title;
@@ -131,7 +131,7 @@ ResultFolder open_folder(const fs::path& path) {
                      path.string()));
   }
   if (!run) {
-    // A run that was killed left the reports of the stages that it finished, and their warnings.
+    // A killed run has the reports of its finished stages and their warnings in stages.json.
     if (auto record = results::read_file<results::StageRecord>(path / "stages.json")) {
       folder.run.stages = std::move(record->stages);
       folder.run.warnings = std::move(record->warnings);
@@ -146,7 +146,7 @@ using nlohmann::json;
 
 namespace {
 
-/// What a run and a study have in common, from the result of the run (of a study: of its first variant).
+/// Returns the parts that reports of runs and of studies share; for a study they are those of its first variant.
 json make_common(const ResultFolder& folder, Packer& packer) {
   const results::RunResult& run = folder.run;
   const ShownUnits units = read_units(run);
@@ -179,7 +179,7 @@ json make_answer_of(const std::vector<std::string>& sentences) {
   return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
 }
 
-/// Slices, finite elements, proven bounds, and all methods beside each other.
+/// Adds LEM, FEM, limit analysis, and the comparison of all methods.
 void add_other_methods(const ResultFolder& folder, Packer& packer, json& document) {
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
@@ -214,7 +214,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
 json make_study_report(const ResultFolder& folder, Packer& packer) {
   const StudyContent study = read_study(folder, packer);
   ResultFolder first = study.first;
-  first.path = folder.path;  // its own frames are not shown; its folder's name must not be taken for the study's
+  first.path = folder.path;  // uses the name of the study; the frames of the variant are not shown
   json document = make_common(first, packer);
   document["kind"] = "study";
   document["status"] = study.status;
@@ -225,14 +225,14 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
   document["comparisons"] = json::array();
   document["timing"] = {{"wall", study.wall}, {"cpu", study.cpu}, {"parts", json::array()}};
   if (folder.study_result->sampling) {
-    // Samples by slices have no run that would hold the input.
+    // Samples evaluated by LEM have no run, and so no input.
     if (document["input"].empty()) document["methods"] = json::array();
     document["methods"].push_back("sampling");
   }
   return document;
 }
 
-/// Element tests without a run: the parts on slopes are left out.
+/// Returns the report of element tests without a run; the parts on slopes are omitted.
 json make_tests_report(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   document["kind"] = "tests";
@@ -243,7 +243,7 @@ json make_tests_report(const ResultFolder& folder, Packer& packer) {
   return document;
 }
 
-/// The element tests of the folder, beside whatever else it holds.
+/// Adds the element tests of the folder to any kind of report.
 void add_point_tests(const ResultFolder& folder, json& document) {
   if (!folder.tests) return;
   document["point_tests"] = make_point_tests(folder);

@@ -12,7 +12,7 @@ bool asks_for(const ResultFolder& folder, Method method) {
     const std::vector<Method>& asked = folder.run.methods->asked;
     return std::find(asked.begin(), asked.end(), method) != asked.end();
   }
-  // A run that failed before the methods gave an answer has the echo of its input only.
+  // The echo of the input remains if a run failed before any method gave a result.
   switch (method) {
     case Method::lem:
       return input::uses(folder.data, input::Method::lem);

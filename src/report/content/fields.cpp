@@ -13,10 +13,11 @@ namespace {
 struct Words {
   const char* title;
   bool is_signed;
-  const char* unit = nullptr;  ///< shown instead of the stored one, of the same size
+  const char* unit = nullptr;  ///< unit of display instead of the stored one, with si = 1
 };
 
-/// Stresses and strains keep the sign of the results files; the title says which it is.
+/// Titles of the stored fields. Stresses and strains keep the sign convention of the result files, which the title
+/// states.
 const std::map<std::string, Words>& list_words() {
   static const std::map<std::string, Words> words{
       {"displacement", {"displacement", false}},
@@ -30,13 +31,13 @@ const std::map<std::string, Words>& list_words() {
       {"plastic_strain", {"plastic deviatoric strain", false}},
       {"volume", {"volume of the point", false}},
       {"pore_pressure", {"pore pressure (compression positive)", true}},
-      // The scale does not begin at zero, so that differences are visible.
+      // The colour scale does not start at zero, so that differences are visible.
       {"saturation", {"degree of saturation", true}},
       {"porosity", {"porosity", true}},
       {"darcy_velocity", {"flow of the water (Darcy)", false}},
       {"water_velocity", {"velocity of the water", false}},
       {"preconsolidation_pressure", {"preconsolidation pressure p'c", false}},
-      // Changes of the void ratio are small against itself.
+      // Changes of the void ratio are small compared with its value.
       {"void_ratio", {"void ratio e", true}},
       {"root_content", {"root content", false, "%"}},
       {"root_activation_strain", {"activation strain of the roots", false}},
@@ -94,7 +95,7 @@ std::vector<ScalarField> list_scalars(const std::vector<output::Field>& fields, 
 
 ScalarField find_scalar(const std::string& name, const std::string& unit, std::size_t dimension,
                         const ShownUnits& units) {
-  // "stress_xx" is a part of "stress"; "void_ratio" is no part of "void".
+  // "stress_xx" is a component of "stress", but "void_ratio" is a field of its own.
   const std::size_t cut = name.rfind('_');
   const std::string base = cut == std::string::npos ? name : name.substr(0, cut);
   int components = 1;
@@ -127,7 +128,7 @@ ColourScale find_colour_scale(std::span<const double> values, bool is_signed, do
     return *at;
   };
   double low = is_signed ? percentile(0.01) : 0, high = percentile(0.99);
-  // A strain that a hundredth of the points has would not be seen at all.
+  // A strain localised in less than a hundredth of the points is outside the percentiles.
   if (low == high) {
     const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
     low = is_signed ? *least : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Stored fields as the scalar quantities that a person looks at: magnitudes, components, titles, units, colour scales.
+// Scalar quantities that the report shows of stored fields: magnitudes, components, titles, units and colour scales;
+// and the conversion of the fields of pore water to Darcy's velocity.
 
 #include <array>
 #include <cstddef>
@@ -13,41 +14,40 @@
 
 namespace talus::report {
 
-/// A scalar made of a stored field.
+/// A scalar derived from a stored field.
 struct ScalarField {
-  std::string stored;  ///< name in the results, "stress"
-  int component = -1;  ///< of the stored field; -1: the field itself, or the length of a vector
-  std::string name;    ///< "stress_xx"
+  std::string stored;  ///< name of the field in the result files, "stress"
+  int component = -1;  ///< component of the field; -1: the scalar field itself or the magnitude of a vector
+  std::string name;    ///< such as "stress_xx"
   std::string title;
   ShownUnit unit;
-  bool is_signed = false;  ///< may be negative
+  bool is_signed = false;  ///< the scalar may be negative
 };
 
-/// The scalars of the stored `fields` in `dimension` dimensions that a report shows. Components that plane strain
-/// leaves zero are left out, and those of velocity and strain; the results file holds them.
+/// Returns the scalars that a report shows of the stored `fields`. Components of velocity and strain, and those that
+/// vanish in plane strain, are omitted; the result files contain them.
 std::vector<ScalarField> list_scalars(const std::vector<output::Field>& fields, std::size_t dimension,
                                       const ShownUnits& units);
 
-/// The scalar called `name` ("stress_xx") with the stored `unit`, as a table of the results has it.
+/// Returns the scalar `name` ("stress_xx") of a column in a result table with the stored `unit`.
 ScalarField find_scalar(const std::string& name, const std::string& unit, std::size_t dimension,
                         const ShownUnits& units);
 
-/// Value of item `i` of the stored field.
+/// Returns the value of the scalar at point `i` of the stored field.
 double evaluate(const ScalarField& scalar, const output::Field& stored, std::size_t i);
 
-/// Limits of a colour scale that outliers do not stretch, and whether its middle is zero.
+/// Limits of a colour scale without outliers; `diverging` if it is centred at zero.
 struct ColourScale {
   std::array<double, 2> limits{};
   bool diverging = false;
 };
-/// 1st to 99th percentile of the finite values; from zero for what has no sign; with equal ends about zero when both
-/// signs matter (the smaller side is above a tenth of the larger). A constant field gets a scale of length `step` (SI).
+/// Returns the colour scale between the 1st and the 99th percentile of the finite values. It starts at zero for a
+/// scalar without sign, and is symmetric about zero if the smaller side exceeds a tenth of the larger. The scale of a
+/// constant field has the length `step` (SI).
 ColourScale find_colour_scale(std::span<const double> values, bool is_signed, double step = 1);
 
-// Pore water of a frame as an engineer asks for it, from what the results hold.
-
-/// Replaces the water's own velocity w by Darcy's, nS(w - v): volume per time and area of soil [m/s]. Points of dry
-/// soil, whose saturation is zero, get no pressure, saturation or flow. A dry frame stays as it is.
+/// Replaces the velocity of the water, w, by Darcy's, nS(w - v): the volume per time and area of soil [m/s]. Pressure,
+/// saturation and flow at points of dry soil (saturation 0) are set to NaN. Dry frames are not changed.
 void show_water(output::Frame& frame);
 
 }  // namespace talus::report

@@ -34,7 +34,7 @@ json make_provenance(const ResultFolder& folder) {
 json make_timing(const results::RunResult& run) {
   const results::Timing timing = run.timing.value_or(results::Timing{});
   json parts = results::to_json(timing.parts.value_or(std::vector<results::TimedPart>{}));
-  // Older folders know the parts of the stages' steps only.
+  // Older results have the phases of the MPM step only.
   if (parts.empty() && timing.stage_steps)
     for (const auto& [name, seconds] : results::to_json(*timing.stage_steps).items()) {
       std::string title = "stages: " + name;
@@ -46,7 +46,7 @@ json make_timing(const results::RunResult& run) {
 
 namespace {
 
-/// Curves and pictures of more times than this are hard to tell apart.
+/// More times than this cannot be distinguished in one diagram.
 constexpr std::size_t most_times = 5;
 
 std::size_t find_nearest(const std::vector<double>& times, double time) {
@@ -75,12 +75,12 @@ using nlohmann::json;
 
 namespace {
 
-/// Whether all points left the grid.
+/// Returns true if all points left the grid.
 bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
 }
 
-/// Long times of a timeline are told in hours or days; volumes, flows and speeds in feet where lengths are.
+/// Times of a timeline are shown in hours or days; volumes, flows and speeds in feet if lengths are.
 ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& units, std::size_t dimension) {
   const std::string& name = result.unit.name;
   if (name == "s") return choose_time_unit(std::abs(result.value));
@@ -101,11 +101,11 @@ json list_named_results(const ResultFolder& folder) {
   const std::size_t dimension = get_dimension(folder.run);
   json list = json::array();
   for (const results::NamedResult& result : folder.run.results) {
-    const results::NamedValue about = known[result.name];  // nothing: another version knew other results
-    // Of a strength reduction the runout is that of a trial.
+    const results::NamedValue about = known[result.name];  // empty for a result of another version
+    // The runout of a strength reduction belongs to a trial.
     const bool of_run = folder.data.analysis == input::AnalysisKind::run;
     if (has_lost_all(folder.run) && about.kind == results::ResultKind::runout && of_run) continue;
-    // Its title says so.
+    // The title already states that the discharge is an inflow.
     const bool flows_in = about.quantity == "discharge" && result.value < 0;
     const ShownUnit unit = choose_unit(result, units, dimension);
     json& out = list.emplace_back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The title block, provenance and timing.
+// Title block, provenance, timing, the stored frames selected on the clock of the case ([output] count_from), and the
+// results by name.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -11,20 +12,18 @@
 
 namespace talus::report {
 
-/// Project, Provenance and Timing of web/src/contract/.
+/// Return Project, Provenance and Timing of web/src/contract/.
 nlohmann::json make_project(const results::RunResult& run);
 nlohmann::json make_provenance(const ResultFolder& folder);
 nlohmann::json make_timing(const results::RunResult& run);
 
-// The clock of a case ([output] count_from) and the stored frames that are shown by it.
-
-/// Which of the ascending `times` [s] of the run are shown: those nearest to the times that are asked for (of two at
-/// one time the later one), or five evenly spread from the start of the clock on.
+/// Returns the indices of the shown frames. `times` [s] are ascending and on the clock of the run. The frames are those
+/// nearest to the requested times (the later of two at the same time), or five equally spaced ones from the start of
+/// the clock.
 std::vector<std::size_t> choose_shown(const std::vector<double>& times, const results::Clock& clock);
 
-// The results of a run by name (`NamedResult` in web/src/contract/).
-
-/// The results, without the zeros that a runout without any soil comes to.
+/// Returns `NamedResult[]` of web/src/contract/. Runout results are omitted if all soil left the grid, since they are
+/// zero.
 nlohmann::json list_named_results(const ResultFolder& folder);
 
 }  // namespace talus::report

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 namespace {
 
-/// "loess.kappa = 0.02203 (± 0.05 %)".
+/// Returns a text such as "loess.kappa = 0.02203 (± 0.05 %)".
 std::string describe_parameter(const results::CalibratedParameter& p) {
   std::string text = fmt::format("{} = {:.4g}{}{}", p.key.substr(std::string("materials.").size()), p.value,
                                  p.unit.empty() ? "" : " ", p.unit);
@@ -68,14 +68,14 @@ namespace {
 
 constexpr std::size_t most_test_rows = 251;
 
-/// Six digits are more than a chart shows, and a report is to be small.
+/// Rounds to six digits, which exceed the resolution of a chart, to reduce the size of the report.
 double round_off(double value) {
   if (value == 0 || !std::isfinite(value)) return 0;
   const double power = std::pow(10, 5 - std::floor(std::log10(std::abs(value))));
   return std::round(value * power) / power;
 }
 
-/// The columns that the diagrams show, thinned; strains in per cent.
+/// Returns the columns that the diagrams need, with fewer rows; strains in per cent.
 json read_columns(const std::filesystem::path& table, const std::set<std::string>& wanted,
                   const std::vector<std::size_t>& turns) {
   const output::HistoryTable curve = output::read_history(table);
@@ -146,7 +146,7 @@ std::vector<std::string> format_point_tests(const ResultFolder& folder) {
   double low = INFINITY, high = 0;
   for (const results::PointTest& test : list) {
     const double q = std::abs(keep_finite(test.peak_q));
-    if (q > 0) low = std::min(low, q);  // isotropic tests have none
+    if (q > 0) low = std::min(low, q);  // q is zero in isotropic tests
     high = std::max(high, q);
   }
   if (high > 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A calibration of a folder (`Calibration` in web/src/contract/).
+// Element tests (`PointTests`) and calibration (`Calibration` in web/src/contract/) of a results folder.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,20 +10,18 @@
 
 namespace talus::report {
 
-/// Adds what `talus calibrate` found to the document of a report: its section, its findings among the warnings, and
-/// its answer before that of the element tests. Nothing when the folder holds no calibration.
+/// Adds a calibration to the document of a report: its section, its warnings, and its answer before that of the element
+/// tests. Does nothing if the folder contains no calibration.
 void add_calibration(const ResultFolder& folder, nlohmann::json& document);
 
-// Element tests of a folder (`PointTests` in web/src/contract/).
-
-/// Tests, their curves and diagrams; null when the folder has none. Throws Error (wrong_input) when a table is missing
-/// or damaged.
+/// Returns the tests with their curves and diagrams; null if the folder contains none. Throws Error (wrong_input) if a
+/// table is missing or damaged.
 nlohmann::json make_point_tests(const ResultFolder& folder);
 
-/// The answer of element tests in words.
+/// Returns the sentences of the answer on the element tests.
 std::vector<std::string> format_point_tests(const ResultFolder& folder);
 
-/// The assumptions of element tests, in sentences.
+/// Returns the assumptions of the element tests as sentences.
 std::vector<std::string> list_point_assumptions();
 
 }  // namespace talus::report

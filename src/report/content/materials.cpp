@@ -132,7 +132,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Whether Poisson's ratio is known: slices alone do not ask for it.
+/// Returns true if the case gives Poisson's ratio, which LEM does not need.
 bool has_poisson_ratio(const input::Case& data, const input::Material& soil) {
   if (!material::needs<material::PoissonInput>(soil.model)) return false;
   return soil.poisson_ratio != 0 || input::uses(data, input::Method::fem) || input::uses(data, input::Method::mpm) ||
@@ -145,7 +145,7 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
   const auto& unit_weight = soil.slices.unit_weight;
   const bool has_grains = soil.grain_density > 0 && porosity;
   const ShownUnit weight = read_units(folder.run).unit_weight;
-  // A unit weight stands for both.
+  // A given unit weight replaces density and porosity.
   if (!unit_weight) {
     if (soil.grain_density > 0)
       properties.add("grain_density", "density of the grains", "ρ_s", {"kg/m³", 1}, soil.grain_density);
@@ -190,7 +190,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
   std::optional<double> stage_factor;
   if (!data.stages.empty()) stage_factor = data.stages.back().strength_factor;
   if (stage_factor == 1.0) stage_factor.reset();
-  int index = 0;  // points carry the number of their material in the order of the names
+  int index = 0;  // material number of the points, in alphabetical order of the names
   for (const auto& [name, soil] : data.materials) {
     json regions = json::array();
     for (const auto& [region, material] : data.regions)
@@ -208,7 +208,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
 
 namespace {
 
-/// How a bundle was added up.
+/// Returns the name of the root bundle model and its number of classes.
 std::string describe_bundle(const input::RootBundle& bundle) {
   const std::size_t classes = bundle.area_ratios.size();
   return fmt::format(
@@ -217,7 +217,7 @@ std::string describe_bundle(const input::RootBundle& bundle) {
       classes == 1 ? "" : "es");
 }
 
-/// "falling with exp(−z/0.2 m) down to 0.5 m".
+/// Returns a text such as "falling with exp(−z/0.2 m) down to 0.5 m".
 std::string describe_profile(const input::Roots& roots, const ShownUnit& length) {
   const std::string depth = show(roots.depth, length);
   const std::string along = roots.along.empty() ? "" : ", not the same along the ground";
@@ -231,7 +231,8 @@ std::string describe_profile(const input::Roots& roots, const ShownUnit& length)
   }
 }
 
-/// At the ground, of roots of full age; empty where plants only transpire.
+/// Returns the root content or the root cohesion at the ground for roots of full age; empty if the plants only
+/// transpire.
 std::string describe_worth(const input::Roots& roots, const ShownUnits& units) {
   if (roots.content) return fmt::format("{} % of the dry mass at the ground", show_number(*roots.content));
   const auto cohesion = ground::find_ground_cohesion(roots);

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-/// null for 0, which stands for a surface that was refused.
+/// Returns null for 0, the value of rejected surfaces.
 json write_factor(const std::optional<double>& factor) {
   return factor.value_or(0) > 0 ? json(*factor) : json();
 }
@@ -35,7 +35,7 @@ json list_numbers(const std::vector<std::optional<double>>& numbers) {
   return list;
 }
 
-/// The columns of the slice table; older folders know fewer.
+/// Returns the columns of the slice table; older results have fewer.
 json take_columns(const results::SliceTable& slices) {
   json columns = results::to_json(slices);
   for (json& column : columns)
@@ -180,7 +180,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A mesh with more elements would be the largest part of the report, and too fine to be seen.
+/// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.
 constexpr std::size_t most_field_elements = 60000;
 constexpr std::size_t corners_per_element = 6;
 
@@ -222,7 +222,7 @@ json take_run(const results::ElementRun& run) {
   return taken;
 }
 
-/// Limits of the colours: the largest strain of all but the most strained hundredth of the nodes.
+/// Returns the limits of the colour scale from 0 to the 99th percentile of the nodal shear strain.
 std::vector<double> find_strain_scale(std::vector<double> strain) {
   if (strain.empty()) return {0, 1};
   const auto at = strain.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(strain.size() - 1));
@@ -230,7 +230,7 @@ std::vector<double> find_strain_scale(std::vector<double> strain) {
   return {0, *at > 0 ? *at : 1};
 }
 
-/// `rows` one after the other; throws Error (wrong_input) where one is not `width` long.
+/// Concatenates `rows`; throws Error (wrong_input) if a row has not the length `width`.
 template <class T, class To>
 std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t width) {
   std::vector<To> values;
@@ -243,7 +243,7 @@ std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t w
   return values;
 }
 
-/// The mesh; null where it cannot be drawn.
+/// Packs the mesh; returns null if it cannot be drawn.
 json pack_mesh(const results::ElementMesh& file, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   if (nodes == 0 || elements == 0 || elements > most_field_elements || file.nodes[0].size() != 2 ||
@@ -257,7 +257,7 @@ json pack_mesh(const results::ElementMesh& file, Packer& packer) {
           {"elements", packer.add_numbers("fem.elements", cells, {elements, corners_per_element}, true)}};
 }
 
-/// The fields of one strength reduction; null where the file has none of this mesh.
+/// Packs the fields of one strength reduction; returns null if the file has none for this mesh.
 json pack_fields(const results::ElementMesh& file, results::Flow flow, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   for (const results::ElementFields& fields : file.runs) {
@@ -308,7 +308,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A mesh with more triangles would be the largest part of the report, and too fine to be seen.
+/// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.
 constexpr std::size_t most_field_triangles = 60000;
 constexpr std::size_t components = 3;  ///< xx, yy, xy
 
@@ -326,7 +326,7 @@ std::vector<double> join_places(const std::vector<results::Point>& places) {
   return values;
 }
 
-/// `width` numbers of nodes of each triangle; throws Error (wrong_input) where one is no number of a node.
+/// Concatenates `width` node numbers of each triangle; throws Error (wrong_input) for an invalid node number.
 std::vector<std::uint32_t> join_triangles(const std::vector<std::vector<int>>& triangles, std::size_t width,
                                           std::size_t nodes) {
   std::vector<std::uint32_t> values;
@@ -347,7 +347,7 @@ bool can_be_drawn(std::size_t triangles, std::size_t values) {
   return triangles > 0 && triangles <= most_field_triangles && values == triangles;
 }
 
-/// The stress field: in the middle of each triangle.
+/// Packs the stress field of the lower bound, averaged over each triangle.
 json pack_holding(const results::HoldingField& field, Packer& packer) {
   const std::size_t triangles = field.triangles.size();
   if (!can_be_drawn(triangles, field.utilisation.size()) || field.stress.size() != triangles) return {};
@@ -366,7 +366,7 @@ json pack_holding(const results::HoldingField& field, Packer& packer) {
       {"utilisation", packer.add_values("bounds.holds.utilisation", field.utilisation, {triangles}, false)}};
 }
 
-/// The velocity field.
+/// Packs the velocity field of the upper bound.
 json pack_moving(const results::MovingField& field, Packer& packer) {
   constexpr std::size_t nodes_of_triangle = 6;
   const std::size_t triangles = field.triangles.size(), nodes = field.nodes.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Methods of slices in a report: critical surfaces with their slices, every trial circle, the search.
+// Results of LEM, FEM and limit analysis in a report: critical surfaces with their slices and trial circles, strength
+// reduction with the fields at failure, and proven bounds with their fields.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,19 +10,15 @@
 
 namespace talus::report {
 
-/// `Slices` of web/src/contract/; null when the run has none. Trials that cannot be read are left out with a warning.
+/// Returns `Slices` of web/src/contract/; null without LEM. Trials that cannot be read are omitted with a warning.
 nlohmann::json make_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
-// Strength reduction by finite elements in a report: trials, factors, the fields at failure.
-
-/// `FiniteElements` of web/src/contract/; null when the run has none. Fields that cannot be read leave out
-/// their picture and add a warning.
+/// Returns `FiniteElements` of web/src/contract/; null without FEM. If the fields cannot be read, their picture is
+/// omitted with a warning.
 nlohmann::json make_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
-// Proven bounds in a report: the interval, its meshes, and the fields that prove it.
-
-/// `ProvenBounds` of web/src/contract/; null when the run has none. Fields that cannot be read leave out their picture
-/// and add a warning.
+/// Returns `ProvenBounds` of web/src/contract/; null without limit analysis. If the fields cannot be read, their
+/// picture is omitted with a warning.
 nlohmann::json make_proven_bounds(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
 }  // namespace talus::report

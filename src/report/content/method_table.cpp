@@ -25,7 +25,7 @@ using results::Topic;
 
 namespace {
 
-/// Nothing for a value that is no factor.
+/// Returns nullopt unless the value is positive.
 std::optional<double> take_factor(std::optional<double> value) {
   return value && *value > 0 ? value : std::nullopt;
 }
@@ -57,15 +57,15 @@ bool is_associated(const MethodRow& row) {
   return results::from_word<results::Flow>(row.name) == results::Flow::associated;
 }
 
-/// "Spencer, critical circle".
+/// Returns a text such as "Spencer, critical circle".
 std::string describe(const MethodRow& row) {
   std::string label = row.label;
-  // Rows of older versions have the title alone, which names the method once more.
+  // Rows of older versions have no label; their title contains the name of the method.
   if (label.empty()) label = row.method == Method::lem ? row.title : is_associated(row) ? "ψ = φ" : "ψ as given";
   return row.criterion.empty() ? label : label + ", " + row.criterion;
 }
 
-/// Rows of older versions do not hold it; the names of their surfaces tell it.
+/// Rows of older versions have no source; it follows from the name of their surface.
 SurfaceSource find_source(const MethodRow& row) {
   if (row.source) return *row.source;
   if (row.surface.empty()) return SurfaceSource::none;
@@ -75,7 +75,7 @@ SurfaceSource find_source(const MethodRow& row) {
   return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
 }
 
-/// Intervals of limit analysis and finite elements are rounded outward; other ends are as they are found.
+/// Returns true for limit analysis and FEM, whose intervals are rounded outward; others are rounded to the nearest.
 bool is_rounded_outward(const MethodRow& row) {
   return row.method == Method::bounds || row.method == Method::fem;
 }
@@ -102,12 +102,12 @@ json take_row(const MethodRow& row) {
           {"seconds", write(row.seconds)}};
 }
 
-/// Rows of older versions do not hold it: displacements had no bracket.
+/// Rows of older versions have no measure; their factors by displacement had no bracket.
 FactorMeasure find_measure(const MethodRow& row) {
   return row.measure.value_or(row.lower ? FactorMeasure::equilibrium : FactorMeasure::displacement);
 }
 
-/// As comparisons name it: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
+/// Returns the name in [[compare]]: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
 std::string name_result(const MethodRow& row) {
   if (row.method == Method::bounds) return "bounds";
   if (row.method == Method::fem)
@@ -123,7 +123,7 @@ std::string name_result(const MethodRow& row) {
   }
 }
 
-/// A surface that slices found themselves, not one that they were given.
+/// Returns true for a surface found by a search of LEM, not one that was given to it.
 bool is_critical(const MethodRow& row) {
   const SurfaceSource source = find_source(row);
   return row.method == Method::lem && (source == SurfaceSource::critical || source == SurfaceSource::noncircular);
@@ -148,15 +148,14 @@ Factor make_factor(const MethodRow& row) {
   return factor;
 }
 
-/// Word of the method of slices, the flow rule or the criterion.
+/// Returns the word of the method of slices, of the flow rule or of the criterion.
 std::string name_kind(const Factor& factor) {
   if (factor.slice_method) return to_word(*factor.slice_method);
   if (factor.flow) return to_word(*factor.flow);
   return factor.by ? to_word(*factor.by) : "";
 }
 
-/// The factor of the finite elements that represents them in the answer: the first by loss of equilibrium, or else the
-/// first.
+/// Marks the main factor of FEM: the first by loss of equilibrium, or the first of all.
 void mark_elements(std::vector<Factor>& factors) {
   Factor* main = nullptr;
   for (Factor& factor : factors)
@@ -167,7 +166,7 @@ void mark_elements(std::vector<Factor>& factors) {
   if (main != nullptr) main->is_main = true;
 }
 
-/// "to 0.4 %", "to three digits".
+/// Returns "to 0.4 %", or "to three digits" for a difference below 0.05 %.
 std::string format_closeness(double difference) {
   const double percent = 100 * std::abs(difference);
   return percent < 0.05 ? "to three digits" : fmt::format("to {:.1f} %", percent);
@@ -192,7 +191,7 @@ const char* name_topic(Topic topic) {
   }
 }
 
-/// In the order of the topics' first sentences.
+/// Groups remarks by topic, in the order in which the topics first occur.
 json group_remarks(const std::vector<results::Remark>& remarks) {
   std::vector<Topic> topics;
   for (const results::Remark& remark : remarks)
@@ -207,7 +206,7 @@ json group_remarks(const std::vector<results::Remark>& remarks) {
   return groups;
 }
 
-/// The least in time stands for slices; what was found at time 0 says so.
+/// Replaces the main factor of LEM and of FEM by the smallest over time; factors at time 0 are labelled as such.
 void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& factors) {
   for (Factor& factor : factors) {
     if (factor.method == Method::lem) factor.is_main = false;
@@ -317,7 +316,7 @@ std::string format_main_factors(const results::RunResult& run, const std::vector
   for (const Factor& factor : factors)
     if (factor.is_main && factor.value) mains.push_back(&factor);
   if (mains.empty()) return "";
-  // The one that governs stands first.
+  // The smallest factor governs and is listed first.
   std::stable_sort(mains.begin(), mains.end(), [](auto* a, auto* b) { return *a->value < *b->value; });
   std::vector<std::string> parts;
   for (const Factor* factor : mains)
@@ -333,7 +332,7 @@ std::string format_referee(const results::RunResult& run) {
   if (run.slices->referee->upper_only)
     return fmt::format("For ψ = φ limit analysis proves that {} is at most {:.3f}; it has no lower bound: {}.",
                        run.timeline ? "the factor at time 0" : "it", upper, *run.slices->referee->upper_only);
-  // The bounds that stand beside it may take another tensile strength.
+  // Separate bounds in the answer may be based on another tensile strength.
   if (run.timeline || (run.bounds && !run.bounds->error))
     return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) proves {:.3f} to {:.3f}.",
                        run.timeline ? "At time 0 limit analysis" : "Limit analysis", lower, upper);
@@ -360,7 +359,7 @@ std::string format_proven(const results::RunResult& run) {
 }
 
 std::string format_agreement(const std::vector<Factor>& factors) {
-  // A smaller difference needs no reason.
+  // Differences below `close` are not explained.
   constexpr double close = 0.02, far = 0.1;
   std::vector<double> values;
   const Factor *given = nullptr, *associated = nullptr, *points = nullptr;

@@ -26,7 +26,7 @@ namespace talus::report {
 
 namespace {
 
-/// Points nearer to the straight line between their neighbours than this share of the line's extent lie on it.
+/// Relative tolerance: nodes nearer to the straight line between their neighbours, over its extent, are omitted.
 constexpr double straight = 1e-9;
 
 }  // namespace
@@ -56,7 +56,7 @@ std::vector<Polyline> join_sides(const mesh::Mesh<2>& mesh, const std::vector<me
     for (const auto& x : line) length = std::max(length, std::hypot(x[0] - line[0][0], x[1] - line[0][1]));
     lines.push_back(mesh::drop_straight_points(line, false, straight * length));
   };
-  // Ends and forks first, so that no line begins in its middle; what is left is closed.
+  // Ends and branching nodes first, so that no polyline starts in its middle. The remaining polylines are closed.
   for (const auto& [node, others] : beside)
     if (others.size() != 2)
       for (std::size_t k = 0; k < others.size(); ++k) walk(node);
@@ -74,7 +74,7 @@ std::vector<Polyline> find_boundary_lines(const std::string& name, const mesh::P
     if (line.name == name) return {line.points};
   const auto [x0, y0] = plan.box_min;
   const auto [x1, y1] = plan.box_max;
-  if (plan.box_min == plan.box_max) return {};  // a ready mesh
+  if (plan.box_min == plan.box_max) return {};  // the mesh is given as a file
   if (name == "left") return {{{x0, y0}, {x0, y1}}};
   if (name == "right") return {{{x1, y0}, {x1, y1}}};
   if (name == "bottom") return {{{x0, y0}, {x1, y0}}};
@@ -86,17 +86,17 @@ using nlohmann::json;
 
 namespace {
 
-/// A mesh with more elements would be the largest part of the report, and too fine to be seen.
+/// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.
 constexpr int most_drawn_elements = 100000;
 
-/// (0.6, -0.8); the third component where it is not zero.
+/// Returns a text such as "(0.6, -0.8)"; the third component is omitted in 2D.
 std::string show_vector(const std::array<double, 3>& v, std::size_t dimension, double unit = 1) {
   std::string text;
   for (std::size_t d = 0; d < (v[2] != 0 ? dimension : 2); ++d) text += (d ? ", " : "") + show_number(v[d] / unit, 4);
   return "(" + text + ")";
 }
 
-/// ", times a factor: 0 at 0 s, 1 at 2 s"; nothing without a table.
+/// Returns a text such as ", times a factor: 0 at 0 s, 1 at 2 s"; empty without a table.
 std::string describe_factor(const input::TimeTable& table) {
   constexpr std::size_t most_factors = 6;
   if (table.time.size() > most_factors) return ", times a factor that changes with time (see the input)";
@@ -135,7 +135,7 @@ json list_boundaries(const input::Case& data, std::size_t dimension, const std::
   return list;
 }
 
-/// Surcharges and the earthquake, which slices and finite elements know.
+/// Adds the surcharges and the earthquake, which act in LEM and FEM.
 void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json& list) {
   for (const input::Surcharge& s : data.surcharges) {
     std::string text;
@@ -153,7 +153,7 @@ void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json&
                     {"text", fmt::format("pseudo-static: k_h = {:g} {}, k_v = {:g} down", across, towards, down)}});
 }
 
-/// The water in it presses; without water it is no load, and shortens every surface all the same.
+/// Describes the tension crack. It shortens each surface; water in it presses on its side.
 json describe_crack(const input::TensionCrack& crack, const ShownUnits& units) {
   return {{"name", "tension crack"},
           {"text", fmt::format("slip surfaces of slices end in a vertical crack, {} deep at most{}",
@@ -163,7 +163,7 @@ json describe_crack(const input::TensionCrack& crack, const ShownUnits& units) {
                                                : ", without water")}};
 }
 
-/// Depth of the deepest dry crack that the search added to a surface without equilibrium [m]; 0 without one.
+/// Returns the largest depth of the dry cracks that the search added [m]; 0 if there is none.
 double find_added_crack(const results::RunResult& run) {
   double depth = 0;
   if (!run.slices) return depth;
@@ -172,7 +172,7 @@ double find_added_crack(const results::RunResult& run) {
   return depth;
 }
 
-/// For the pictures of slices: x [m] and loads [Pa].
+/// Returns the surcharges in the section: x [m] and loads [Pa].
 json list_surcharges(const input::Case& data) {
   json list = json::array();
   for (const input::Surcharge& s : data.surcharges) list.push_back({{"name", s.name}, {"x", s.x}, {"load", s.load}});
@@ -195,7 +195,7 @@ json list_loads(const input::Case& data, std::size_t dimension, const ShownUnits
   return list;
 }
 
-/// Monitors and the numbers of the points they follow: the nearest at the start, as the recorder chooses.
+/// Returns the monitors and the numbers of the points that they follow: the nearest at the start, as in the recorder.
 json list_monitors(const ResultFolder& folder, std::size_t dimension) {
   json list = json::array();
   if (folder.data.output.monitors.empty() || !folder.frames || folder.frames->size() == 0) return list;
@@ -220,7 +220,7 @@ json list_monitors(const ResultFolder& folder, std::size_t dimension) {
   return list;
 }
 
-/// `water`: the clause on pore water.
+/// `water` is the clause on pore water.
 std::string describe_stage(const input::Stage& s, const ShownUnits& units, const std::string& water) {
   std::string text = s.until == input::Until::rest ? fmt::format("until rest, at most {:g} s", s.duration)
                                                    : fmt::format("{:g} s", s.duration);
@@ -247,7 +247,7 @@ json list_stages(const ResultFolder& folder, const ShownUnits& units) {
   const bool wet = is_wet(folder);
   for (std::size_t i = 0; i < std::max(plans.size(), reports.size()); ++i) {
     const bool planned = i < plans.size();
-    // A stage is reported when it ends: the first without a report is where a broken run stopped.
+    // The report of a stage is written at its end, so an interrupted run stopped in the first stage without a report.
     const bool reported = i < reports.size(), stopped_here = i == reports.size() && stopped;
     const results::Stage report = reported ? reports[i] : results::Stage{};
     const std::string water = planned && wet ? describe_stage_water(plans[i].step) : std::string();
@@ -274,7 +274,7 @@ json describe_mesh(const results::Mesh& mesh) {
 
 template <int D>
 void add_mesh(const mesh::Mesh<D>& mesh, bool is_measured, json& block, Packer& packer) {
-  // A run that was killed has no summary.
+  // A killed run has no summary.
   if (!is_measured) {
     const mesh::Quality<D> quality = mesh::measure_quality(mesh);
     block["nodes"] = mesh.nodes.size();
@@ -292,7 +292,7 @@ void add_mesh(const mesh::Mesh<D>& mesh, bool is_measured, json& block, Packer& 
   block["cells"] = packer.add_numbers("mesh.cells", cells, {mesh.elements.size(), D + 1}, true);
 }
 
-/// Corners of a list of points.
+/// Bounding box of a list of points.
 class Bounds {
  public:
   void add(const double* x, std::size_t dimension) {
@@ -310,8 +310,8 @@ class Bounds {
   std::vector<double> min_, max_;
 };
 
-/// From the box of the case, else (a ready mesh) from the mesh, else from the points of the first frame, else (without
-/// material points) from the polygons.
+/// Returns the bounding box: that of the case, otherwise of the mesh (given as a file), of the points in the first
+/// frame, or of the polygons (without MPM).
 template <class Mesh2, class Mesh3>
 json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2& plane, const Mesh3& space) {
   const mesh::Plan& plan = folder.data.mesh;
@@ -355,7 +355,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
       add_mesh<3>(*space, is_measured, mesh, packer);
     }
   }
-  // The case of a run that was killed is unknown, and element tests have no weight.
+  // The case of a killed run is unknown, and element tests have no weight.
   const bool has_weight = !folder.run.input.is_empty() && !folder.has_tests_alone;
   json polygons = json::array();
   for (const mesh::Polygon& p : data.mesh.polygons) {

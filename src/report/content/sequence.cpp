@@ -23,7 +23,7 @@ std::vector<std::size_t> choose_frames(std::size_t count, std::size_t most) {
     for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
     return chosen;
   }
-  // Rounded to the nearest frame; with fewer places than frames no two fall on the same one.
+  // Rounding to the nearest index gives distinct frames, since most <= count.
   const std::size_t gaps = most - 1;
   for (std::size_t k = 0; k < most; ++k) chosen.push_back((k * (count - 1) + gaps / 2) / gaps);
   return chosen;
@@ -77,17 +77,17 @@ const char* to_word(SequenceKind kind) {
   return "";
 }
 
-/// What is kept of a frame.
+/// The thinned content of a frame.
 struct ThinFrame {
   double time = 0;
   std::string stage;
   std::vector<int> ids;
   std::vector<int> materials;
   std::vector<double> positions;            ///< [point][dimension]
-  std::vector<std::vector<double>> values;  ///< [scalar][point]; empty when the frame lacks the field
+  std::vector<std::vector<double>> values;  ///< [scalar][point]; empty if the frame lacks the field
 };
 
-/// Rows of the points whose number is a multiple of `stride`.
+/// Returns the rows of the points whose number is a multiple of `stride`.
 std::vector<std::size_t> choose_rows(const output::Frame& frame, std::size_t stride) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < frame.ids.size(); ++i)
@@ -171,7 +171,7 @@ class SequencePacker {
     return thin;
   }
 
-  /// All points of all frames by number, and the place of each frame's points among them.
+  /// Numbers the points of all frames, and maps the points of each frame to these numbers.
   void number_points() {
     std::map<int, int> material_of;
     for (const ThinFrame& f : frames_)
@@ -205,7 +205,7 @@ class SequencePacker {
       for (std::size_t i = 0; i < from.size(); ++i) values[k * ids_.size() + places_[k][i]] = from[i];
     }
     const ColourScale scale = find_colour_scale(values, scalar.is_signed, scalar.unit.si);
-    // A velocity has little in common with that of the frame before; every other field has much.
+    // Differences between frames compress well for all fields except velocities.
     const bool delta = scalar.stored != "velocity";
     return {{"name", scalar.name},
             {"title", scalar.title},
@@ -250,7 +250,7 @@ json make_branch(const results::Branch& branch) {
   return {{"slope", branch.slope}, {"intercept", branch.intercept}, {"factors", branch.factors}};
 }
 
-/// As they are shown: the ends of an interval outward, as in the answer and in its table.
+/// Rounds the ends of intervals outward, as in the answer and its table.
 std::vector<results::Criterion> list_criteria(std::vector<results::Criterion> criteria) {
   for (results::Criterion& c : criteria) {
     if (c.kind != results::CriterionKind::frozen) continue;
@@ -295,7 +295,7 @@ SequencePlan plan_stages(const std::shared_ptr<const output::ResultsReader>& fra
   return plan;
 }
 
-/// The stages of the run, and those of the material points that a timeline released earlier and later.
+/// Returns the sequences of the stages of the run, and of the MPM runs that a timeline released earlier and later.
 std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
   std::vector<SequencePlan> plans;
   if (!folder.run.timeline || folder.run.timeline->releases.empty())
@@ -309,7 +309,7 @@ std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
   return plans;
 }
 
-/// The last frame of the trial itself, before it runs out.
+/// Returns the index of the last frame before the runout of the trial.
 int find_end_of_trial(const output::ResultsReader& frames) {
   int last = 0;
   for (int i = 0; i < frames.size(); ++i)
@@ -345,13 +345,13 @@ nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
   std::vector<SequencePlan> plans = plan_all_stages(folder);
   for (SequencePlan& plan : plan_trials(folder)) plans.push_back(std::move(plan));
   nlohmann::json sequences = nlohmann::json::array();
-  // Where all soil has left the grid there is nothing to look at.
+  // A sequence whose frames have no points is omitted.
   std::erase_if(plans, [](const SequencePlan& plan) {
     const SequenceFrame& start = plan.frames.front();
     return start.reader->read(start.index).point_count() == 0;
   });
   if (plans.empty()) return sequences;
-  // All sequences begin with the points of the same body.
+  // All sequences start from the points of the same body.
   const SequenceFrame& first = plans[0].frames[0];
   const std::size_t points = static_cast<std::size_t>(first.reader->read(first.index).point_count());
   Budget budget;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Frames that belong together, thinned and packed (`Sequence` in web/src/contract/).
+// Frames of a run as sequences (`Sequence` in web/src/contract/), thinned and packed; and the displacement curve.
+// Frames and points are selected by a fixed rule, which the report states.
 
 #include <cstddef>
 #include <memory>
@@ -16,44 +17,42 @@
 
 namespace talus::report {
 
-// Which frames and points of the results a report shows: a rule that needs no choice and can be said in one sentence.
-
-/// How much one sequence may show.
+/// Limits on the size of one sequence.
 struct Budget {
   std::size_t frames = 48;
   std::size_t points = 20000;
-  std::size_t point_frames = 0;  ///< points times frames
+  std::size_t point_frames = 0;  ///< limit on points × frames
 };
 
-/// Points times frames in the whole report, by dimension: each takes about 17 bytes in a plane and 34 in space.
+/// Returns the limit on points × frames of the whole report: one takes about 17 bytes in 2D and 34 bytes in 3D.
 constexpr std::size_t find_most_point_frames(std::size_t dimension) {
   return dimension == 2 ? 450000 : 250000;
 }
 
-/// Shares of `total` among sequences that need so much: none gets more than it needs, and what one leaves is shared by
-/// the others.
+/// Divides `total` among sequences with the given needs: none receives more than it needs, and the remainder is divided
+/// among the others.
 std::vector<std::size_t> share_out(const std::vector<std::size_t>& needs, std::size_t total);
 
-/// Indices of at most `most` of `count` frames, evenly spread, the first and the last always among them (most >= 2).
+/// Returns the indices of at most `most` of `count` frames, equally spaced, with the first and the last (most >= 2).
 std::vector<std::size_t> choose_frames(std::size_t count, std::size_t most);
 
-/// Every how many-th point is shown: the smallest stride that keeps both limits.
+/// Returns the smallest stride of point numbers that satisfies the limits on points and on points × frames.
 std::size_t choose_stride(std::size_t points, std::size_t frames, const Budget& budget);
 
-/// The rule as it was applied, for the reader.
+/// Returns the sentence of the report on the selection that was applied.
 std::string describe_thinning(std::size_t frames, std::size_t shown_frames, std::size_t points,
                               std::size_t shown_points, std::size_t stride);
 
-/// A frame of the results and what is written under it.
+/// A stored frame and its caption.
 struct SequenceFrame {
   std::shared_ptr<const output::ResultsReader> reader;
   int index = 0;
   std::optional<double> factor;  ///< strength reduction factor
   std::string label;
-  bool starts_count = false;  ///< displacements are zero here, whatever the frame, written before that, says
+  bool starts_count = false;  ///< displacements are reset here, after the frame was written
 };
 
-/// What frames belong together for. Along the trials of the curve runs the factor, elsewhere time.
+/// Kind of a sequence. Its axis is the strength reduction factor for the curve, otherwise time.
 enum class SequenceKind { stages, curve, runout, variant };
 
 struct SequencePlan {
@@ -61,21 +60,19 @@ struct SequencePlan {
   std::string id;  ///< letters, digits, '_' and '.'
   std::string title;
   std::vector<SequenceFrame> frames;
-  std::vector<std::string> fields{};  ///< names of the stored fields that are packed; empty: all
+  std::vector<std::string> fields{};  ///< names of the stored fields to pack; empty: all
 };
 
-/// Reads the frames that `budget` allows and packs them. A point that a frame lacks (it left the grid) has no value
-/// there. `plan` has at least one frame.
+/// Reads and packs the frames within `budget`. A point that left the grid has no values in later frames. `plan` must
+/// have at least one frame.
 nlohmann::json pack_sequence(const SequencePlan& plan, std::size_t dimension, const ShownUnits& units,
                              const Budget& budget, Packer& packer);
 
-// The displacement curve of a run (`Curve` in web/src/contract/).
-
-/// The curve of a finished run, else from what finished trials left in the folder; null when there is none.
+/// Returns `Curve` of web/src/contract/ of a finished run, otherwise from the finished trials in the folder; null if
+/// there are none.
 nlohmann::json make_curve(const ResultFolder& folder);
 
-// The frames of a run as sequences: its stages, the trials of the curve, each runout.
-
+/// Packs the sequences of a run: its stages, the trials of the curve, and each runout.
 nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer);
 
 }  // namespace talus::report

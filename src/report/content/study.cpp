@@ -25,7 +25,7 @@ using nlohmann::json;
 
 namespace {
 
-/// "2.4 %", "0.031 %", "0".
+/// Returns a percentage such as "2.4 %", "0.031 %" or "0".
 std::string show_share(double share) {
   return share == 0 ? "0" : show_number(100 * share, 2) + " %";
 }
@@ -72,9 +72,9 @@ using nlohmann::json;
 
 namespace {
 
-/// Variants beyond these would take the space of the others for pictures too small to see.
+/// Further variants are omitted: their pictures would be too small, and their data would displace those of the others.
 constexpr std::size_t most_sources = 12;
-/// Frames of a variant besides those that stand side by side.
+/// Number of frames of a variant besides those shown side by side.
 constexpr std::size_t most_frames = 13;
 
 struct Choice {
@@ -84,7 +84,7 @@ struct Choice {
   std::size_t points = 0;
 };
 
-/// Frames from the start of the clock on, without the earlier of two at one time.
+/// Returns the frames from the start of the clock, without the earlier of two at the same time.
 std::optional<Choice> choose(const PictureSource& source, std::size_t number) {
   const std::optional<results::Clock>& clock = source.folder.run.clock;
   if (!clock || !source.folder.frames) return std::nullopt;
@@ -152,7 +152,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A number in full digits; nothing for a word or an empty cell. "25" may be the name of a variant.
+/// Returns a number in full precision; nullopt for a word or an empty cell. "25" may also be the name of a variant.
 std::optional<double> read_number(const results::StudyColumn& column, const results::StudyCell& cell) {
   const std::string& text = cell.full;
   double value = 0;
@@ -161,13 +161,13 @@ std::optional<double> read_number(const results::StudyColumn& column, const resu
   return whole && column.name != "variant" ? std::optional(value) : std::nullopt;
 }
 
-/// The page calls a factor of safety F everywhere: "FoS, Spencer" → "F, Spencer".
+/// Replaces the symbol, since the page uses F for the factor of safety: "FoS, Spencer" → "F, Spencer".
 std::string use_symbol(const std::string& title) {
   constexpr std::string_view written = "FoS";
   return title.starts_with(written) ? "F" + title.substr(written.size()) : title;
 }
 
-/// Keys have the unit of their declaration; the report shows stresses and lengths in those of the case.
+/// Returns the unit of display of the case for stresses and lengths, otherwise the declared unit of the key.
 ShownUnit choose_unit(const std::string& unit, const ShownUnits& units) {
   constexpr double kilo = 1e3;
   if (unit == "kPa") return {units.stress.name, units.stress.si / kilo};
@@ -191,7 +191,7 @@ json make_column(const results::StudyColumn& column, const ShownUnits& units) {
           {"values", values}};
 }
 
-/// Whether another column, of one method, says the same.
+/// Returns true if the column of one method equals the governing column.
 bool is_told_by_method(const results::StudyColumn& governing, const std::vector<results::StudyColumn>& columns) {
   const auto is_same = [](const results::StudyCell& a, const results::StudyCell& b) { return a.full == b.full; };
   return std::any_of(columns.begin(), columns.end(), [&](const results::StudyColumn& c) {
@@ -200,7 +200,7 @@ bool is_told_by_method(const results::StudyColumn& governing, const std::vector<
   });
 }
 
-/// "The factor of safety (frozen) lies between 1.39 and 1.45 over 12 variants."
+/// Adds sentences such as "The factor of safety (frozen) lies between 1.39 and 1.45 over 12 variants."
 void format_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
   for (const results::StudyColumn& c : columns) {
     if (c.kind == results::ColumnKind::other) continue;
@@ -225,7 +225,7 @@ void format_ranges(const std::vector<results::StudyColumn>& columns, std::vector
   }
 }
 
-/// Factors of methods that do not depend on the size are the same at all sizes.
+/// Returns the factors that vary with the size; those of methods without a mesh do not.
 std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrapolation& extrapolation) {
   std::vector<results::ExtrapolatedFactor> varying;
   for (const results::ExtrapolatedFactor& f : extrapolation.factors)
@@ -234,7 +234,7 @@ std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrap
   return varying;
 }
 
-/// In a large study the table says it.
+/// Limit for sentences; larger studies are described by the table only.
 constexpr std::size_t most_extrapolated = 4;
 
 void format_extrapolation(const results::StudyExtrapolation& extrapolation, std::vector<std::string>& sentences) {
@@ -242,7 +242,7 @@ void format_extrapolation(const results::StudyExtrapolation& extrapolation, std:
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
   for (const results::ExtrapolatedFactor& f : factors) {
-    const std::string& by = f.by.empty() ? f.criterion : f.by;  // older versions wrote the title of the column alone
+    const std::string& by = f.by.empty() ? f.criterion : f.by;  // older versions have the title of the column only
     parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
                                 f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", by,
                                 f.variant.empty() ? "" : "; " + f.variant));
@@ -251,10 +251,10 @@ void format_extrapolation(const results::StudyExtrapolation& extrapolation, std:
       fmt::format("Extrapolated to {} = 0, the factor of safety is {}.", extrapolation.key, join_words(parts)));
 }
 
-/// In a large study the table says it.
+/// Limit for sentences; larger studies are described by the table only.
 constexpr std::size_t most_motions = 6;
 
-/// The first variant that has a summary, or the head of a study without variants.
+/// Returns the first variant that has a summary, or the head of a study without variants.
 ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const results::StudyResult& study) {
   ResultFolder first;
   const auto found = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });
@@ -271,7 +271,8 @@ ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const re
   return first;
 }
 
-/// "finished" when all variants are; samples of slices have none, and are written when all are there.
+/// Returns "finished" if all variants are. A study of LEM samples has no variants; it has finished if its samples are
+/// there.
 std::string find_status(const results::StudyResult& study) {
   using results::VariantStatus;
   const auto has = [&](VariantStatus status) {
@@ -288,7 +289,7 @@ std::string find_status(const results::StudyResult& study) {
                                            : "failed";
 }
 
-/// A variant with what its run did: its curve, onset, paths of the monitors, sections.
+/// Returns a row with the results of the variant: curve, onsets, displacements of the monitors, sections.
 json make_row(const results::StudyVariant& variant, const std::optional<ResultFolder>& folder,
               std::vector<std::string>& said) {
   const std::vector<std::string> own = folder ? folder->run.warnings : std::vector<std::string>{};
@@ -344,7 +345,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
     vary.push_back({{"key", k.key}, {"values", k.values}});
     keys.push_back(k.key);
   }
-  // Of variants the first that ran tells the unit of stresses.
+  // The unit of stress is that of the first variant with a summary.
   const auto ran = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });
   results::RunResult head;
   head.units = {study.units.length, study.units.displacement,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A study as the report shows it: its table, the curves of its variants, and how they ended.
+// A study in a report: table, curves and status of its variants, frames of the variants for comparison, and the
+// statistics of samples.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -13,42 +14,38 @@
 
 namespace talus::report {
 
-// A study with sampled numbers in a report: distributions, probability of failure, sensitivities, runout.
-
-/// `Sampling` of web/src/contract/.
+/// Returns `Sampling` of web/src/contract/: distributions, probability of failure, sensitivities, runout.
 nlohmann::json make_sampling(const results::Sampling& sampling);
 
-/// The answer of a sampling in words, the most important sentence first.
+/// Adds the sentences of the answer on the samples, the most important first.
 void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences);
 
-// Frames of the variants of a study, packed so that they can be put side by side.
-
-/// A variant with frames.
+/// A variant with stored frames.
 struct PictureSource {
   std::string title;
   ResultFolder folder;
 };
 
-/// A sequence, and what `StudyRow.frames` says of it.
+/// The packed frames of a variant, and its `StudyRow.frames`.
 struct Pictures {
   JsonTree sequence, frames;
 };
 
-/// One entry for each source, in their order; both parts empty where a source has no clock or no frames. Displacement,
-/// strain, pore water and preconsolidation at the times that are shown and at some more between them; of many variants
-/// only the first are shown.
+/// Packs the frames of the variants for pictures side by side: displacement, strain, pore water and preconsolidation at
+/// the shown times and at some times between them. The list has one entry per source in their order; both members are
+/// empty if the source has no clock or no frames. Only the first variants of a large study are included.
 std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, Packer& packer);
 
 struct StudyContent {
-  ResultFolder first;  ///< of the first variant that has a summary: its model and input stand for all
-  std::string status;  ///< finished when all variants are
+  ResultFolder first;  ///< first variant with a summary; its model and input represent all variants
+  std::string status;  ///< "finished" if all variants are
   std::vector<std::string> sentences, warnings;
-  double wall = 0, cpu = 0;         ///< of all variants [s]
+  double wall = 0, cpu = 0;         ///< sum over all variants [s]
   JsonTree table;                   ///< `Study` of web/src/contract/
-  std::vector<JsonTree> sequences;  ///< frames of the variants, for pictures side by side
+  std::vector<JsonTree> sequences;  ///< frames of the variants
 };
 
-/// Reads study.json and the summaries of the variants; those that are not there are left out.
+/// Reads study.json and the summaries of the variants; missing summaries are skipped.
 StudyContent read_study(const ResultFolder& folder, Packer& packer);
 
 }  // namespace talus::report

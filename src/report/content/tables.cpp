@@ -27,12 +27,12 @@ using nlohmann::json;
 
 namespace {
 
-/// Columns of a section's table that are no fields.
+/// Returns true for the columns of a section table that are coordinates, not fields.
 bool is_place(const std::string& name) {
   return name == "time" || name == "distance" || name == "x" || name == "y" || name == "z" || name == "points";
 }
 
-/// Rows of a history in the report of a study: enough for a curve as wide as the page.
+/// Limit on the rows of a history in the report of a study, sufficient for a curve over the width of the page.
 constexpr std::size_t most_path_rows = 400;
 
 json to_json(double value) {
@@ -115,7 +115,7 @@ using nlohmann::json;
 
 namespace {
 
-/// "crest.displacement_x" → "crest: displacement x". The name of a monitor stays as the case gives it.
+/// Returns a title such as "crest: displacement x" for "crest.displacement_x". Names of monitors are not changed.
 std::string to_title(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   std::string quantity = dot == std::string::npos ? name : name.substr(dot + 1);
@@ -130,7 +130,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-/// Of a history, or of the ground.
+/// Makes a column of a history or of the ground profile.
 json make_column(const output::Column& column, bool ground, const std::vector<double>& values,
                  const std::vector<std::size_t>& rows) {
   const output::HistoryColumn described =
@@ -151,7 +151,7 @@ json make_column(const output::Column& column, bool ground, const std::vector<do
   return made;
 }
 
-/// "x [m],ground before [m],ground after [m]": unlike a history it has empty cells, where there is no ground.
+/// Reads "x [m],ground before [m],ground after [m]"; cells are empty where there is no ground, unlike in a history.
 output::HistoryTable read_profile(const fs::path& path) {
   output::HistoryTable table;
   std::istringstream file(read_user_file(path, largest_file::result));
@@ -176,7 +176,7 @@ output::HistoryTable read_profile(const fs::path& path) {
   return table;
 }
 
-/// profile.csv is in metres whatever unit of length the case asks for.
+/// Converts profile.csv, which is always in metres, to the unit of display.
 void show_in(const ShownUnit& length, output::HistoryTable& table) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     if (table.columns[k].unit != "m") continue;
@@ -189,7 +189,7 @@ class TableList {
  public:
   TableList(const ShownUnit& length, json& warnings) : length_(length), warnings_(warnings) {}
 
-  /// The three tables of `folder`, which run along the time of a sequence of frames.
+  /// Adds the three tables of `folder` that belong to the time axis of a sequence of frames.
   void add(const fs::path& folder, const std::string& sequence, const std::string& suffix, const std::string& history,
            const std::string& monitors, const std::string& ground) {
     sequence_ = sequence;

@@ -21,7 +21,7 @@ json write(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }
 
-/// The fields of the states and their mesh. What cannot be read is left out with a warning.
+/// Adds the fields of the states and their mesh. Files that cannot be read are omitted with a warning.
 void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& warnings) {
   try {
     const auto file = results::read_file<results::WaterFields>(folder.path / "timeline_water.json");
@@ -36,7 +36,7 @@ void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& w
   }
 }
 
-/// What the points began with, and whether they rested before they were let go.
+/// Returns the clause on the initial stress of MPM and on rest before the release.
 std::string format_start(const results::Release& r) {
   if (!r.start_factor) return r.rests ? "came to rest" : "did not rest";
   std::string text = "stress of finite elements";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The factor of safety in time (`Timeline` in web/src/contract/).
+// The factor of safety over time in a report (`Timeline` in web/src/contract/).
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace talus::report {
 
-/// Null for a run without a timeline. What cannot be drawn goes to `warnings`.
+/// Returns null for a run without a timeline. Fields that cannot be drawn add a warning.
 nlohmann::json make_timeline(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
 }  // namespace talus::report

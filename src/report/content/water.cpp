@@ -21,11 +21,11 @@ using nlohmann::json;
 
 namespace {
 
-/// The number of a condition over time as it acts, in the unit that the report shows it in.
+/// The values of a hydraulic condition over time, in the unit of display.
 struct Shown {
   const char* title;
   ShownUnit unit;
-  std::vector<double> time, values;  ///< [s], in `unit`
+  std::vector<double> time, values;  ///< [s] and [unit]
 
   bool is_negative() const {
     return std::any_of(values.begin(), values.end(), [](double v) { return v < 0; });
@@ -36,7 +36,7 @@ json to_json(const Shown& shown) {
   return {{"title", shown.title}, {"unit", to_json(shown.unit)}, {"time", shown.time}, {"values", shown.values}};
 }
 
-/// Nothing for a condition without a number.
+/// Returns nullopt for a condition without a value.
 std::optional<Shown> read_series(const input::Hydraulic& h, const ShownUnits& units) {
   const ShownUnit rain = units.rain();
   const auto show = [&](const char* title, const ShownUnit& unit) -> std::optional<Shown> {
@@ -60,7 +60,7 @@ std::optional<Shown> read_series(const input::Hydraulic& h, const ShownUnits& un
   }
 }
 
-/// "10 m", "0 to 20 mm/h".
+/// Returns a value or a range: "10 m", "0 to 20 mm/h".
 std::string show_range(const Shown& series) {
   const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
   return *low == *high ? show_number(*low, 4) + " " + series.unit.name
@@ -125,9 +125,9 @@ using nlohmann::json;
 
 namespace {
 
-/// Points of a curve: enough for a chart of some hundred pixels.
+/// Number of points of a curve, sufficient for a chart of some hundred pixels.
 constexpr int curve_points = 81;
-/// Suctions between which a soil is drawn [Pa], whatever its law.
+/// Limits of the suction in the curves of a soil [Pa].
 constexpr double least_suction = 10, most_suction = 1e9;
 
 std::string name_retention(const input::PoreWater& soil) {
@@ -196,7 +196,8 @@ json list_parameters(const input::PoreWater& soil, const ShownUnits& units, doub
   return rows;
 }
 
-/// Suction at which the soil has lost this share of what it can lose [Pa]; `most` when it never has.
+/// Returns the suction at which the soil has lost the fraction `lost` of its drainable water [Pa]; `most` if it never
+/// does.
 double find_suction(const input::PoreWater& soil, double lost, double most) {
   const auto curve = input::make_retention(soil);
   const auto at = [&](double s) { return material::find_water(curve, s); };
@@ -213,7 +214,8 @@ double find_suction(const input::PoreWater& soil, double lost, double most) {
 json sample_curves(const input::PoreWater& soil, double conductivity, std::optional<double> largest) {
   const auto retention = input::make_retention(soil);
   const auto relative = input::make_relative_conductivity(soil);
-  // From where the soil begins to drain to where little is left, and to what the model has seen.
+  // The range of suction extends from the start of drainage to nearly residual saturation, and to the largest suction
+  // of the model.
   const double drained = find_suction(soil, 0.8, 1e8);
   double low = find_suction(soil, 0.01, 1e3) / 3, high = drained < 1e8 ? 3 * drained : 3e5;
   if (largest) high = std::max(high, 2 * *largest);
@@ -270,7 +272,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The state before the season, if there was one.
+/// Returns the state before the season.
 std::string describe_first_state(const ResultFolder& folder) {
   if (folder.run.input.is_empty()) return "";
   const input::InitialWater& water = folder.data.initial.water;
@@ -290,7 +292,7 @@ std::string describe_start(const ResultFolder& folder) {
   return text;
 }
 
-/// "saturated and unsaturated" where some soil drains and suction is known or possible.
+/// Returns "Saturated and unsaturated soil" if a wet soil has a retention curve, otherwise "Saturated soil".
 std::string describe_state(const ResultFolder& folder) {
   bool drains = false, dry = false;
   for (const auto& [name, soil] : folder.data.materials) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water of a run: properties, initial state, conditions and budget (`Water` in web/src/contract/).
+// Pore water of a run in a report: properties, initial state, conditions and budget (`Water` in web/src/contract/), the
+// hydraulic conditions (`HydraulicCondition`) and the hydraulic laws of the soils (`SoilWater`).
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -10,30 +11,26 @@
 
 namespace talus::report {
 
-// The hydraulic conditions of a case as a person reads them (`HydraulicCondition` in web/src/contract/).
-
-/// "total head" for the word "total_head" of a condition.
+/// Returns "total head" for the word "total_head" of a condition.
 std::string name_condition(std::string word);
 
-/// One entry for each [[hydraulic]]; their lines in 2D from the mesh, or from the geometry where there is none.
+/// Returns one entry for each [[hydraulic]]. In 2D their polylines are from the mesh, or from the geometry without one.
 nlohmann::json list_hydraulics(const ResultFolder& folder, const std::optional<mesh::Mesh<2>>& mesh);
 
-// The hydraulic laws of the soils of a run (`SoilWater` in web/src/contract/).
-
-/// Whether some soil of the case has pore water.
+/// Returns true if a soil of the case has pore water.
 bool is_wet(const ResultFolder& folder);
 
-/// Greatest suction that the results know of, in the model or in the seepage at its start [Pa]; nothing when unknown or
-/// when there is none.
+/// Returns the largest suction of the results, in the model or in the seepage at its start [Pa]; nullopt if it is
+/// unknown or there is none.
 std::optional<double> find_largest_suction(const results::RunResult& run);
 
-/// S of the soil at a suction [Pa].
+/// Returns the degree of saturation of the soil at a suction [Pa].
 double find_saturation(const input::PoreWater& soil, double suction);
 
-/// The laws, their parameters and curves; null for a dry soil.
+/// Returns the laws with parameters and curves; null for dry soil.
 nlohmann::json describe_soil_water(const ResultFolder& folder, const input::PoreWater& soil);
 
-/// Null where the ground is dry.
+/// Returns null if the ground is dry.
 nlohmann::json make_water(const ResultFolder& folder);
 
 }  // namespace talus::report

@@ -47,7 +47,7 @@ json write_water_state(const results::WaterState& state, const std::string& titl
 
 namespace {
 
-/// The numbers of a field; null where they do not fit the mesh.
+/// Packs the values of a field; returns null if their number does not match the mesh.
 json pack_field(const results::WaterFields& file, const results::WaterField& field, const std::string& name,
                 Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();

@@ -17,12 +17,13 @@ namespace talus::report {
 
 namespace {
 
-/// Level 9 makes the page of examples/dry_slope 5 % shorter and takes ten times as long.
+/// Level 9 reduces the page of examples/dry_slope by 5 % and takes ten times as long.
 constexpr int compression_level = 3;
 constexpr double largest_code = 65534;
 constexpr std::uint16_t no_value = 65535;
 
-/// Little-endian bytes with all lowest bytes first: high bytes of neighbours are alike, which zlib sees only so.
+/// Splits numbers into byte planes, little-endian, lowest bytes first. High bytes of neighbours are similar and
+/// compress better side by side.
 template <class T>
 std::vector<std::uint8_t> split_planes(const std::vector<T>& numbers) {
   const std::size_t count = numbers.size();
@@ -33,7 +34,7 @@ std::vector<std::uint8_t> split_planes(const std::vector<T>& numbers) {
   return bytes;
 }
 
-/// Rows along the first axis become differences, modulo the type's range.
+/// Replaces rows along the first axis by their differences, modulo the range of the type.
 template <class T>
 void subtract_rows(std::vector<T>& numbers, const std::vector<std::size_t>& shape) {
   if (shape.empty() || shape[0] < 2 || numbers.empty()) return;
@@ -41,7 +42,7 @@ void subtract_rows(std::vector<T>& numbers, const std::vector<std::size_t>& shap
   for (std::size_t i = numbers.size(); i-- > row;) numbers[i] = static_cast<T>(numbers[i] - numbers[i - row]);
 }
 
-/// The values of a component of the last axis, which has `width` of them.
+/// Returns one component of the last axis, whose length is `width`.
 std::vector<double> take_component(std::span<const double> values, std::size_t width, std::size_t component) {
   std::vector<double> taken;
   taken.reserve(values.size() / width);
@@ -178,7 +179,7 @@ std::vector<PackedText> Packer::compress(int threads) const {
 
 }  // namespace talus::report
 
-// From page_data.S, which the build makes.
+// The symbols are defined in page_data.S, which the build generates.
 extern "C" {
 extern const char talus_report_page[];
 extern const char talus_report_page_end[];
@@ -204,8 +205,8 @@ std::string escape_html(const std::string& text) {
   return safe;
 }
 
-/// A script ends at "</script" whatever its type, and "<!--" changes how its rest is read. In JSON a '<' stands inside
-/// strings only, where it may be written by its number.
+/// Replaces '<' by its Unicode escape: "</script" would end the script and "<!--" would change how its rest is parsed.
+/// In JSON, '<' occurs inside strings only.
 std::string escape_script(const std::string& json) {
   std::string safe;
   safe.reserve(json.size());
@@ -226,7 +227,7 @@ std::string_view get_page() {
 
 std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& document,
                       const std::vector<PackedText>& arrays) {
-  // The last one: the page's own script stands before it and might name it.
+  // The last placeholder is used, since the script of the page precedes it and may contain the same text.
   const std::size_t at = page.rfind(mark);
   if (at == std::string_view::npos) {
     throw Error(
@@ -234,7 +235,7 @@ std::string fill_page(std::string_view page, const std::string& title, const nlo
         "the page for reports inside this program has no place for data; build it again (docs/manual/report.md)");
   }
   std::string data = "<script type=\"application/json\" id=\"talus-report\">";
-  // Text that is no UTF-8, in a title for example, must not prevent the report.
+  // Invalid UTF-8, for example in a title, is replaced rather than rejected.
   data += escape_script(document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   data += "</script>\n";
   for (const PackedText& array : arrays)

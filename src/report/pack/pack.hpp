@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Arrays of a report as text: quantised, compressed, in base64 (`PackedArray` in web/src/contract/).
+// Arrays of a report as text: quantised, compressed and base64-encoded (`PackedArray` in web/src/contract/); and the
+// page that embeds them, which is part of the program (cmake/TalusReportPage.cmake).
 
 #include <cstddef>
 #include <cstdint>
@@ -14,54 +15,54 @@
 
 namespace talus::report {
 
-/// Standard base64 (RFC 4648) with padding.
+/// Encodes bytes as standard base64 (RFC 4648) with padding.
 std::string encode_base64(std::span<const std::uint8_t> bytes);
 
-/// Numbers 0 … 65534 of `values` between the smallest and the largest finite one; 65535 for what is not finite.
+/// Codes 0 … 65534 between the smallest and the largest finite value; 65535 for non-finite values.
 struct Quantised {
   std::vector<std::uint16_t> codes;
-  double min = 0, max = 0;  ///< both 0 when no value is finite
+  double min = 0, max = 0;  ///< both 0 if no value is finite
 };
 Quantised quantise(std::span<const double> values);
 
-/// An array inside the page.
+/// A packed array as text, with its id in the page.
 struct PackedText {
   std::string id;
   std::string base64;
 };
 
-/// Collects the arrays of a report. add_* return what the document says about the array and are cheap; the work is done
-/// by compress(), array by array. Both call throw_if_interrupted().
+/// Collects the arrays of a report. The add_ functions are cheap and return the description of the array in the
+/// document; compress() processes the arrays one by one. All call throw_if_interrupted().
 class Packer {
  public:
-  /// u16 with range. With `delta` every row along the first axis is stored as its difference to the row before it:
-  /// shorter where a row resembles the one before it.
+  /// Adds numbers as u16 with their range. With `delta`, each row along the first axis is stored as its difference from
+  /// the previous row, which is smaller for similar rows.
   nlohmann::json add_values(const std::string& id, std::span<const double> values,
                             const std::vector<std::size_t>& shape, bool delta);
-  /// Coordinates as u16: each component, which the last axis counts, has a range of its own. An elevation so keeps its
-  /// digits beside an easting of a map.
+  /// Adds coordinates as u16. Each component along the last axis has its own range, so that elevations keep their
+  /// precision beside large map coordinates.
   nlohmann::json add_quantised_places(const std::string& id, std::span<const double> values,
                                       const std::vector<std::size_t>& shape, bool delta);
   nlohmann::json add_bytes(const std::string& id, std::span<const std::uint8_t> values,
                            const std::vector<std::size_t>& shape);
   nlohmann::json add_numbers(const std::string& id, std::span<const std::uint32_t> values,
                              const std::vector<std::size_t>& shape, bool delta);
-  /// Coordinates as f32: each component, which the last axis counts, from the middle of its range.
+  /// Adds coordinates as f32. Each component along the last axis is relative to the middle of its range.
   nlohmann::json add_places(const std::string& id, std::span<const double> values,
                             const std::vector<std::size_t>& shape);
-  /// f32.
+  /// Adds numbers as f32.
   nlohmann::json add_reals(const std::string& id, std::span<const double> values,
                            const std::vector<std::size_t>& shape);
 
   std::vector<PackedText> compress(int threads) const;
 
-  /// Throws Error (interrupted) when a signal has arrived since the packer was made.
+  /// Throws Error (interrupted) if a signal arrived after the construction of the packer.
   void throw_if_interrupted() const;
 
  private:
   struct Array {
     std::string id;
-    std::vector<std::uint8_t> bytes;  ///< in planes
+    std::vector<std::uint8_t> bytes;  ///< in byte planes
   };
   nlohmann::json keep(const std::string& id, const char* type, const std::vector<std::size_t>& shape, bool delta,
                       std::vector<std::uint8_t> bytes);
@@ -69,13 +70,11 @@ class Packer {
   std::vector<Array> arrays_;
 };
 
-// The page that a report is filled into; it stands inside the program (cmake/TalusReportPage.cmake).
-
-/// The empty page as it was built.
+/// Returns the page as it was built, without data.
 std::string_view get_page();
 
-/// `page` with the document and its arrays in place of the placeholder <!--TALUS_DATA-->, and `title` as the name
-/// of its window. Throws Error (internal_error) when the page has no such placeholder.
+/// Returns `page` with the document and its arrays in place of the placeholder <!--TALUS_DATA-->, and with `title` as
+/// the title of its window. Throws Error (internal_error) if the page has no placeholder.
 std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& document,
                       const std::vector<PackedText>& arrays);
 

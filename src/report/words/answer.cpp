@@ -70,7 +70,7 @@ Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& 
   return factor;
 }
 
-/// Factors by material points.
+/// Returns the factors of MPM.
 std::vector<Factor> list_own_factors(const ResultFolder& folder) {
   std::vector<Factor> factors;
   if (!folder.run.factor_of_safety) return factors;
@@ -96,11 +96,11 @@ std::vector<Factor> list_own_factors(const ResultFolder& folder) {
 
 constexpr const char* too_low = "A factor below one: the slope does not stand with the given strength.";
 
-/// What the other methods found, and how they differ.
+/// Adds the factors of the other methods and their differences.
 void format_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
   const std::string found = format_main_factors(run, factors), proven = format_proven(run),
                     referee = format_referee(run);
-  // Where no factor by limit equilibrium is possible the interval stands first, else behind the answer.
+  // If limit analysis rules out all factors of LEM, its interval comes first, otherwise after the answer.
   const bool is_answer = !run.timeline && !referee.empty() && !results::find_governing_surface(run);
   if (is_answer) sentences.push_back(referee);
   if (found.empty() && proven.empty()) {
@@ -111,19 +111,19 @@ void format_methods(const results::RunResult& run, const std::vector<Factor>& fa
   const bool governs = results::is_main_factor_proven(run);
   for (const std::string& said : governs ? std::array{proven, found} : std::array{found, proven})
     if (!said.empty()) sentences.push_back(said);
-  // For design values the statement on partial factors says so.
+  // With design values the statement on partial factors includes it.
   const bool is_low = std::any_of(factors.begin(), factors.end(),
                                   [](const Factor& f) { return f.is_main && f.value && *f.value < 1; }) ||
                       (governs && *results::find_main_factor(run) < 1);
   if (!has_design_values(run) && is_low) sentences.push_back(too_low);
-  // The least in time and factors at time 0 are of different states.
+  // The smallest factor over time and the factors at time 0 belong to different states, so they are not compared.
   for (const std::string& said : {run.timeline ? std::string() : format_agreement(factors),
                                   has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
   if (!is_answer && !referee.empty()) sentences.push_back(referee);
 }
 
-/// That the factor is after a rapid drawdown, and what the same surface had before it.
+/// Adds the sentence that the factor is after a rapid drawdown, with the factor of the same surface before it.
 void format_drawdown(const results::RunResult& run, json& sentences) {
   if (!run.slices || !run.slices->drawdown) return;
   const auto surface = results::find_governing_surface(run);
@@ -135,7 +135,7 @@ void format_drawdown(const results::RunResult& run, json& sentences) {
   sentences.push_back(text + ".");
 }
 
-/// Of material points. `lone`: no other method was asked; the table of the methods has the details otherwise.
+/// Adds the factors of MPM. `lone`: the case has no other method; otherwise the table of the methods has the details.
 void format_factor(const results::RunResult& run, const std::vector<Factor>& factors, bool lone, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main; });
   if (found == factors.end()) {
@@ -166,7 +166,7 @@ void format_factor(const results::RunResult& run, const std::vector<Factor>& fac
   if (*found->value < 1) sentences.push_back(too_low);
 }
 
-/// The state of the soil at the end of a calculation.
+/// Returns a description of the state at the end of a stage or trial.
 std::string describe_end(results::StageEnd end, double time, double force_ratio) {
   if (end == results::StageEnd::rest) return fmt::format("after {} s the soil is at rest", show_number(time));
   return fmt::format(
@@ -174,7 +174,7 @@ std::string describe_end(results::StageEnd end, double time, double force_ratio)
       std::isfinite(force_ratio) ? ", with an unbalanced force of " + show_number(force_ratio, 2) + " of gravity" : "");
 }
 
-/// Of a run, and of each trial that went on until rest.
+/// Sentences on the runout of a run and of each trial that was continued until rest.
 class RunoutWords {
  public:
   RunoutWords(const results::RunResult& run, json& sentences)
@@ -210,7 +210,7 @@ class RunoutWords {
     const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
     sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
                                      show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
-    // The coarser mesh is that of the side which stands for the whole.
+    // The coarser mesh is that of the side which represents the whole runout.
     for (const results::RunoutSide& side : sides) {
       const auto& own = side.direction == runout.direction ? about : nothing;
       sentences_.push_back(fmt::format("On the {} {}, {}, and {} move.", side.direction < 0 ? "left" : "right",
@@ -249,7 +249,7 @@ bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
 }
 
-/// The numbers of the answer exclude points that left the grid. Returns whether any soil is left.
+/// Adds the points that left the grid, which the numbers of the answer exclude. Returns true if any soil is left.
 bool format_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
   if (has_lost_all(run)) {
@@ -320,7 +320,7 @@ void format_state(const results::RunResult& run, json& sentences) {
                                   reason.empty() || reason.ends_with('.') ? reason : reason + "."));
 }
 
-/// The factor in time stands before those of its first moment.
+/// Adds the smallest factor over time, before the factors at time 0.
 void format_timeline(const results::RunResult& run, json& sentences) {
   if (!run.timeline) return;
   sentences.push_back(results::format_failure(*run.timeline));
@@ -345,7 +345,7 @@ std::vector<std::string> list_unrest(const results::RunResult& run) {
 json make_answer(const ResultFolder& folder) {
   const results::RunResult& run = folder.run;
   const std::vector<Factor> own = list_own_factors(folder);
-  // By slices, by finite elements, by material points.
+  // The order is LEM, FEM, MPM.
   std::vector<Factor> factors = list_other_factors(run);
   factors.insert(factors.end(), own.begin(), own.end());
   for (Factor& factor : factors)

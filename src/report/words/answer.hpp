@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The answer of a run in plain words, and the factors of safety with their basis.
+// The answer of a run in plain words, with the factors of safety and their basis.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace talus::report {
 
-/// Stages that were to end at rest and did not: all displacements and runouts are those of soil that still moves.
+/// Returns sentences on the stages that were to end at rest but did not; their displacements and runouts are not final.
 std::vector<std::string> list_unrest(const results::RunResult& run);
 
-/// `Answer` of web/src/contract/.
+/// Returns `Answer` of web/src/contract/.
 nlohmann::json make_answer(const ResultFolder& folder);
 
 }  // namespace talus::report

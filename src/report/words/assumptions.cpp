@@ -30,7 +30,7 @@ void add_soil_methods(const input::Case& data, json& methods) {
   }
 }
 
-/// Of a wet case.
+/// Adds the paragraphs of a wet case.
 void add_water_methods(const input::Case& data, json& methods) {
   const std::vector<WaterPart> parts = list_water_parts(data);
   const auto some = [&](auto holds) { return std::any_of(parts.begin(), parts.end(), holds); };
@@ -51,7 +51,7 @@ void add_water_methods(const input::Case& data, json& methods) {
   add_if(data.initial.water.pressure == input::InitialPressure::seepage, "steady_seepage");
 }
 
-/// Of slices.
+/// Adds the paragraphs of LEM.
 void add_slice_methods(const results::RunResult& run, json& methods) {
   using S = SliceMethod;
   methods.push_back("limit_equilibrium");
@@ -114,10 +114,10 @@ using nlohmann::json;
 
 namespace {
 
-/// Residual force over the external force above which a stage did not stand still.
+/// Unbalanced force over the external force above which a stage counts as not at rest.
 constexpr double restless = 0.01;
 
-/// Collects the sentences about one run.
+/// Collects the sentences on one run.
 class Assumptions {
  public:
   explicit Assumptions(const ResultFolder& folder)
@@ -259,7 +259,7 @@ class Assumptions {
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 
-  /// What the laws themselves assume, once for all materials of a family.
+  /// Adds the assumptions of the constitutive laws, once for all materials of a family.
   void add_models() {
     for (std::size_t i = 0; i < material::Laws::traits.size(); ++i) {
       const material::Traits& law = material::Laws::traits[i];
@@ -289,7 +289,7 @@ class Assumptions {
   void add_dilatancy(const std::string& name, const input::Material& soil) {
     const double psi = soil.dilatancy_angle, phi = soil.friction_angle;
     if (phi <= 0) return;
-    // Methods of slices give a factor of safety; a run without one has nothing to compare with them.
+    // Without a factor of safety there is nothing to compare with LEM.
     const bool compares = choices_.is_reduction;
     if (psi <= 0)
       add("{}: the plastic flow keeps its volume (ψ = 0, φ = {:.3g}°).{}", name, phi / degree,
@@ -318,7 +318,7 @@ class Assumptions {
     if (is_plastic_) add_locking();
   }
 
-  /// Only plastic flow locks.
+  /// Adds the sentence on volumetric locking, which needs plastic flow.
   void add_locking() {
     const char* simplex = dimension_ == 2 ? "triangles" : "tetrahedra";
     const std::string lock =
@@ -384,7 +384,7 @@ class Assumptions {
           lost == 1 ? "is" : "are");
   }
 
-  /// A run without movement has no runout to describe.
+  /// Returns true if any soil moved, so that there is a runout.
   bool has_moved() const {
     const auto moves = [](const results::Runout& runout) { return runout.moved_volume > 0; };
     if (run_.runout && moves(*run_.runout)) return true;
@@ -403,7 +403,7 @@ class Assumptions {
   const input::Case& data_ = folder_.data;
   StepChoices choices_;
   std::size_t dimension_;
-  bool is_plastic_ = false;  ///< some soil has a limit of strength
+  bool is_plastic_ = false;  ///< some soil has a strength limit
   json sentences_ = json::array();
 };
 

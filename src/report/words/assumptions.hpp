@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The assumptions of a run and their limits, as sentences derived from its case and its results.
+// Assumptions and limits of a run, as sentences derived from its case and its results; and the paragraphs of the
+// methods section that apply to it (`Method` in web/src/contract/).
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,12 +9,10 @@
 
 namespace talus::report {
 
-// Which paragraphs of the methods section apply to a run (`Method` in web/src/contract/).
-
-/// In the order in which they are read.
+/// Returns the paragraphs that apply, in reading order.
 nlohmann::json list_methods(const ResultFolder& folder);
 
-/// The sentences that apply, the ones that concern every reader first.
+/// Returns the sentences that apply, the most general first.
 nlohmann::json list_assumptions(const ResultFolder& folder);
 
 }  // namespace talus::report

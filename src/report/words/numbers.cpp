@@ -14,7 +14,7 @@
 namespace talus::report {
 namespace {
 
-/// The units of practice that an engineer uses beside one of stress.
+/// Customary units that accompany a unit of stress.
 struct Companions {
   const char *stress, *stiffness, *unit_weight, *unit_weight_title, *line_force;
 };

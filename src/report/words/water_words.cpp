@@ -18,12 +18,12 @@ namespace {
 
 using input::WaterMotion;
 
-/// Of real water [Pa].
+/// Bulk modulus of pure water [Pa].
 constexpr double real_modulus = 2.2e9;
-/// Error of the budget, over the water in the model, from which on it is reported.
+/// Error of the budget, relative to the water in the model, above which it is reported.
 constexpr double noticeable = 1e-6;
 
-/// Lists the soils of which `holds` is true.
+/// Lists the soils that satisfy `holds`.
 template <class Condition>
 std::vector<std::string> list_soils(const input::Case& data, Condition holds) {
   std::vector<std::string> names;
@@ -32,7 +32,7 @@ std::vector<std::string> list_soils(const input::Case& data, Condition holds) {
   return names;
 }
 
-/// Names the parts of which `holds` is true.
+/// Names the parts that satisfy `holds`.
 template <class Condition>
 std::string join_parts(const std::vector<WaterPart>& parts, Condition holds) {
   std::vector<std::string> names;
@@ -41,7 +41,7 @@ std::string join_parts(const std::vector<WaterPart>& parts, Condition holds) {
   return join_words(names);
 }
 
-/// Collects the sentences about one wet case.
+/// Collects the assumptions of one wet case.
 class WaterAssumptions {
  public:
   explicit WaterAssumptions(const ResultFolder& folder)
@@ -87,12 +87,12 @@ class WaterAssumptions {
           show(*largest, units_.stress));
   }
 
-  /// E_c of the soil [Pa]; nothing where it changes with the stress.
+  /// Returns the oedometric modulus E_c [Pa]; nullopt if it depends on the stress.
   static std::optional<double> find_oedometric(const input::Material& soil) {
     return material::find_oedometric_modulus(soil.model, soil);
   }
 
-  /// The share of an undrained load that the water takes: 1/(1 + n E_c/K_w), in one dimension.
+  /// Returns the fraction of an undrained one-dimensional load that the water carries: 1/(1 + n E_c/K_w).
   static double find_share(const input::Material& soil, double oedometric, double modulus) {
     return 1 / (1 + soil.porosity * oedometric / modulus);
   }
@@ -260,10 +260,10 @@ using results::WaterFlow;
 
 namespace {
 
-/// Flow below this share of all is the solver's rounding.
+/// Flows below this fraction of the total are round-off of the solver.
 constexpr double no_flow = 1e-6;
 
-/// The ground that no block names.
+/// Name of the ground surface without a [[hydraulic]] block.
 constexpr const char* unnamed = "other surfaces";
 
 std::string name_side(const std::string& name) {
@@ -294,7 +294,7 @@ class StateWords {
     return format_point(shown) + " " + length_.name;
   }
 
-  /// "; up to (45.1, 10.8) m" where the side is wet above the standing water.
+  /// Returns "; up to (45.1, 10.8) m" if the seepage exit of the side is above the ponded water.
   std::string find_exit(const std::string& name) const {
     for (const results::SeepageExit& e : state_.exits)
       if (e.name == name) return ", up to the exit point " + place(e.highest);
@@ -321,7 +321,7 @@ class StateWords {
                                      out.empty() ? "nothing" : join_words(out)));
   }
 
-  /// The base and the outer sides are closed unless a block opens them.
+  /// Adds the base and the outer sides that no block opens, which are impermeable.
   void format_closed_sides() {
     std::vector<std::string> sides{"bottom", "left", "right"};
     if (get_dimension(folder_.run) == 3) sides.insert(sides.end(), {"front", "back"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sentences about pore water: for the answer of a report, and its assumptions.
+// Sentences on pore water: results for the answer of a report, assumptions, and the initial state with its seepage
+// exits, closed sides and ponded water.
 
 #include <string>
 #include <vector>
@@ -9,16 +10,13 @@
 
 namespace talus::report {
 
-/// What the results say of pore water; none where the ground is dry.
+/// Returns the sentences on the results; empty if the ground is dry.
 std::vector<std::string> describe_water(const ResultFolder& folder);
 
-/// The assumptions of a wet case and their limits; none where the ground is dry.
+/// Returns the assumptions of a wet case and their limits; empty if the ground is dry.
 std::vector<std::string> list_water_assumptions(const ResultFolder& folder);
 
-// Sentences about the water that the methods began with: what leaves where, which sides are closed, what stands on the
-// ground.
-
-/// None in dry ground.
+/// Returns the sentences on the initial state of the pore water; empty if the ground is dry.
 std::vector<std::string> describe_water_state(const ResultFolder& folder);
 
 }  // namespace talus::report
