@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 const std::string format_name = "talus archive";
 constexpr std::int64_t format_version = 1;
 
-/// Checksum of the names and arrays, each of whole words.
+/// Checksum of names and arrays, each as a sequence of 64-bit words.
 class Checksum {
  public:
   void add(const void* data, std::size_t size) {
@@ -111,7 +111,7 @@ void ArchiveWriter::write(const fs::path& path) {
     hdf5::write_attribute(file, ".", "format", format_name);
     hdf5::write_attribute(file, ".", "version", std::span(&format_version, 1));
     const std::int64_t checksum = compute_checksum(values_);
-    std::string contents;  // one line each: the kind, then the name
+    std::string contents;  // one line per array: kind and name
     for (auto& [name, value] : values_) {
       contents += static_cast<char>('0' + static_cast<int>(value.index())) + name + "\n";
       std::visit([&file, &n = name](const auto& v) { store(file, "data/" + n, v); }, value);

@@ -85,7 +85,7 @@ std::vector<Field> read_fields(hid_t file, const std::string& group, bool with_v
   return fields;
 }
 
-/// Opens a frame file and hands it to `take`; whatever HDF5 refuses becomes one sentence.
+/// Opens a frame file and calls `take` with it; failures of HDF5 become an Error with one sentence.
 template <class Take>
 auto read_from(const fs::path& path, Take&& take) {
   const hdf5::Guard guard;
@@ -135,7 +135,8 @@ void write_frame(const fs::path& path, const Frame& frame, const std::string& sa
   check(frame);
   hdf5::FileImage image;
   try {
-    // In memory first: HDF5 cannot close a file whose disk is full, a plain write can simply report it.
+    // The file is made in memory first: HDF5 cannot close a file on a full disk, whereas a plain write returns the
+    // error.
     const hdf5::Guard guard;
     hdf5::MemoryFile file;
     fill(file, frame);

@@ -27,19 +27,20 @@ namespace fs = std::filesystem;
       fmt::format("cannot read '{}': the file is damaged or no file of this program ({})", path.string(), what));
 }
 
-/// What a child process does. It is a copy of this one, and this one holds the library: no Guard is needed there.
+/// Body of the child process. It needs no Guard, since the child is a copy of this process, which holds the Guard.
 void look_at(const fs::path& path, Depth depth) {
   try {
     const hdf5::Handle file = hdf5::open(path);
     hdf5::look_at_all(file, static_cast<std::size_t>(fs::file_size(path)), depth == Depth::values);
   } catch (const hdf5::Failure& failure) {
     throw_damaged(path, failure.what());
-  } catch (const std::bad_alloc&) {  // a size in the file is wrong
+  } catch (const std::bad_alloc&) {  // a damaged size
     throw_damaged(path, "it asks for more memory than there is");
   }
 }
 
-/// The processor's time that no look at whole files takes [s]: HDF5 goes round in circles in some that are damaged.
+/// Returns a limit of processor time [s] that the examination of intact files does not reach. HDF5 loops endlessly in
+/// some damaged files.
 double find_longest_look(const std::vector<fs::path>& files) {
   double bytes = 0;
   for (const fs::path& path : files) bytes += static_cast<double>(fs::file_size(path));
@@ -83,7 +84,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a folder that hold frames.
+/// Returns the files of a folder that contain frames.
 std::vector<fs::path> list_files(const fs::path& folder) {
   std::vector<fs::path> files{results_file(folder), mesh_file(folder)};
   std::error_code none;
@@ -99,9 +100,9 @@ bool has_single_frames(const Index& index) {
   return false;
 }
 
-/// Removes the frames, and their folder where nothing else is in it.
+/// Removes the single frames, and their folder if it is then empty.
 void remove_single_frames(const fs::path& folder) {
-  std::set<int> numbers;  // a kill may have left a part of the last one
+  std::set<int> numbers;  // the last one may be incomplete after a kill
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none)) {
     const fs::path& path = entry.path();
@@ -112,18 +113,18 @@ void remove_single_frames(const fs::path& folder) {
   fs::remove(frames_folder(folder), none);
 }
 
-/// Assembles unless the results already hold every frame.
+/// Assembles the results if any frame is not yet part of them, and removes the single frames.
 void finish_folder(const fs::path& folder, const Index& index) {
   if (index.frames.empty())
     throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
   if (has_single_frames(index)) assemble(folder, index);
   try {
     remove_single_frames(folder);
-  } catch (const Error&) {  // what stays is a copy of what the results hold, and is read as such
+  } catch (const Error&) {  // the remaining files duplicate assembled frames, so readers are not affected
   }
 }
 
-/// Leaves the frames up to `time`, in their order: a run that starts again from there writes the later ones again.
+/// Removes the frames after `time`, in order; a resumed run writes them again.
 void drop_after(const fs::path& folder, double time, Index& index) {
   for (auto it = index.frames.begin(); it != index.frames.end();) {
     if (it->second.time <= time) {
@@ -133,7 +134,7 @@ void drop_after(const fs::path& folder, double time, Index& index) {
     remove_file(frame_file(folder, it->first));
     it = index.frames.erase(it);
   }
-  // A frame may stand in the results and, after a kill at the wrong moment, in a file of its own as well.
+  // After a kill during assembly, a frame may be both in the results and in a file of its own.
   bool shorten = false;
   for (const SeriesStep& step : index.points.steps) shorten = shorten || step.time > time;
   if (!shorten) return;

@@ -20,9 +20,9 @@ std::recursive_mutex& library() {
   return mutex;
 }
 
-/// Rows per chunk: about 256 KiB of values, so that small frames stay small and large ones compress well.
+/// Size of a chunk, about 256 KiB: small frames remain small, and large ones compress well.
 constexpr std::size_t chunk_bytes = 256 * 1024;
-/// After the shuffle of bytes, higher levels of gzip cost time and gain a few per cent on floating-point fields.
+/// After the byte shuffle, higher gzip levels cost time and reduce floating-point fields by a few per cent only.
 constexpr unsigned gzip_level = 1;
 
 template <class T>
@@ -66,7 +66,7 @@ Handle make_text_type(std::size_t length) {
   return type;
 }
 
-/// The groups that a name goes through, where they are missing.
+/// Makes the missing groups in a path.
 void make_groups_above(hid_t place, const std::string& name) {
   for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
     if (const std::string group = name.substr(0, slash); !has(place, group)) make_group(place, group);
@@ -87,7 +87,7 @@ Handle make_dataset(hid_t place, const std::string& name, std::size_t rows, std:
     chunk[0] = std::clamp<std::size_t>(chunk_bytes / (sizeof(T) * columns), 1,
                                        extendable ? std::max<std::size_t>(rows, 64) : rows);
     require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), name);
-    // By H5Pset_deflate() a filter that finds no memory would be left out.
+    // H5Pset_deflate() makes the filter optional: it would be skipped if its memory cannot be allocated.
     const auto filter = [&](H5Z_filter_t kind, std::span<const unsigned> numbers) {
       require(H5Pset_filter(properties, kind, H5Z_FLAG_MANDATORY, numbers.size(), numbers.data()), name);
     };
@@ -104,7 +104,7 @@ Handle open_dataset(hid_t place, const std::string& name) {
   return {H5Dopen2(place, name.c_str(), H5P_DEFAULT), H5Dclose, name};
 }
 
-/// What the library still holds of a dataset reaches the disk when it is closed: a full disk may show only now.
+/// Closes a dataset. The library writes its remaining data then, so a full disk may be detected only here.
 void close_written(Handle& dataset, const std::string& name) {
   if (!dataset.close()) throw Failure(name);
 }
@@ -131,7 +131,7 @@ Handle open_attribute(hid_t place, const std::string& object, const std::string&
           object + "@" + name};
 }
 
-/// No times in any part of a file: two runs of one case give the same bytes.
+/// Disables time stamps, so that the files of two runs of a case are bitwise identical.
 Handle make_file_properties() {
   Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
   require(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "the order of names");
@@ -139,17 +139,17 @@ Handle make_file_properties() {
   return properties;
 }
 
-/// The format of 1.10, whose structures all have checksums: damage is seen and not believed.
+/// Requires the file format of HDF5 1.10, whose structures all have checksums, so that damage is detected.
 Handle make_file_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
   require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST), "the version of the format");
   return access;
 }
 
-/// gzip makes a byte of 1032 at most; a file that claims more values than that is damaged.
+/// Largest compression ratio of gzip; a file that declares more values is damaged.
 constexpr std::size_t most_compression = 1032;
 
-/// Refuses a data set that is said to be larger than the `stored` bytes can hold.
+/// Throws Failure if a dataset is declared larger than its `stored` bytes can contain.
 void check_size(const Shape& shape, std::size_t value_bytes, std::size_t stored, const std::string& name) {
   const double bytes =
       static_cast<double>(shape.rows) * static_cast<double>(shape.columns) * static_cast<double>(value_bytes);
@@ -157,7 +157,7 @@ void check_size(const Shape& shape, std::size_t value_bytes, std::size_t stored,
     throw Failure(name + " (larger than what is stored)");
 }
 
-/// Bytes that a data set has in the file; of a view those of the whole file.
+/// Returns the stored bytes of a dataset; for a view those of the whole file.
 std::size_t find_stored(const Handle& dataset, const std::string& name) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose, name);
   if (H5Pget_layout(properties) != H5D_VIRTUAL) return static_cast<std::size_t>(H5Dget_storage_size(dataset));
@@ -167,7 +167,7 @@ std::size_t find_stored(const Handle& dataset, const std::string& name) {
   return static_cast<std::size_t>(size);
 }
 
-/// The pieces of a data set, each within the file.
+/// Throws Failure if a chunk of the dataset extends beyond the file.
 void look_at_chunks(const Handle& dataset, std::size_t bytes, const std::string& name) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose, name);
   if (H5Pget_layout(properties) != H5D_CHUNKED) return;
@@ -194,8 +194,8 @@ void look_at_attributes(const Handle& object, const std::string& name) {
 }  // namespace
 
 Guard::Guard() : lock_(library()) {
-  // A file that could not be flushed (full disk) stays open inside the library, which would try again, and complain on
-  // stderr, while the program ends. By then the user has read our sentence and the temporary file is gone.
+  // A file that could not be flushed (full disk) remains open in the library, which would retry at exit and print
+  // errors to stderr after the program has reported the failure and removed the temporary file.
   static const bool quiet_end = H5dont_atexit() >= 0;
   static_cast<void>(quiet_end);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the setting is per thread
@@ -224,8 +224,8 @@ bool Handle::close() {
   return id < 0 || close_(id) >= 0;
 }
 
-/// The memory of a file, which the library hands over when it closes the file. H5Fget_file_image() would give it
-/// earlier, but clears a flag of which it leaves the checksum as it was (1.10.8).
+/// Memory of a file, which the library passes to the callback when it closes the file. H5Fget_file_image() would give
+/// it before, but resets a flag without an update of its checksum (1.10.8).
 struct MemoryFile::Image {
   void* bytes = nullptr;
   ~Image() { std::free(bytes); }
@@ -252,7 +252,7 @@ MemoryFile::MemoryFile() : image_(std::make_unique<Image>()) {
   calls.udata_free = Image::forget;
   calls.udata = image_.get();
   require(H5Pset_file_image_callbacks(access, &calls), "the memory driver");
-  // The library wants a name that is no file; it is never written.
+  // The library requires a name; no file of this name is written.
   file_ = {H5Fcreate("talus-memory.h5", H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "a file in memory"};
 }
 
@@ -270,7 +270,7 @@ FileImage MemoryFile::take() {
 Handle create(const std::filesystem::path& path) {
   const Handle access = make_file_access();
   require(H5Pset_file_locking(access, false, true), "the file's locks");
-  static_cast<void>(::unlink(path.c_str()));  // a link would be followed; creating it says why it is still there
+  static_cast<void>(::unlink(path.c_str()));  // a link would be followed; if it remains, the creation reports it
   return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, make_file_properties(), access), H5Fclose, "the file itself"};
 }
 
@@ -279,7 +279,7 @@ Handle open(const std::filesystem::path& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
   require(H5Pset_file_locking(access, false, true), "the file's locks");
   hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  // Where this process has the file open already, as h5py may have in Python, the locks must be those of that time.
+  // If this process has already opened the file, as h5py may have done in Python, the lock settings must be the same.
   if (file < 0) file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   return {file, H5Fclose, "the file itself"};
 }
@@ -295,7 +295,7 @@ template <class T>
 void append(hid_t place, const std::string& name, std::span<const T> values, std::size_t columns) {
   const std::size_t rows = values.size() / columns;
   if (!has(place, name)) {
-    if (rows == 0) {  // chunked, so that later rows can follow
+    if (rows == 0) {  // chunked, so that rows can be appended
       const std::vector<T> row(columns);
       append<T>(place, name, row, columns);
       const Handle made = open_dataset(place, name);
@@ -399,7 +399,7 @@ bool holds_integers(hid_t place, const std::string& name) {
 }
 
 void write_text(hid_t place, const std::string& name, const std::string& text) {
-  // Bytes, not an HDF5 text: texts cannot hold every byte, and an empty one cannot be told from a missing one.
+  // Texts are stored as bytes: an HDF5 string cannot contain every byte, and an empty one equals a missing one.
   write<std::uint8_t>(place, name, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, 1, false);
 }
 
@@ -463,7 +463,7 @@ void make_group(hid_t place, const std::string& name) {
 }
 
 bool has(hid_t place, const std::string& name) {
-  // H5Lexists wants every group on the way to exist.
+  // H5Lexists requires that all groups in the path exist.
   for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
     if (H5Lexists(place, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
   return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
@@ -473,7 +473,7 @@ std::vector<std::string> list(hid_t place, const std::string& name) {
   const Handle group(H5Gopen2(place, name.c_str(), H5P_DEFAULT), H5Gclose, name);
   H5G_info_t info;
   require(H5Gget_info(group, &info), name);
-  // Files of other programs may not know the order in which names were made.
+  // Files of other programs may lack the creation order.
   const Handle properties(H5Gget_create_plist(group), H5Pclose, name);
   unsigned order = 0;
   require(H5Pget_link_creation_order(properties, &order), name);

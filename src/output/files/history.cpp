@@ -28,7 +28,7 @@ struct Known {
   std::optional<EnergyPart> part{};
 };
 
-/// Names without monitor, "largest_" and component.
+/// Known columns, by name without monitor, "largest_" and component.
 const std::map<std::string_view, Known>& list_known() {
   using enum HistoryQuantity;
   static const std::map<std::string_view, Known> known{
@@ -151,7 +151,7 @@ History::~History() {
   if (file_ < 0) return;
   try {
     list_grown(path_, false);
-  } catch (const Error&) {  // the rows are in the file all the same
+  } catch (const Error&) {  // the rows are in the file nevertheless
   }
   ::close(file_);
 }
@@ -177,7 +177,7 @@ History History::resume(const fs::path& path, const std::vector<Column>& columns
     throw Error(ExitCode::wrong_input,
                 fmt::format("cannot go on with '{}': its columns are '{}' where '{}' was expected", path.string(),
                             text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
-  // A row that a killed run left unfinished would swallow the next one.
+  // The next row must not be appended to an incomplete row of a killed run.
   const std::size_t whole = text.rfind('\n') + 1;
   if (whole != text.size()) write_atomically(path, text.substr(0, whole), safe_clause);
   History history(path, columns.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A table that grows while a run goes on, as comma-separated text: `time [s],kinetic_energy [J]`.
+// A table in comma-separated text to which a run appends rows, `time [s],kinetic_energy [J]`; and the meaning of its
+// columns, which follows from the names that run/mpm/record/ writes.
 
 #include <array>
 #include <filesystem>
@@ -11,16 +12,13 @@
 
 #include "results/about.hpp"
 
-// What the columns of histories and monitors hold. Their names are those that run/mpm/record/ writes; a CSV file has no
-// room for more.
-
 namespace talus::output {
 
 enum class HistoryQuantity {
   time,
   time_step,
   count,
-  energy,  ///< what the balance of energy adds up
+  energy,  ///< term of the energy balance
   potential_energy,
   force_ratio,
   nodal_speed,
@@ -28,7 +26,7 @@ enum class HistoryQuantity {
   momentum,
   position,
   displacement,
-  front,  ///< how far the soil has run
+  front,  ///< runout distance
   velocity,
   stress,
   strain,
@@ -38,22 +36,22 @@ enum class HistoryQuantity {
   water_mass,
   water_flow,
   transpiration,
-  state  ///< another variable of a soil model
+  state  ///< another state variable of a constitutive law
 };
 
-/// Terms of the balance of energy: energy that enters the body, and its forms.
+/// Terms of the energy balance: supplied energy and its forms.
 enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping, drag, pore_water };
 
 struct HistoryColumn {
   HistoryQuantity quantity = HistoryQuantity::state;
-  std::optional<EnergyPart> part;  ///< of energy
-  std::string of;                  ///< monitor or side; empty: the whole body
-  bool largest = false;            ///< of all points
-  char component = 0;              ///< 'x', 'y', 'z'; 0: a scalar, or the length of a vector
-  bool extensive = false;          ///< in plane strain per metre of thickness
+  std::optional<EnergyPart> part;  ///< for `energy` only
+  std::string of;                  ///< monitor or side; empty for the whole body
+  bool largest = false;            ///< maximum over all points
+  char component = 0;              ///< 'x', 'y', 'z'; 0 for a scalar or the magnitude of a vector
+  bool extensive = false;          ///< per metre of thickness in plane strain
 };
 
-/// "crest.displacement_x", "kinetic_energy", "left.inflow".
+/// Returns the meaning of a column such as "crest.displacement_x", "kinetic_energy" or "left.inflow".
 HistoryColumn describe_column(const std::string& name);
 
 }  // namespace talus::output
@@ -97,32 +95,32 @@ inline constexpr auto words<output::HistoryQuantity> =
 
 namespace talus::output {
 
-/// One column: header `name [unit]`.
+/// A column; its header is `name [unit]`.
 struct Column {
   std::string name;
   std::string unit;
 };
 
-/// Rows reach the file one by one, each with the shortest digits that give the same double back.
+/// Writes a history row by row, with the shortest decimal numbers that read back as the same doubles.
 class History {
  public:
-  /// A new file; what was there is replaced. The first column is the time [s].
-  /// Throws Error (cannot_write) naming the file and the reason.
+  /// Starts a new file and replaces an existing one. The first column is the time [s]. Throws Error (cannot_write) with
+  /// the file and the reason.
   static History start(const std::filesystem::path& path, const std::vector<Column>& columns);
-  /// Goes on with the file of an interrupted run; starts a new one when there is none.
-  /// Throws Error (wrong_input) when its header is another one.
+  /// Continues the file of an interrupted run, or starts a new one if there is none. Throws Error (wrong_input) if the
+  /// header differs.
   static History resume(const std::filesystem::path& path, const std::vector<Column>& columns);
   History(const History&) = delete;
   History& operator=(const History&) = delete;
   History(History&& other) noexcept;
   ~History();
 
-  /// Writes a row: it is in the file when this returns. When the disk is full the file keeps its whole rows and
-  /// Error (cannot_write) is thrown.
+  /// Appends a row, which is in the file on return. If the disk is full, the complete rows remain in the file and Error
+  /// (cannot_write) is thrown.
   void append(std::span<const double> row);
-  /// Lists the rows so far as what a resumed run expects (base/file_list.hpp).
+  /// Records the present rows in the file list that a resumed run checks (base/file_list.hpp).
   void keep() const;
-  /// Drops the rows after `time` [s] and a last row that was cut off; a run that goes on from there writes them again.
+  /// Removes the rows after `time` [s] and an incomplete last row; a resumed run writes them again.
   void truncate_after(double time);
 
  private:
@@ -133,19 +131,19 @@ class History {
   int file_ = -1;
 };
 
-/// A history as columns. Throws Error (wrong_input) naming the file and line when it cannot be read.
+/// A history by columns. Throws Error (wrong_input) with file and line if it cannot be read.
 struct HistoryTable {
   std::vector<Column> columns;
   std::vector<std::vector<double>> values;  ///< [column][row]
 };
 HistoryTable read_history(const std::filesystem::path& path);
 
-/// The shortest text that reads back as `value`; nan, inf and -inf for what is no number.
+/// Returns the shortest text that reads back as `value`, or nan, inf or -inf.
 std::string to_shortest(double value);
-/// A text as a field of comma-separated text (RFC 4180).
+/// Quotes a field of comma-separated text (RFC 4180).
 std::string quote_field(const std::string& text);
-/// `text` as the content of a cell: without control characters, and with a single quotation mark in front where a
-/// spreadsheet would take it for a formula (= + - @).
+/// Returns `text` as the content of a cell, without control characters. A text that a spreadsheet would interpret as a
+/// formula (= + - @) is preceded by an apostrophe.
 std::string make_cell(const std::string& text);
 
 }  // namespace talus::output

@@ -32,7 +32,7 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
       fmt::format("cannot read '{}': the file is damaged or no result of this program ({})", path.string(), what));
 }
 
-/// The texts of `text`, one a line.
+/// Splits `text` into lines.
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -155,13 +155,12 @@ Frame read_entry(const fs::path& folder, const Index& index, int number) {
   }
 }
 
-// From the single frames of a run to its results files.
-
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A results file under its temporary name, and the series in it.
+
+/// A results file under its temporary name, with its series.
 class Heavy {
  public:
   Heavy(fs::path path, CellType type)
@@ -173,7 +172,7 @@ class Heavy {
   hid_t file() const { return file_; }
   const fs::path& path() const { return path_; }
 
-  /// Closes the file; nothing of it may be held in memory after.
+  /// Closes the file, so that the library holds none of its data in memory.
   void close() {
     writer_.finish();
     write_views(file_, writer_.series());
@@ -186,7 +185,8 @@ class Heavy {
   SeriesWriter writer_;
 };
 
-/// Frees the space of an unfinished file. The library may still hold it open, so it is emptied before it goes.
+/// Frees the disk space of an unfinished file. It is truncated before removal, since the library may still hold it
+/// open.
 void discard(const fs::path& path) {
   const fs::path temporary = temporary_name(path);
   static_cast<void>(::truncate(temporary.c_str(), 0) == 0);
@@ -206,7 +206,7 @@ void append_mesh(SeriesWriter& writer, int number, const Frame& frame) {
                 frame.mesh->element_fields);
 }
 
-/// Steps and stages of the frames, which VTKHDF has no place for.
+/// Steps and stages of the frames, for which VTKHDF has no dataset.
 class Log {
  public:
   void add(const Frame& frame) {
@@ -262,7 +262,7 @@ void assemble(const fs::path& folder, const Index& index) {
     };
     current = points.path();
     log.write(points.file());
-    // The mesh goes first: results.vtkhdf is the sign that all is there.
+    // The mesh is published first: the presence of results.vtkhdf implies that all files are complete.
     if (mesh) finish(*mesh, "background mesh");
     finish(points, "material points");
   } catch (const hdf5::Failure& failure) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What stands where in a results folder: the index that the writer, the reader and the assembly share.
+// Index of the frames in a results folder, used by the writer, the reader and the assembly.
 
 #include <filesystem>
 #include <map>
@@ -23,30 +23,30 @@ inline std::filesystem::path frames_folder(const std::filesystem::path& folder) 
   return folder / "frames";
 }
 std::filesystem::path frame_file(const std::filesystem::path& folder, int number);
-/// The number of a frame from the name of its file; nothing where it is no frame.
+/// Returns the number of a frame from its file name; nullopt if the file is not a frame.
 std::optional<int> find_frame_number(const std::filesystem::path& file);
 
-/// One frame and where to find it.
+/// Properties of one frame and its place.
 struct FrameEntry {
   double time = 0;  ///< [s]
   long step = 0;
   std::string stage;
-  std::optional<std::size_t> assembled;  ///< index in results.vtkhdf; without it the frame is a file of its own
+  std::optional<std::size_t> assembled;  ///< index in results.vtkhdf; nullopt for a single frame
 };
 
 struct Index {
-  std::map<int, FrameEntry> frames;  ///< by number
+  std::map<int, FrameEntry> frames;  ///< by frame number
   std::vector<std::string> field_names;
-  Series points;               ///< of results.vtkhdf
-  std::optional<Series> mesh;  ///< of mesh.vtkhdf
+  Series points;               ///< in results.vtkhdf
+  std::optional<Series> mesh;  ///< in mesh.vtkhdf
 };
 
-/// Reads what the folder holds; a frame that is there twice is taken from its own file, which is the newer.
+/// Reads the index of a folder. If a frame exists twice, its single file is used, which is newer.
 Index read_index(const std::filesystem::path& folder);
 Frame read_entry(const std::filesystem::path& folder, const Index& index, int number);
 
-/// Writes results.vtkhdf (and mesh.vtkhdf) with their side-cars from the frames of `index`, wherever they are.
-/// Throws Error (cannot_write); the files that were there before are then still there.
+/// Writes results.vtkhdf (and mesh.vtkhdf) with their XDMF files from the frames of `index`, assembled or single.
+/// Throws Error (cannot_write); the previous files are then intact.
 void assemble(const std::filesystem::path& folder, const Index& index);
 
 }  // namespace talus::output

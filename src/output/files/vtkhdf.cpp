@@ -64,7 +64,7 @@ void SeriesWriter::append_grid(SeriesStep& step, std::span<const double> points,
   hdf5::append<double>(file_, root + "/Points", points, 3);
   const std::vector<std::int64_t> nodes(connectivity.begin(), connectivity.end());
   hdf5::append<std::int64_t>(file_, root + "/Connectivity", nodes);
-  // One more offset than cells in every part: VTK reads them from first_cell + part.
+  // Each part has one more offset than cells; VTK reads them from first_cell + part.
   std::vector<std::int64_t> offsets(to_size(step.cells) + 1);
   for (std::size_t i = 0; i < offsets.size(); ++i)
     offsets[i] = static_cast<std::int64_t>(i) * count_nodes(series_.type);
@@ -206,7 +206,7 @@ std::string escape(const std::string& text) {
   return result;
 }
 
-/// Where the views of a step stand. The grid belongs to its part, which steps may share.
+/// Returns the path of the views of a step. Views of a grid belong to its part, which several steps may share.
 std::string grid_path(const SeriesStep& step, const char* array) {
   return fmt::format("xdmf/grid_{:06d}/{}", step.part, array);
 }
@@ -226,7 +226,8 @@ std::string describe_fields(const std::vector<SeriesField>& fields, const char* 
                             const std::string& file, std::size_t index, std::int64_t rows) {
   std::string text;
   for (const SeriesField& field : fields) {
-    // Six components stay a matrix: XDMF's Tensor6 has another order (xx xy xz yy yz zz) than VTK and this file.
+    // Tensors are declared as matrices, because the order of XDMF's Tensor6 (xx xy xz yy yz zz) differs from that of
+    // VTK.
     const char* type = field.components == 1 ? "Scalar" : field.components == 3 ? "Vector" : "Matrix";
     text += fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">\n", escape(field.name),
                         type, center);

@@ -34,16 +34,16 @@ struct Range {
   double length() const { return high - low; }
 };
 
-/// A factor's label and the row above the frame that it stands in.
+/// Label of a factor, and its row above the frame.
 struct Flag {
   FactorMark mark;
   std::string text;
-  std::size_t order;  ///< place in the case's list, which gives the colour
+  std::size_t order;  ///< index in the list of the case, which determines the colour
   int row = 0;
 };
 
-/// Gives every label a row so that no label covers another or another's line: from the right, each label stands above
-/// the lines that it reaches over.
+/// Assigns rows to the labels so that none covers another label or its line. From the right, each label is placed above
+/// the lines that it crosses.
 std::vector<Flag> place_flags(const std::vector<FactorMark>& criteria, double pixels_per_unit) {
   std::vector<Flag> flags;
   for (const FactorMark& mark : criteria)
@@ -76,7 +76,7 @@ std::string draw_flags(const std::vector<Flag>& flags, double top) {
   return script;
 }
 
-/// Samples of a line over [from, to] where its value is above `floor` and below `ceiling`.
+/// Samples a line over [from, to] where its value is between `floor` and `ceiling`.
 PlotSeries sample(const results::Branch& line, double from, double to, double floor, double ceiling) {
   PlotSeries s;
   for (int i = 0; i <= 200; ++i) {
@@ -91,7 +91,7 @@ std::vector<double> scale(std::vector<double> values, double factor) {
   return values;
 }
 
-/// The points whose abscissae a line was fitted through.
+/// Returns the points of the curve at `abscissae`, to which a line was fitted.
 PlotSeries pick(const CurvePlot& plot, const std::vector<double>& abscissae) {
   PlotSeries s;
   for (std::size_t i = 0; i < plot.factors.size(); ++i)
@@ -122,7 +122,7 @@ std::string make_frame(const std::string& title, const std::string& x_label, con
   return script;
 }
 
-/// Data blocks and plot clauses, collected together so that their names fit.
+/// Data blocks and plot clauses, collected together so that their names match.
 class Layers {
  public:
   void add(const PlotSeries& s, const std::string& style, const std::string& label = "") {
@@ -174,7 +174,7 @@ void draw(const CurvePlot& plot, const std::filesystem::path& picture) {
   const double y_low = logarithmic ? smallest / 2 : std::min(0.0, 1.05 * y.low);
   const double y_high = logarithmic ? 2 * y.high : y.high > 0 ? 1.06 * y.high : 1;
 
-  // Room on the right for labels that begin near the end; it changes the scale, so it is found first, generously.
+  // Margin for labels near the right end. It changes the scale, so it is estimated first, on the safe side.
   double right = 30;
   for (const FactorMark& m : criteria) {
     const double from_end = (x.high - m.factor) / x.length() * (width - left - right);
@@ -206,7 +206,7 @@ void draw(const CurvePlot& plot, const std::filesystem::path& picture) {
     layers.add(sample(second, *plot.intersection - reach, x.high, floor, y_high), line_style(line_colours[5]),
                "second line");
   }
-  layers.add(curve, curve_style);  // again, above the lines: the first one gave the legend its order
+  layers.add(curve, curve_style);  // drawn again above the lines; the first one determines the order of the legend
   if (plot.first)
     layers.add(pick(plot, plot.first->factors), point_style(line_colours[4], 6, 1.1), "points of the first line");
   if (plot.second)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pictures of curves: the displacement–SRF curve with the constructions on it, and the curves of a study.
+// Plots of curves: displacement over strength reduction factor with its constructions, and the curves of a study.
 
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,7 @@ struct PlotSeries {
   std::vector<double> x, y;
 };
 
-/// A factor of safety, with the bracket that holds it where there is one.
+/// A factor of safety, with its bracket if there is one.
 struct FactorMark {
   std::string name;
   double factor = 0;
@@ -29,11 +29,11 @@ struct CurvePlot {
   std::vector<double> factors;                   ///< [-], increasing
   std::vector<double> displacements;             ///< [m]
   std::optional<results::Branch> first, second;  ///< the two lines of the bilinear construction
-  std::optional<double> intersection;            ///< their factor [-]
+  std::optional<double> intersection;            ///< SRF at their intersection [-]
   std::vector<FactorMark> criteria;
   std::vector<PlotSeries> references;  ///< published values [m]
   std::string displacement_unit = "mm";
-  double units_per_metre = 1000;  ///< of the displacement's unit
+  double units_per_metre = 1000;  ///< units of displacement per metre
   bool log_displacement = false;
 };
 
@@ -42,10 +42,10 @@ struct TablePlot {
   std::string title, x_label, y_label;
   std::vector<PlotSeries> series;
   bool log_x = false, log_y = false;
-  bool is_history = false;  ///< many rows from zero on: a symbol for every twelfth of a curve, and both axes from zero
+  bool is_history = false;  ///< many rows: both axes start at zero, symbols at every twelfth point
 };
 
-/// Draw into `picture` (.svg or .png); errors as for run_gnuplot. A curve without points is an Error (wrong_input).
+/// Draw `picture` (.svg or .png); errors as for run_gnuplot(). A curve without points is an Error (wrong_input).
 void draw(const CurvePlot& plot, const std::filesystem::path& picture);
 void draw(const TablePlot& plot, const std::filesystem::path& picture);
 

@@ -47,17 +47,17 @@ namespace {
 
 constexpr double right = 125, bottom = 62;  ///< [px]
 
-// Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten even places.
+// Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten equally spaced values.
 constexpr const char* viridis =
     "0 '#440154', 1 '#482878', 2 '#3e4a89', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', "
     "8 '#b5de2b', 9 '#fde725'";
-// ColorBrewer's RdBu (https://colorbrewer2.org), from blue over white to red.
+// RdBu of ColorBrewer (https://colorbrewer2.org), from blue over white to red.
 constexpr const char* blue_white_red =
     "0 '#2166ac', 1 '#4393c3', 2 '#92c5de', 3 '#d1e5f0', 4 '#f7f7f7', 5 '#fddbc7', 6 '#f4a582', 7 '#d6604d', "
     "8 '#b2182b'";
 
-/// Distance between neighbouring points: the root of the area that a point has for itself. The covered area is counted
-/// in square cells that hold a few points each.
+/// Estimates the distance between neighbouring points as the root of the area per point. The covered area is counted in
+/// square cells with a few points each.
 double estimate_spacing(const std::vector<double>& x, const std::vector<double>& y, const Box& box) {
   const double count = static_cast<double>(x.size());
   const double area = std::max((box.x1 - box.x0) * (box.y1 - box.y0), 0.0);
@@ -76,7 +76,7 @@ std::array<double, 2> find_range(const FieldPlot& plot, bool diverging) {
     if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
   if (low > high) return {0, 1};
   if (diverging) high = std::max(std::abs(low), std::abs(high)), low = -high;
-  if (!(high > low)) {  // one value only: gnuplot wants a range
+  if (!(high > low)) {  // constant values: gnuplot requires a range
     if (low == 0) return {diverging ? -1.0 : 0.0, 1.0};
     return {low - 0.05 * std::abs(low), high + 0.05 * std::abs(low)};
   }
@@ -87,7 +87,7 @@ bool is_signed(const std::vector<double>& values) {
   double low = 0, high = 0;
   for (const double v : values)
     if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
-  // A trace of the other sign is rounding or a spot at the surface, not a signed field.
+  // Small values of the other sign are round-off or occur at the surface; the field then counts as unsigned.
   return low < 0 && high > 0 && std::min(-low, high) > 0.05 * std::max(-low, high);
 }
 
@@ -101,7 +101,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   const double unit = plot.units_per_metre;
   std::vector<std::size_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i] = i;
-  // The largest values are drawn last: they are what one looks for, and points overlap a little.
+  // The largest values are drawn last, on top, since points overlap a little.
   std::ranges::stable_sort(order, [&plot](std::size_t a, std::size_t b) {
     const double va = std::abs(plot.values[a]), vb = std::abs(plot.values[b]);
     return (std::isfinite(va) ? va : -1) < (std::isfinite(vb) ? vb : -1);
@@ -127,7 +127,8 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   const double pad = std::max(0.02 * std::max(box.x1 - box.x0, box.y1 - box.y0), diameter);
   box.widen(pad);
 
-  // The frame has exactly the shape of the data, so that lengths are true and the colour bar is as high as it.
+  // The frame has the aspect ratio of the data, so that lengths are true to scale and the colour bar has the same
+  // height.
   const auto [w, h] = fit_frame(box);
   const double left = find_left_margin(box);
   const double title_width = estimate_width(plot.title) * 14 / 12, subtitle_width = estimate_width(plot.subtitle);
@@ -179,9 +180,8 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
     s += "END\n";
     add("$mesh using 1:2 with lines linewidth 0.4 linecolor rgb '#D8D8D8'");
   }
-  // Discs that just cover the square of their point. As discs in units of the axes they become polygons of a hundred
-  // corners in an SVG file, so that has symbols, of the same size: gnuplot draws symbol 7 there with a radius of 4.5
-  // px.
+  // Discs just cover the square of their point. In SVG, discs in units of the axes would become polygons with a hundred
+  // corners, so symbols of the same size are used: gnuplot draws symbol 7 there with a radius of 4.5 px.
   const double radius = std::max(0.8 * diameter, 0.6 / per_unit);
   const bool vector_picture = picture.extension() == ".svg";
   const auto disc = [&](const std::string& more) {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 using TemporaryFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A file without a name, gone when it is closed. Files, unlike pipes, cannot fill up and stop either side.
+/// Makes an unnamed file that vanishes when it is closed. A pipe could fill up and block either process.
 TemporaryFile make_temporary_file() {
   TemporaryFile file(std::tmpfile(), &std::fclose);
   if (!file) throw_cannot_write(fs::temp_directory_path(), errno);
@@ -41,7 +41,8 @@ std::string read_start(std::FILE* file) {
   return text;
 }
 
-/// What gnuplot says, in one line: it repeats the faulty line and points at it with '^', and ends with the reason.
+/// Extracts the reason from the output of gnuplot, which repeats the faulty line, marks the place with '^', and ends
+/// with the reason.
 std::string find_reason(const std::string& said) {
   std::string reason;
   for (std::size_t begin = 0; begin < said.size();) {
@@ -90,7 +91,7 @@ void run(const fs::path& picture, const std::string& script) {
 
 std::string quote_path(const std::string& path) {
   std::string text;
-  if (make_printable(path) != path) {  // such as line breaks: each byte by its number, which a script may hold
+  if (make_printable(path) != path) {  // control characters such as line breaks are written as octal codes
     for (const char c : path) text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
     return "\"" + text + "\"";
   }
@@ -103,7 +104,7 @@ std::string quote_path(const std::string& path) {
 
 double estimate_width(const std::string& text) {
   std::size_t characters = 0;
-  for (const char c : text) characters += (c & 0xC0) != 0x80;  // UTF-8: count first bytes only
+  for (const char c : text) characters += (c & 0xC0) != 0x80;  // UTF-8: continuation bytes are not counted
   return 7.0 * static_cast<double>(characters);
 }
 
@@ -136,7 +137,7 @@ std::string quote(const std::string& text) {
   std::string result = "'";
   for (const char c : make_printable(text)) {
     if (c == '\'') result += '\'';
-    if (c == '>' && result.ends_with("]]")) result += ' ';  // the end of a text in gnuplot's SVG
+    if (c == '>' && result.ends_with("]]")) result += ' ';  // "]]>" would end a text in the SVG of gnuplot
     if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
     result += c;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pictures through gnuplot: the program writes a script with its data inside, gnuplot draws it, and the script stays
-// beside the picture so that it can be restyled by hand (`gnuplot curve.gp`).
+// Plots by gnuplot: the program writes a script that contains the data, and gnuplot draws it. The script is kept beside
+// the picture for later changes (`gnuplot curve.gp`).
 
 #include <filesystem>
 #include <span>
@@ -10,34 +10,35 @@
 
 namespace talus::output {
 
-/// Colours that people with any colour vision tell apart (Okabe and Ito 2008, https://jfly.uni-koeln.de/color).
+/// Colours that remain distinct under colour blindness (Okabe and Ito 2008, https://jfly.uni-koeln.de/color).
 inline constexpr const char* line_colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                "#56B4E9", "#E69F00", "#000000"};
 inline constexpr const char* text_colour = "#333333";
 inline constexpr const char* grid_colour = "#DDDDDD";
 
-/// Width [px] that a text of the pictures' font takes at most; gnuplot itself cannot tell a script.
+/// Returns an upper estimate of the width [px] of a text in the font of the pictures; gnuplot gives a script no width.
 double estimate_width(const std::string& text);
 
 /// Draws `body`, a gnuplot script without terminal and output (it may use the variable title_font), as a picture of
-/// `width` × `height` [px at 96 dpi]. The extension of `picture` decides: .svg, or .png with twice the pixels. The
-/// script is kept as the same name with .gp. Throws Error (wrong_input) for another extension, Error (cannot_write)
-/// with one sentence when gnuplot is not installed or fails, or a file cannot be written; a picture is whole or absent.
+/// `width` × `height` [px at 96 dpi]. The extension of `picture` is .svg, or .png with twice the pixels. The script is
+/// kept under the same name with .gp. The picture is written atomically. Throws Error (wrong_input) for another
+/// extension, and Error (cannot_write) if gnuplot is not installed or fails, or a file cannot be written.
 void run_gnuplot(const std::filesystem::path& picture, const std::string& body, int width, int height);
 
-/// `text` as a gnuplot string in which every character stands for itself.
+/// Returns `text` as a gnuplot string without escape sequences or markup.
 std::string quote(const std::string& text);
-/// A stored name for people: `deviatoric_strain` → `deviatoric strain`.
+/// Converts a stored name to words: `deviatoric_strain` → `deviatoric strain`.
 std::string to_words(const std::string& name);
-/// A label: `deviatoric strain`, `stress [kPa]`, `area [m²]`; no bracket for "-" and "".
+/// Returns a label: `deviatoric strain`, `stress [kPa]`, `area [m²]`; no brackets for "-" and "".
 std::string make_label(const std::string& words, const std::string& unit);
 
-/// A data block `$name` with one row per item, all columns of one length.
+/// Returns a data block `$name` with one row per item; all columns have the same length.
 std::string make_data(const std::string& name, const std::vector<std::span<const double>>& columns);
 
-/// A step of 1, 2 or 5 times a power of ten that cuts `length` into at most `most` pieces.
+/// Returns a step of 1, 2 or 5 times a power of ten that divides `length` into at most `most` intervals.
 double find_tic_step(double length, double most);
-/// The script's lines for the tics of `axis` ("x", "y", "cb"): that step, and as many decimals as it needs.
+/// Returns the script for the tics of `axis` ("x", "y", "cb"), with the step of find_tic_step() and the decimals that
+/// it needs.
 std::string make_tics(const char* axis, double length, double most);
 
 }  // namespace talus::output

@@ -29,17 +29,17 @@ Range find_range(const std::vector<std::vector<double>>& lists, bool positive) {
   return range.low <= range.high ? range : Range{positive ? 1.0 : 0.0, 1};
 }
 
-/// Room around the values; an axis of nothing but zeros still has a length.
+/// Adds a margin around the values; the axis of a constant zero has a finite length.
 Range widen(Range range, bool logarithmic) {
   if (logarithmic) return {range.low / 1.15, range.high * 1.15};
   const double length = range.high - range.low, size = std::max(std::abs(range.low), std::abs(range.high));
   const double pad = length > 1e-9 * size ? 0.04 * length : std::max(0.05 * size, 1e-3);
-  // An axis that begins at zero begins there.
+  // There is no margin at an end at zero.
   return {range.low == 0 && length > 0 ? 0 : range.low - pad, range.high == 0 && length > 0 ? 0 : range.high + pad};
 }
 
-/// Tics of a logarithmic axis: powers of ten, with 2 and 5 times them where these are few, and even steps within less
-/// than one power.
+/// Returns the tics of a logarithmic axis: powers of ten, with 2 and 5 times them if there are few; equal steps within
+/// less than one decade.
 std::string list_log_tics(Range x) {
   std::string tics;
   const auto add = [&](double at) {
@@ -90,7 +90,7 @@ std::string draw_diagram(const PointPlot& plot, std::size_t number, double width
   return script + layers + "\n";
 }
 
-/// The legend stands in a column of its own: a last, empty diagram.
+/// Draws the legend in a column of its own: a last, empty diagram.
 std::string draw_legend(const PointPlot& plot, double width, double height) {
   const double left = left_margin + 2 * panel_width + gap + legend_gap;
   std::string script = fmt::format(

@@ -21,7 +21,7 @@ std::string describe(const results::MethodSurface& s) {
   return s.factor ? fmt::format("{:.3f}  {}", *s.factor, s.title) : s.title;
 }
 
-/// The lines of the others lie on a band, which therefore is wide and lets them through.
+/// Returns the line style. Bands of FEM are wide and translucent, since lines of other methods lie on them.
 std::string find_style(const results::MethodSurface& s, std::size_t number) {
   const std::size_t colours = std::size(line_colours);
   const std::string colour = line_colours[number % colours];
@@ -29,7 +29,7 @@ std::string find_style(const results::MethodSurface& s, std::size_t number) {
   return fmt::format("linewidth 2 dashtype {} linecolor rgb '{}'", 1 + number / colours, colour);
 }
 
-/// The legend in as many columns as fit, its first row at `top` [px from the lower edge].
+/// The legend in as many columns as fit; its first row is at `top` [px from the lower edge].
 class Legend {
  public:
   Legend(const std::vector<results::MethodSurface>& surfaces, double left, double width) : left_(left) {
@@ -58,7 +58,7 @@ class Legend {
 
  private:
   double left_;        ///< [px]
-  double column_ = 0;  ///< width of one [px]
+  double column_ = 0;  ///< width of a column [px]
   std::size_t rows_ = 0;
 };
 
@@ -83,7 +83,8 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
   const Legend legend(plot.surfaces, left, w);
   const double bottom = axis + legend.height();
   const double total_w =
-      left + right + std::max({w, legend.width(), estimate_width(plot.title) * 14 / 12});  // the title's font is larger
+      left + right +
+      std::max({w, legend.width(), estimate_width(plot.title) * 14 / 12});  // the font of the title is larger
   const double total_h = bottom + h + heading;
 
   std::string s = fmt::format(
@@ -119,7 +120,7 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
       add("table", tables, fmt::format("linewidth 1.6 dashtype '_._' linecolor rgb '{}'", water_colour), "lines");
   }
   if (!soils.empty()) add("outlines", soils, fmt::format("linewidth 1.2 linecolor rgb '{}'", text_colour));
-  // Bands first: they are wide.
+  // Bands are drawn first, since they are wide.
   for (const bool band : {true, false})
     for (std::size_t i = 0; i < plot.surfaces.size(); ++i)
       if ((plot.surfaces[i].method == Method::fem) == band)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A picture of a section: its soils, the water table and ponds, and the slip surfaces that the methods found.
+// Plot of a section: soils, water table and ponds, and the slip surfaces of the methods.
 
 #include <filesystem>
 #include <optional>
@@ -14,14 +14,14 @@ namespace talus::output {
 
 struct SectionPlot {
   std::string title;
-  std::vector<std::vector<results::Point>> outlines;  ///< of the soils, closed polygons [m]
+  std::vector<std::vector<results::Point>> outlines;  ///< polygons of the soils [m]
   std::vector<results::MethodSurface> surfaces;
   std::string length_unit = "m";
-  std::optional<results::WaterState> water;  ///< that the methods began with
+  std::optional<results::WaterState> water;  ///< initial state of the methods
 };
 
-/// Draws into `picture` (.svg or .png) true to scale, with a legend of the surfaces and their factors below; bands of
-/// finite elements are wide and pale. Errors as for run_gnuplot. No surface is an Error (wrong_input).
+/// Draws `picture` (.svg or .png) true to scale, with a legend of the surfaces and their factors below; shear bands of
+/// FEM are wide and translucent. Errors as for run_gnuplot(). Throws Error (wrong_input) if there are no surfaces.
 void draw(const SectionPlot& plot, const std::filesystem::path& picture);
 
 }  // namespace talus::output

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int steps_per_decade = 60;
 
-/// A soil's laws, made once.
+/// Retention and conductivity laws of a soil, made once.
 struct Laws {
   material::Retention retention;
   material::Conductivity relative;
@@ -73,7 +73,7 @@ std::string describe_relative(const input::PoreWater& soil) {
   return "constant";
 }
 
-/// 1e-9 rather than 1e-09.
+/// Writes 1e-9 instead of 1e-09.
 std::string shorten(double value) {
   std::string text = fmt::format("{:.3g}", value);
   const std::size_t at = text.find("e-0");
@@ -86,18 +86,18 @@ std::string describe_conductivity(const input::PoreWater& soil, double saturated
   return fmt::format("{}, k = {} m/s when saturated{}", describe_relative(soil), shorten(saturated), source);
 }
 
-/// χ of Khalili and Khabbaz (1998).
+/// Returns Bishop's χ after Khalili and Khabbaz (1998).
 double find_chi(double suction, double air_entry) {
   return suction > air_entry ? std::pow(suction / air_entry, -0.55) : 1;
 }
 
-/// True when a curve of the soil changes visibly between two suctions [Pa].
+/// Returns true if a curve of the soil changes visibly between two suctions [Pa].
 bool changes(const Laws& laws, double from, double to) {
   return std::abs(laws.at(from).saturation - laws.at(to).saturation) > 5e-3 ||
          std::abs(std::log10(std::max(laws.relative_at(from), 1e-12) / std::max(laws.relative_at(to), 1e-12))) > 0.02;
 }
 
-/// First and last power of ten [Pa] of the suction axis.
+/// Returns the first and the last power of ten [Pa] of the suction axis.
 std::pair<int, int> find_decades(const std::vector<std::pair<const input::Material*, Laws>>& soils) {
   int low = 1, high = 7;
   std::vector<double> pairs;
@@ -162,7 +162,7 @@ std::vector<WaterCurves> sample_water_curves(const input::Case& data) {
   const std::pair<int, int> decades = find_decades(soils);
   for (std::size_t i = 0; i < soils.size(); ++i) {
     const input::PoreWater& soil = soils[i].first->water;
-    // The value as it was measured, at the gravity of the laboratory.
+    // The measured conductivity refers to the gravity of the laboratory.
     const double saturated = input::find_saturated_conductivity(soil, data.water, data.water.drag_gravity);
     curves.push_back(sample(names[i], soil, soils[i].second, saturated, decades));
   }
@@ -207,7 +207,7 @@ std::string open_panel(Place place, double row_top, double height, const std::st
       1 - (row_top + row_height - below) / height, quote(y_label), text_colour);
 }
 
-/// A pair of a table at suction 0 has no place on a logarithmic axis and is drawn at its left end.
+/// Writes the pairs of a table; a pair at suction 0 is drawn at the left end of the logarithmic axis.
 std::string make_pairs(const std::string& name, const std::vector<std::array<double, 2>>& pairs, double least,
                        double factor) {
   std::vector<double> x, y;
@@ -220,7 +220,7 @@ std::vector<double> scale(std::vector<double> values, double factor) {
   return values;
 }
 
-/// The smallest number of decades around the curve, and k of the saturated soil inside.
+/// Returns the smallest range of decades that contains the curve and the saturated conductivity.
 std::array<double, 2> find_conductivity_range(const WaterCurves& soil) {
   const double saturated = soil.saturated_conductivity;
   double least = saturated;
@@ -231,7 +231,7 @@ std::array<double, 2> find_conductivity_range(const WaterCurves& soil) {
   return {std::max(low, high - most_decades), high};
 }
 
-/// `heading` is the script of labels that stand above the panel's own.
+/// Returns the script of a panel; `heading` is the script of the labels above it.
 std::string draw_saturation(const WaterCurves& soil, std::size_t row, double row_top, double height,
                             const std::string& heading) {
   std::string script = open_panel(saturation_place, row_top, height, "degree of saturation S [-]") + heading;

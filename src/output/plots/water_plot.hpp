@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Picture of soil-water curves: degree of saturation and conductivity over suction, a row of two panels per soil.
+// Soil-water curves, degree of saturation and conductivity over suction: sampled, as a table, and as a plot with a row
+// of two panels per soil.
 
 #include <array>
 #include <filesystem>
@@ -12,37 +13,36 @@
 
 namespace talus::output {
 
-// The hydraulic laws of a soil as numbers over suction: for the picture of water_plot.hpp and for a table.
-
-/// The curves of one soil at the suctions `suction`, with what a reader needs to check them. SI units.
+/// Curves of one soil at the values of `suction`, with their parameters. SI units.
 struct WaterCurves {
   std::string material;
-  std::string retention;                                ///< name of the law and its parameters, in engineering units
-  std::string conductivity;                             ///< the same of the conductivity
-  std::vector<double> suction;                          ///< [Pa], increasing, logarithmically even
+  std::string retention;                                ///< name and parameters of the law, in engineering units
+  std::string conductivity;                             ///< name and parameters of the law, in engineering units
+  std::vector<double> suction;                          ///< [Pa], increasing, equally spaced in log s
   std::vector<double> saturation, slope;                ///< S [-], dS/ds [1/Pa]
-  std::vector<double> chi;                              ///< Bishop's χ [-]; empty where χ = S
+  std::vector<double> chi;                              ///< Bishop's χ [-]; empty if χ = S
   std::vector<double> relative;                         ///< k_r [-]
-  double saturated_conductivity = 0;                    ///< k of the saturated soil [m/s]
-  std::vector<std::array<double, 2>> saturation_pairs;  ///< of a table: suction [Pa], S [-]
-  std::vector<std::array<double, 2>> relative_pairs;    ///< of a table: suction [Pa], k_r [-]
-  std::optional<double> air_entry;                      ///< of Mualem's k_r [Pa]
+  double saturated_conductivity = 0;                    ///< saturated conductivity [m/s]
+  std::vector<std::array<double, 2>> saturation_pairs;  ///< given pairs: suction [Pa], S [-]
+  std::vector<std::array<double, 2>> relative_pairs;    ///< given pairs: suction [Pa], k_r [-]
+  std::optional<double> air_entry;                      ///< air entry suction in Mualem's k_r [Pa]
 };
 
-/// The curves of all wet materials of a case, in the order of their names, over one range of suction: whole decades
-/// within 0.01 kPa to 10 MPa (and what tables hold beyond), without those at either end in which no curve changes, but
-/// two at least. Empty for a dry case.
+/// Returns the curves of all wet materials of a case, by name, over a common range of suction: whole decades within
+/// 0.01 kPa to 10 MPa (and the range of given pairs beyond), without those at the ends in which no curve changes, but
+/// at least two. Returns an empty list for a dry case.
 std::vector<WaterCurves> sample_water_curves(const input::Case& data);
 
-/// The curves as comma-separated text, one row per material and suction: `material,suction [kPa],saturation [-],...`.
+/// Returns the curves as comma-separated text with one row per material and suction: `material,suction [kPa],saturation
+/// [-],...`.
 std::string make_water_table(const std::vector<WaterCurves>& soils);
 
 struct WaterPlot {
   std::string title;
-  std::vector<WaterCurves> soils;  ///< over one range of suction
+  std::vector<WaterCurves> soils;  ///< with a common range of suction
 };
 
-/// Draws into `picture` (.svg or .png); errors as for run_gnuplot. No soil is an Error (wrong_input).
+/// Draws `picture` (.svg or .png); errors as for run_gnuplot(). Throws Error (wrong_input) if there are no soils.
 void draw(const WaterPlot& plot, const std::filesystem::path& picture);
 
 }  // namespace talus::output
