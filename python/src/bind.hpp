@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The pieces of the extension module talus._core, one function for each file.
+// Interface between the source files of the extension module talus._core: one bind_ function for each file, and the
+// conversions that they share.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -22,15 +23,14 @@ void bind_case(py::module_& module);
 void bind_run(py::module_& module);
 void bind_results(py::module_& module);
 
-/// The Python exception with the same sentence: a subclass of talus.Error by the exit code.
+/// Returns the Python exception with the message of `error`; the exit code determines the subclass of talus.Error.
 py::object make_exception(const Error& error);
 
-/// The same value as dicts, lists and numbers.
+/// Converts JSON to dicts, lists and numbers.
 py::object to_python(const nlohmann::json& value);
 
-/// HDF5 for this thread alone, with Python's lock held: neither a run in the background nor h5py, which uses the same
-/// library and holds Python's lock, is in it meanwhile. Python's lock is let go while waiting, or two threads could
-/// wait for each other.
+/// Exclusive use of HDF5 by this thread, with the GIL held. This excludes both a run in the background and h5py, which
+/// uses the same library under the GIL. The GIL is released while waiting, to avoid a deadlock.
 class LibraryTurn {
  public:
   LibraryTurn() {
@@ -42,7 +42,7 @@ class LibraryTurn {
   std::optional<output::hdf5::Guard> guard_;
 };
 
-/// The values where they are, as an array that keeps `owner` alive and cannot be written to: no copy.
+/// Returns a read-only array that refers to `values` without a copy and keeps `owner` alive.
 template <class T>
 py::array view(const std::vector<T>& values, const std::vector<py::ssize_t>& shape, const py::object& owner) {
   py::array_t<T> array(shape, values.data(), owner);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading and checking a case, and the declarations of all keys.
+// Bindings that read and check a case, and list the declarations of all keys.
 
 #include <nlohmann/json.hpp>
 

@@ -16,10 +16,10 @@
 namespace talus::python {
 namespace {
 
-/// Time within which a Ctrl-C is seen.
+/// Longest time before a Ctrl-C is processed.
 constexpr std::chrono::milliseconds patience{100};
 
-/// The request to stop is one for the whole process, so there can be only one run at a time.
+/// Guard against a second run: the request to stop applies to the whole process.
 class OnlyRun {
  public:
   OnlyRun() {
@@ -39,7 +39,7 @@ class OnlyRun {
   static inline std::atomic<bool> is_running{false};
 };
 
-/// The calculation in its own thread. Must be destroyed with Python's lock held.
+/// The calculation in a thread of its own. The destructor must be called with the GIL held.
 class Calculation {
  public:
   explicit Calculation(const std::function<void(Progress&)>& work)
@@ -53,7 +53,8 @@ class Calculation {
   Calculation(const Calculation&) = delete;
   Calculation& operator=(const Calculation&) = delete;
 
-  /// Waits for news or the end, not longer than `patience`; without Python's lock. Returns whether it has ended.
+  /// Waits for a report or the end, at most for `patience`, with the GIL released. Returns true if the calculation has
+  /// ended.
   bool wait(std::optional<ProgressReport>& news) {
     const py::gil_scoped_release released;
     std::unique_lock lock(mutex_);
@@ -61,7 +62,7 @@ class Calculation {
     news = std::exchange(news_, std::nullopt);
     return ended_;
   }
-  /// What ended the calculation early, or nothing.
+  /// Waits for the end and returns the exception of the calculation, or null.
   std::exception_ptr join() {
     const py::gil_scoped_release released;
     thread_.join();
@@ -69,7 +70,7 @@ class Calculation {
   }
 
  private:
-  /// Only the newest is kept: a slow callback misses some, and the calculation never waits for it.
+  /// Stores the newest report only: a slow callback skips reports, and the calculation never waits for it.
   void keep(const ProgressReport& report) {
     const std::lock_guard lock(mutex_);
     news_ = report;
@@ -95,17 +96,19 @@ class Calculation {
   bool ended_ = false;
   std::optional<ProgressReport> news_;
   std::exception_ptr failure_;
-  std::thread thread_;  ///< last: it starts when everything else is there
+  std::thread thread_;  ///< last, since the thread uses the members above
 };
 
-/// Asks `callback` whether to go on. HDF5 is its own meanwhile, so that it may read results, also with h5py.
+/// Calls `callback`; returns false if it requests a stop. It holds HDF5 during the call, so that the callback may read
+/// results, also with h5py.
 bool ask(const py::object& callback, const ProgressReport& report) {
   const LibraryTurn turn;
   const py::object answer = callback(report.line, report.label, report.stage, report.time, report.duration);
   return !answer.is(py::bool_(false));
 }
 
-/// Raises what stopped the run and what the run said of it, one as the cause of the other: Ctrl-C stays a Ctrl-C.
+/// Raises the exception that stopped the run and that of the run, one as the cause of the other; KeyboardInterrupt is
+/// preserved.
 [[noreturn]] void raise_both(py::error_already_set& stop, const std::exception_ptr& failure) {
   if (!failure) throw stop;
   py::object sentence;
@@ -135,7 +138,9 @@ void drive(const std::function<void(Progress&)>& work, const py::object& callbac
     std::optional<ProgressReport> news;
     ended = calculation.wait(news);
     if (stop) {
-      if (PyErr_CheckSignals() != 0) PyErr_Clear();  // a second Ctrl-C: the state is being saved already
+      if (PyErr_CheckSignals() != 0)
+        PyErr_Clear();  // a second Ctrl-C is ignored, since the state is already being
+                        // saved
       continue;
     }
     if (news) newest = news;

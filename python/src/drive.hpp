@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Work of the library in a thread of its own, while the calling thread sees to signals and the callback.
+// Runs work of the library in a thread of its own, while the calling thread processes signals and the callback.
 
 #include <pybind11/pybind11.h>
 
@@ -10,16 +10,16 @@
 
 namespace talus::python {
 
-/// How often the callback is called.
+/// Frequency of the callback.
 enum class Calls {
-  with_news,  ///< once for each report of the work
-  always,     ///< ten times a second, for work that reports seldom
+  with_news,  ///< once per report of the work
+  always,     ///< ten times a second, for work with few reports
 };
 
-/// Does `work`; meanwhile calls `callback`, unless it is None, with line, label, stage, time and duration of the newest
-/// report. When it returns False or raises, or with Ctrl-C, the work is asked to stop. Throws what the work threw; what
-/// the callback or Ctrl-C raised is joined with that: one becomes the cause of the other. Throws Error (wrong_input)
-/// when other work goes on already: the request to stop is one for the whole process.
+/// Runs `work` and meanwhile calls `callback`, unless it is None, with line, label, stage, time and duration of the
+/// newest report. If the callback returns False or raises, or on Ctrl-C, the work is requested to stop. Throws the
+/// exception of the work, chained with that of the callback or of Ctrl-C. Throws Error (wrong_input) if other work is
+/// in progress, because the request to stop applies to the whole process.
 void drive(const std::function<void(Progress&)>& work, const pybind11::object& callback, Calls calls);
 
 }  // namespace talus::python

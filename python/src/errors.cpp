@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the library's errors to the exceptions of talus/errors.py.
+// Conversion of errors of the library to the exceptions of talus/errors.py.
 
 #include "bind.hpp"
 

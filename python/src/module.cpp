@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The extension module talus._core: what the Python layer needs of the library, and nothing that users call.
+// The extension module talus._core, the interface of the Python package to the library. It is not public.
 
 #include <hdf5.h>
 
@@ -23,8 +23,8 @@ py::object to_python(const nlohmann::json& value) {
 
 PYBIND11_MODULE(_core, module) {
   using namespace talus;
-  // The program asks HDF5 not to tidy up at its exit. Here h5py may rely on that: once the library is open the request
-  // comes too late.
+  // Opens HDF5 now. Otherwise the library would disable HDF5's clean-up at exit, on which h5py may rely; after the
+  // opening that request has no effect.
   H5open();
   module.attr("version") = version;
   module.attr("commit") = commit;

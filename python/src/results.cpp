@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames and histories, their arrays where the library put them.
+// Bindings of frames and histories; their arrays refer to the memory of the library.
 
 #include "output/files/frames_reader.hpp"
 
@@ -28,16 +28,15 @@ py::array view_rows(const std::vector<double>& values, int columns, const py::ob
   return view(values, {size(values.size() / n), columns}, owner);
 }
 
-/// {name: (unit, array)}
+/// Returns {name: (unit, array)}.
 py::dict view_fields(const std::vector<Field>& fields, const py::object& owner) {
   py::dict all;
   for (const Field& f : fields) all[py::str(f.name)] = py::make_tuple(f.unit, view_rows(f.values, f.components, owner));
   return all;
 }
 
-/// No threads of OpenMP from here: after a fork the child would wait for those of its parent for ever. Calculations
-/// have a thread of their own, which takes its helpers with it when it ends; this is for what the calling thread does
-/// itself.
+/// Disables OpenMP threads in the calling thread: after a fork the child would wait forever for those of its parent.
+/// Calculations run in a thread of their own, whose OpenMP threads end with it.
 class NoThreads {
  public:
   NoThreads() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs and studies for Python.
+// Bindings of runs, studies and jobs.
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -37,8 +37,7 @@ void run(const input::LoadedCase& loaded, const std::filesystem::path& folder, i
   drive(work, callback, Calls::with_news);
 }
 
-/// Returns the error of a study whose variants did not all finish, or None; throws when it was stopped, and what kept
-/// it from beginning.
+/// Returns the error of a study with unfinished variants, or None. Throws if the study was stopped or could not start.
 py::object study(const input::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
                  bool overwrite, const py::object& callback) {
   auto options = make_options<study::StudyOptions>(folder, threads, resume, overwrite);
@@ -52,7 +51,7 @@ py::object study(const input::LoadedCase& base, const std::filesystem::path& fol
   return failure ? make_exception(*failure) : py::none();
 }
 
-/// Writes the jobs of a study into `folder`; 0 jobs: as many as it is worth.
+/// Writes the jobs of a study to `folder`; with `jobs` = 0 their number is chosen automatically.
 void prepare_jobs(const input::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
                   bool overwrite, int jobs) {
   study::JobOptions options{make_options<study::StudyOptions>(folder, threads, resume, overwrite), jobs};
@@ -63,7 +62,7 @@ void prepare_jobs(const input::LoadedCase& base, const std::filesystem::path& fo
   drive(work, py::none(), Calls::with_news);
 }
 
-/// How many jobs there are, the numbers of the missing ones, and of those with failures.
+/// Returns the number of jobs, the indices of the missing ones, and of those with failures.
 py::tuple list_jobs(const std::filesystem::path& folder) {
   const study::JobStates states = study::list_jobs(folder);
   return py::make_tuple(states.count, py::cast(states.missing), py::cast(states.failed));
@@ -77,7 +76,7 @@ py::object calculate_job(const std::filesystem::path& folder, int job, int threa
   return failure ? make_exception(*failure) : py::none();
 }
 
-/// Returns the error of jobs that are missing or have failures, or None.
+/// Returns the error of missing or failed jobs, or None.
 py::object collect_jobs(const std::filesystem::path& folder, int threads) {
   auto options = make_options<study::StudyOptions>(folder, threads, false, false);
   std::optional<Error> failure;
