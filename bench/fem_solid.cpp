@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cost of strength reduction by finite elements as the mesh is refined: linear systems, factorisations and seconds on
-// one thread, for the slope of Griffiths and Lane with and without dilatancy.
+// Cost of the strength reduction by FEM under mesh refinement: linear systems, factorisations and seconds on one
+// thread, for the slope of Griffiths and Lane with and without dilatancy.
 //
 // Usage: fem_solid [smallest element, ft]
 

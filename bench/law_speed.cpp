@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Million updates per second of each constitutive law alone, in packs of lanes in plane strain: all lanes elastic, all
-// plastic, and one in four plastic, as in a slope that slides. Printed beside it: the time as a multiple of that of
-// Mohr-Coulomb's.
-//   law_speed [STRAIN]
-// STRAIN is the size of the increments, 1e-6 if not given: that of some steps per millisecond at 1 1/s.
+// Million updates per second of each constitutive law in plane strain, in packs: all lanes elastic, all plastic, and
+// one in four plastic, as in a sliding slope; with the time relative to Mohr–Coulomb.
+//
+// Usage: law_speed [STRAIN]
+//
+// STRAIN is the size of the strain increments (default 1e-6), which corresponds to some steps per millisecond at 1 1/s.
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ using talus::Pack;
 constexpr int pack_count = 64, repeats = 2000;
 constexpr double kpa = 1e3;
 
-/// A pack of points with its increment.
+/// A pack of points with its strain increment.
 struct Lanes {
   std::array<Pack, 4> stress, d_epsilon;
   std::array<Pack, talus::material::max_state_size> state;
@@ -32,7 +33,7 @@ double read_clock() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Writes lane `l`: a plastic one on the surface and loaded, an elastic one well within it.
+/// Initialises lane `l`: a plastic lane on the yield surface under loading, an elastic one well inside.
 template <class Law>
 void set_lane(const Law& law, Lanes& lanes, int l, bool plastic, double strain, int number) {
   const double p = 50 * kpa * (1 + 0.01 * number);
@@ -41,7 +42,7 @@ void set_lane(const Law& law, Lanes& lanes, int l, bool plastic, double strain, 
   if constexpr (!std::is_same_v<Law, talus::material::MohrCoulomb>)
     law.set_initial_state(stress.data(), 0.8, 0.5, plastic ? p : 3 * p, 0.9, state.data());
   const std::array<double, 4> direction{0.5 * strain, -strain, 0, 0.7 * strain};
-  for (int i = 0; i < (plastic ? 40 : 1); ++i) {  // up to the surface
+  for (int i = 0; i < (plastic ? 40 : 1); ++i) {  // until the yield surface is reached
     std::array<double, 4> d = direction;
     for (double& x : d) x *= 2e-3 / strain;
     talus::material::Surroundings<double> around;
@@ -55,7 +56,7 @@ void set_lane(const Law& law, Lanes& lanes, int l, bool plastic, double strain, 
   for (std::size_t i = 0; i < state.size(); ++i) lanes.state[i].value[l] = state[i];
 }
 
-/// Seconds per update of one point with `plastic_of_four` of four lanes plastic.
+/// Returns the seconds per update of one point, with `plastic_of_four` of four lanes plastic.
 template <class Law>
 double time_law(const Law& law, int plastic_of_four, double strain) {
   std::vector<Lanes> packs(pack_count);
@@ -81,7 +82,7 @@ double time_law(const Law& law, int plastic_of_four, double strain) {
     }
     best = std::min(best, (read_clock() - start) / (repeats * pack_count * talus::lane_width));
   }
-  if (sum[0] == 12345) fmt::print("\n");  // so that nothing is left out
+  if (sum[0] == 12345) fmt::print("\n");  // prevents the compiler from removing the updates
   return best;
 }
 

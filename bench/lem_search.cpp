@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Circles per second of the search for the critical slip surface, and how its cost grows with circles and slices.
-//   lem_search [THREADS]
-// Prints wall time, circles per second and microseconds per circle and method: the trial circles alone, then with the
-// optimisation of the circle and of the surface; and the growth of the optimisation's part.
+// Circles per second of the search for the critical slip surface, and the growth of its cost with circles and slices.
+//
+// Usage: lem_search [THREADS]
+//
+// It prints wall time, circles per second and microseconds per circle and method: for the trial circles only, and with
+// the optimisation of the circle and of the surface; and the growth of the cost of the optimisation.
 
 #include <fmt/format.h>
 
@@ -16,7 +18,7 @@ namespace {
 
 using talus::lem::Method;
 
-/// A slope of two soils with a water table, 10 m high.
+/// Returns a slope of two soils with a water table, 10 m high.
 talus::lem::Slope make_slope() {
   talus::lem::Section s;
   s.ground = {{0, 10}, {30, 10}, {50, 20}, {90, 20}};
@@ -54,7 +56,7 @@ int main(int argc, char** argv) {
   const auto slope = make_slope();
   const std::vector<Method> both{Method::bishop, Method::spencer};
   long tried = 0;
-  run(slope, 10, 5, 50, both, threads, false, false, tried);  // warm
+  run(slope, 10, 5, 50, both, threads, false, false, tried);  // warm-up
   fmt::print("threads {}\n{:>8} {:>7} {:>10} {:>12} {:>10}  what\n", threads, "circles", "slices", "seconds",
              "circles/s", "us/circle");
   auto show = [&](double seconds, int slices, const char* what) {

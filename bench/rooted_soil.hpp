@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The rooted-soil model on the yardstick's slope: as stiff as its Mohr–Coulomb soil where the stress is greatest, and
-// weak enough for the slope to fail, so that the points' mix of elastic, hardening and softening is that of a slide.
+// The rooted-soil model on the slope of the yardstick. Its largest stiffness equals that of the Mohr–Coulomb soil, and
+// its strength is low enough for the slope to fail, so that the mix of elastic, hardening and softening points is that
+// of a slide.
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace talus::bench {
 
-/// The law, and each point's state at its stress. `modulus`: greatest constrained modulus wanted [Pa].
+/// Returns the law, and sets the state of each point at its stress. `modulus` is the largest constrained modulus [Pa].
 template <int D>
 material::RootedCamClay plant_roots(std::vector<mpm::InitialPoint<D>>& points, double modulus, double poisson) {
   const auto pressure = [](const mpm::InitialPoint<D>& p) { return -(p.stress[0] + p.stress[1] + p.stress[2]) / 3; };

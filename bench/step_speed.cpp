@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Million point-steps per second of the engine on the yardstick's slope.
-//   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
-// CASE is small, mid or large, or huge: five million points, for devices. Flags: mixed, smooth, stable, objective;
-// rooted (the rooted-soil model); wet (pore water, unsaturated above the level) or saturated (S = 1 everywhere), and
-// with them net (damping), explicit (drag), pressure (smoothing), seepage (surfaces that no water enters), seeps
-// (pressures at the nodes, in steps of the drained soil: with the rounds and iterations of its solver); parts (wall
-// time by lines of the step), state (extremes of the points before timing); gpu or emulated (the device of --device, in
-// wall time), with it kernels (the share of each, over as many steps again). Single-threaded runs are timed in CPU
-// time, threaded ones in wall time.
+// Million point-steps per second of the MPM step on the slope of the yardstick.
+//
+// Usage: step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
+//
+// CASE is small, mid, large, or huge (five million points, for GPUs). Flags for dry cases: mixed, smooth, stable,
+// objective; rooted (the rooted-soil model). Flags for pore water: wet (unsaturated above the water level) or saturated
+// (S = 1 everywhere), and with them net (damping), explicit (drag), pressure (smoothing), seepage (surfaces without
+// inflow), seeps (Darcy formulation with the time step of drained soil; prints rounds and iterations of its solver).
+// Output and device: parts (wall time by phase of the step), state (extreme values of the points before timing), gpu or
+// emulated (the device of --device, in wall time), kernels (fraction of each kernel, over as many further steps).
+// Single-threaded runs are timed in CPU time, threaded ones in wall time.
 
 #include <fmt/format.h>
 
@@ -33,7 +35,7 @@ double read_clock(bool wall) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Bytes of the arrays together.
+/// Returns the total bytes of the arrays.
 template <class... Vectors>
 std::size_t count_bytes(const Vectors&... vectors) {
   return ((vectors.capacity() * sizeof(vectors[0])) + ... + 0);
@@ -83,7 +85,7 @@ talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const
   return y;
 }
 
-/// Largest speeds, pressure and stress, to hold against the yardstick's `check`.
+/// Prints the largest speeds, pressure and stress, for comparison with `check` of the yardstick.
 template <int D>
 void print_state(const talus::mpm::Body<D>& body) {
   double grains = 0, water = 0, pressure = 0, stress = 0;
@@ -108,7 +110,7 @@ void print_parts(const talus::mpm::Timing& t, int steps) {
       t.relocate * scale);
 }
 
-/// Steps of the body here, or on the device that the flags name.
+/// Runs the steps on the processor, or on the device that the flags select.
 template <int D>
 class Steps {
  public:
@@ -122,7 +124,7 @@ class Steps {
     for (int s = 0; s < count; ++s)
       device_ ? device_->step(y_.body, y_.options) : talus::mpm::step(y_.body, y_.options);
   }
-  /// Kernels of some more steps, the longest first.
+  /// Prints the kernels of further steps, the longest first.
   void print_kernels(int steps) {
     if (!device_) return;
     device_->time_kernels();
@@ -145,7 +147,7 @@ class Steps {
   std::optional<talus::mpm::DeviceStepper<D>> device_;
 };
 
-/// Of the solver for pressures, over ten more steps.
+/// Prints the statistics of the pressure solver over ten further steps.
 template <int D>
 void print_solver(talus::bench::Yardstick<D>& y, Steps<D>& stepper) {
   constexpr int steps = 10;

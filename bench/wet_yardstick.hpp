@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slope of yardstick_case.hpp with pore water, as the yardstick's two-phase program has it: hydrostatic below a
-// level in the slope and under suction above it, surfaces through which nothing is asked of the water, walls that hold
-// it.
+// The slope of yardstick_case.hpp with pore water, as in the two-phase program of the yardstick: hydrostatic pressure
+// below the water level, suction above it, free surfaces without a condition on the water, and impermeable walls.
 
 #include "yardstick_case.hpp"
 
@@ -13,7 +12,7 @@ inline mpm::WaterLaw yardstick_water(double grain_density, bool saturated) {
   law.wet = true;
   law.grain_density = grain_density;
   law.density = 1000;
-  law.bulk_modulus = 5e7;  // soft: the step is that of the yardstick
+  law.bulk_modulus = 5e7;  // reduced, so that the time step is that of the yardstick
   law.conductivity = 1e-3;
   law.drag_gravity = yardstick_gravity;
   if (saturated) return law;  // S = 1 at any suction
@@ -22,8 +21,8 @@ inline mpm::WaterLaw yardstick_water(double grain_density, bool saturated) {
   return law;
 }
 
-/// The wet case ready to step. `saturated`: S = 1 above the level as well. `chunks` as in make_layout. `rooted`: the
-/// rooted-soil model instead of Mohr–Coulomb.
+/// Returns the wet case, ready for the first step. With `saturated`, S = 1 also above the level. `chunks` as in
+/// make_layout(); `rooted` selects the rooted-soil model instead of Mohr–Coulomb.
 template <int D>
 Yardstick<D> make_wet_yardstick(const std::string& name, int chunks, bool saturated, bool rooted = false) {
   const YardstickCase c = yardstick_case<D>(name);
@@ -59,7 +58,7 @@ Yardstick<D> make_wet_yardstick(const std::string& name, int chunks, bool satura
   y.options.dt = 0.2 * size / std::sqrt(stiffness / soil.density);
   y.options.gravity[1] = -yardstick_gravity;
   y.options.damping = y.options.water_damping = 0.05;
-  y.options.net_damping = false;  // as in the yardstick, and the next
+  y.options.net_damping = false;  // as in the yardstick, also the next line
   y.options.objective = false;
   mpm::gather_nodal_sums(y.body, y.options);
   return y;

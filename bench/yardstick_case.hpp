@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slope on which speed is stated: a box filled up to a slope's profile, that really fails and runs out. The same
-// case, number by number, as the throw-away yardstick that docs/performance.md compares with.
+// The benchmark slope: a box filled to a slope profile that fails and runs out. All numbers are those of the yardstick,
+// the prototype with which docs/performance.md compares.
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@ namespace talus::bench {
 
 inline constexpr double yardstick_gravity = 9.81;  ///< [m/s²]
 
-/// What the slope is made of, and how it stands at the start.
+/// Soil parameters and initial stress of the slope.
 struct YardstickSoil {
   double young, poisson;      ///< E [Pa], ν [-]
-  double density;             ///< dry [kg/m³]
-  double cohesion, friction;  ///< c [Pa], φ [rad]; the tensile strength is the apex, as in the yardstick
-  double stress_share = 1;    ///< of the dry overburden and its K0 share that the grains carry at the start [-]
+  double density;             ///< dry density [kg/m³]
+  double cohesion, friction;  ///< c [Pa], φ [rad]; the tensile strength is that of the apex, as in the yardstick
+  double stress_share = 1;    ///< initial effective stress over the dry overburden and its K0 part [-]
 
   material::LinearElastic elastic() const { return material::LinearElastic::from_young(young, poisson); }
   material::MohrCoulomb law() const {
@@ -31,10 +31,10 @@ struct YardstickSoil {
 template <int D>
 struct YardstickFill {
   std::vector<mpm::InitialPoint<D>> points;
-  std::vector<int> in_element;  ///< points by element
+  std::vector<int> in_element;  ///< number of points by element
 };
 
-/// Points in the elements that lie lowest against the slope's profile.
+/// Fills the elements that lie lowest relative to the slope profile.
 template <int D>
 YardstickFill<D> fill_slope(const mesh::Mesh<D>& mesh, const YardstickCase& c, const YardstickSoil& soil) {
   const double length = c.cells[0] * c.size, height = c.cells[1] * c.size;
@@ -79,7 +79,7 @@ YardstickFill<D> fill_slope(const mesh::Mesh<D>& mesh, const YardstickCase& c, c
   return fill;
 }
 
-/// The directions that the walls of the box hold at a node: all at the bottom, the normal at the others.
+/// Returns the fixed directions of a node at the walls: all at the base, the normal at the other walls.
 template <int D>
 mpm::Constraint<D> hold_at_walls(const Vec<D>& node, const YardstickCase& c) {
   mpm::Constraint<D> constraint;
@@ -113,7 +113,8 @@ struct Yardstick {
   mpm::StepOptions<D> options;
 };
 
-/// The dry case ready to step. `chunks` as in make_layout. `rooted`: the rooted-soil model instead of Mohr–Coulomb.
+/// Returns the dry case, ready for the first step. `chunks` as in make_layout(); `rooted` selects the rooted-soil model
+/// instead of Mohr–Coulomb.
 template <int D>
 Yardstick<D> make_yardstick(const std::string& name, int chunks, bool rooted = false) {
   const YardstickCase c = yardstick_case<D>(name);

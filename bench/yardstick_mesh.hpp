@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The mesh of the yardstick's slope, number by number the same: a box of jittered squares or cubes, cut into simplices.
+// Mesh of the benchmark slope, identical to that of the yardstick: a box of jittered squares or cubes, divided into
+// simplices.
 
 #include <array>
 #include <map>
@@ -12,8 +13,8 @@
 namespace talus::bench {
 
 struct YardstickCase {
-  std::array<int, 3> cells;  ///< squares or cubes per direction
-  double size;               ///< their edge [m]
+  std::array<int, 3> cells;  ///< number of squares or cubes per direction
+  double size;               ///< edge length of the cells [m]
   int filled_elements;
   int points_per_element;
 };
@@ -68,7 +69,7 @@ mesh::Mesh<D> make_yardstick_mesh(const YardstickCase& c) {
     for (int k = 0; k < nz; ++k) {
       for (int j = 0; j < ny; ++j) {
         for (int i = 0; i < nx; ++i) {
-          for (const auto& path : paths) {  // Kuhn's six tetrahedra of a cube
+          for (const auto& path : paths) {  // Kuhn's division of a cube into six tetrahedra
             int at[3] = {i, j, k};
             std::array<int, 4> t{number(i, j, k), 0, 0, 0};
             for (std::size_t s = 0; s < 3; ++s) {
