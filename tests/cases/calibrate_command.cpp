@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus calibrate` from the outside: exit codes, tables, the example and the report.
+// `talus calibrate` as a command: exit codes, tables, the example and the report.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

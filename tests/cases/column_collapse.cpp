@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The example column_collapse, coarse: a column of sand spreads as far as columns of sand do, and nothing gets lost.
+// The example column_collapse on a coarse mesh: the runout agrees with published columns of sand, and mass is
+// conserved.
 
 #include <gtest/gtest.h>
 

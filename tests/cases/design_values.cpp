@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Partial factors: exact answers where there are some, and what is divided and what is not.
+// Partial factors: exact factors of safety, and the set of parameters that are divided.
 
 #include "ground/design_values.hpp"
 

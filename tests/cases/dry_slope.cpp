@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The dry slope of section 3.4.1 against an independent code on the identical mesh, and its factor against slices and
-// finite elements at reduced size. The full figures are in docs/verification.md.
+// The dry slope of section 3.4.1 against an independent code on the identical mesh, and its factor of safety against
+// LEM and FEM at reduced size. The full results are in docs/verification.md.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

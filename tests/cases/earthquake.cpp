@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An earthquake shakes to both sides: every method tries both, and the weaker one governs.
+// Earthquakes act in both directions: each method computes both, and the lower factor governs.
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// [fem] meshes: with two the factor is that of two runs on one mesh each, extrapolated to elements of size zero, with
-// an interval; with one there is no interval.
+// [fem] meshes: with two, the factor is extrapolated from the runs on each of them to zero element size and has an
+// interval; with one there is no interval.
 
 #include "base/extrapolate.hpp"
 #include "cases/methods_slope.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cases with a compiled UMAT as a soil: the built-in model's results, states that are carried along, threads, and the
-// message of a run that fails.
+// Cases with a compiled UMAT as a soil: results of the built-in model, state variables, threads, and the message of a
+// run that fails.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fine meshes in a shear band: a slope with ψ = φ stands with every strength that is proven to hold it.
+// Fine meshes in a shear band: a slope with ψ = φ is stable with every strength at which a lower bound exists.
 
 #include "cases/methods_slope.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A disk that fills up while a case runs: one sentence, its exit code, and nothing truncated under a final name.
+// A disk that becomes full during a run: one message, its exit code, and no truncated file under a final name.
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loads of limit analysis against those of the case: each side of the ground bears what stands on it, and a problem
-// with another load is rejected.
+// Loads of limit analysis against those of the case: each side of the ground carries its loads, and a problem with
+// another load is rejected.
 
 #include "run/bounds/problem_of_case.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every key that names a file, and the case itself, meet what is no file: a device without end, a pipe that nobody
-// writes to, a folder, a file of 5 GB, an entry of the system that waits. The program itself answers with a sentence,
-// in bounded time and memory.
+// Every key that names a file, and the case file itself, with something that is no regular file: an endless device, a
+// pipe without a writer, a folder, a file of 5 GB, a blocking system file. The program reports each in bounded time and
+// memory.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

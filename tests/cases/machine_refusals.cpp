@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the machine refuses is one sentence and a code of the manual, and never a defect of the program.
+// Limits of the operating system, such as permissions, long names and full disks, end the program with one message and
+// an exit code of the manual, not with a crash.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slices and finite elements from one file: the source's slope, what is handed over, what is kept, what is refused.
+// LEM and FEM from one case file: the slope of the source, exchanged slip surfaces, stored results, and rejected input.
 
 #include <cmath>
 #include <fstream>

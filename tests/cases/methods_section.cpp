@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case as slices and finite elements see it, against closed forms and against equivalent cases.
+// The section of LEM and the model of FEM made from a case, against closed forms and equivalent cases.
 
 #include <fmt/format.h>
 

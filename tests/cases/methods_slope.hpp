@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A small slope for slices and finite elements, and runs of it in a folder of their own.
+// A small slope for LEM and FEM, with runs in a folder of their own.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

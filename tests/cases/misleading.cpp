@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases whose answer once misled: each with the number that governs, and what must be said about it.
+// Regression tests of cases with a formerly misleading result: the governing number and the required warning.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results under the names of [[compare]]: values from the summary, what passes, and the time of failure.
+// Results under the names of [[compare]]: values from the summary, tolerances, and the time of failure.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

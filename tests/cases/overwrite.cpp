@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --overwrite replaces what runs and studies wrote, and nothing else.
+// --overwrite replaces the files of runs and studies, and no others.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus point` from the outside: exit codes, tables, pictures and the report.
+// `talus point` as a command: exit codes, tables, pictures and the report.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

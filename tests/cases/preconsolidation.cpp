@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bank of Cam-clay from its file: preconsolidation follows from the stage of equilibrium once and for all, whether
-// the run is interrupted, goes on from another one's result, or reduces the strength.
+// A Cam-clay bank from its case file: the preconsolidation pressure is set once, from the equilibrium stage, also with
+// an interruption, a start from the result of another run, and a strength reduction.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proven bounds from a case file: beside slices, with water, loads and layers; what is kept, told and refused.
+// Limit analysis from a case file: together with LEM; with water, loads and layers; stored results, messages and
+// rejected input.
 
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limit analysis as the referee of limit equilibrium: what it proves impossible never governs.
+// Limit analysis as the referee of LEM: a factor that is proven impossible never governs.
 
 #include <fstream>
 #include <iterator>

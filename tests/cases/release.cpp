@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finite elements and material points on the water of a time of a timeline: factors beside slices, nothing that moves
-// where the slope stands, and what is said where there is nothing to let go.
+// FEM and MPM with the pore water of one time of a timeline: factors beside those of LEM, no movement of a stable
+// slope, and the message if no slope fails in the timeline.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The factor of safety of a bank whose soil has roots: a uniform root cohesion over all soil is a cohesion, whatever
-// way it is given, and a layer of it gives a factor between none and that.
+// Factor of safety of a bank with roots: a uniform root cohesion equals a cohesion, however it is given, and a rooted
+// layer gives a factor between that and the factor without roots.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A runout on two meshes: the coarser one is the case with elements twice as large, and an interruption in it loses
-// nothing.
+// Runout on two meshes: the coarser run equals the case with elements of twice the size, and resumes after an
+// interruption.
 
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples by runs of the case: runout of a collapsing column, factors by finite elements, resumption.
+// Samples that are runs of the case: runout of a collapsing column, factors by FEM, resumption.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections of samples that are made without reading the case again are those of the case read again.
+// Sections of samples, made without reading the case again, equal those of the case when it is read again.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Samples by slices: a published first-order estimate, the same bits for any threads, and quick factors against
-// searches.
+// Samples by LEM: a published first-order estimate, bitwise identity for any number of threads, and factors on common
+// surfaces against separate searches.
 
 #include <gtest/gtest.h>
 

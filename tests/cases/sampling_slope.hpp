@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Li and Lumb's slope with uncertain numbers, and an empty folder for its results.
+// The slope of Li and Lumb with uncertain parameters, and an empty folder for its results.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The example of a season through `talus run`'s own path: the sums of the month's weather, the start of the run at
-// its end, and no trace of it in a run without a season.
+// The example of a season by `talus run`: the water budget of the month, the start of the run at its end, and no effect
+// on a run without a season.
 
 #include "cases/water_run.hpp"
 

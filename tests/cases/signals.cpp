@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every calculation looks for signals often enough to end within a second, and resumes.
+// Every calculation polls for signals often enough to stop within a second, and can be resumed.
 
 #include <gtest/gtest.h>
 

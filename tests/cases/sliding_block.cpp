@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The example sliding_block: an elastic block on a rough plane against Coulomb's law, on the floor and on a line.
+// The example sliding_block: an elastic block on a rough plane against Coulomb's law, on the base of the box and on a
+// line.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The example slope_3d, very coarse: a slab between smooth walls is as safe as its section, rough walls make it safer.
+// The example slope_3d on a very coarse mesh: between smooth walls the factor equals that of the section, and rough
+// walls increase it.
 
 #include <gtest/gtest.h>
 

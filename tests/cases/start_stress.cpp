@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Material points that begin with the stress of finite elements: a slope that stands does not move when it is let go,
-// it has the factor that it has from any other start, and a slope that falls begins with what it is short of.
+// MPM with the initial stress of FEM: a stable slope does not move at release and has the same factor as with any other
+// initial stress; an unstable slope starts from the equilibrium at a strength reduction factor below 1.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `talus study` and `talus collect` from the outside: exit codes, and what stands on the disk.
+// `talus study` and `talus collect` as commands: exit codes and files.
 
 #include <sys/wait.h>
 

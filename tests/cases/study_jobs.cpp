@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A study in jobs has the bits of the study in one process, whatever happens to its jobs, and mistakes are told in a
-// sentence before anything is written.
+// A study in jobs is bitwise identical to the study in one process, also with failed or repeated jobs; errors of the
+// user are reported before any file is written.
 
 #include <sys/wait.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A study of runs: onset and displacement of the monitors, over those of the reference, and sections.
+// A study of runs: onset and displacement of the monitors relative to the reference, and sections.
 
 #include <cmath>
 

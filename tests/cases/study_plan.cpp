@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which cases a study calculates, and that it refuses what cannot be calculated.
+// The variants of a study, and the rejection of studies that cannot be computed.
 
 #include "study_slope.hpp"
 

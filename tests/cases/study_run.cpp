@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Studies of a coarse slope: rows, resuming, and variants that fail.
+// Studies of a coarse slope: table rows, resumption, and failed variants.
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A slope so coarse that a whole study of it takes a second, and folders for its results.
+// A very coarse slope, of which a whole study takes a second, and folders for its results.
 
 #include <gtest/gtest.h>
 

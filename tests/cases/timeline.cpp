@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The factor of safety in time: a dam after drawdown beside published factors, both limits of its rate, and what the
-// program says of cases that have none.
+// The factor of safety over time: a dam after drawdown against published factors, the limits of very fast and very slow
+// drawdown, and the messages for incomplete cases.
 
 #include <fmt/format.h>
 

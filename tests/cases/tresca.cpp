@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Tresca soil in the point, in slices, in finite elements and in material points: against Mohr–Coulomb without
-// friction, which it is where its strength does not grow, and method against method where it does.
+// Tresca soil in element tests, LEM, FEM and MPM: against frictionless Mohr–Coulomb, to which it is equivalent if the
+// strength is uniform with depth, and otherwise between methods.
 
 #include <array>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vegetated slope of section 4.4 of the source on a coarser mesh: the effect of roots on a failure in rain.
-// `talus study examples/vegetated_slope/case.toml` makes the full comparison.
+// The vegetated slope of section 4.4 of the source on a coarser mesh: the effect of roots on a failure in rain. The
+// full comparison is `talus study examples/vegetated_slope/case.toml`.
 
 #include "water_run.hpp"
 

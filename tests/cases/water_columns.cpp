@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns of examples/verification through `talus run`'s own path: the undrained wave, consolidation, water at rest and
-// Darcy's flow. tools/verify_water.py runs them in full.
+// Columns of examples/verification by `talus run`: undrained wave, consolidation, hydrostatic water and Darcy flow. The
+// full runs are in tools/verify_water.py.
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Infiltration, drainage, flow round a corner and a dam of examples/verification through `talus run`'s own path, at a
-// larger step and for a shorter time than tools/verify_water.py runs them.
+// Infiltration, drainage, flow around a corner and a dam of examples/verification by `talus run`, with a larger step
+// and a shorter time than the full runs in tools/verify_water.py.
 
 #include <cmath>
 #include <numbers>

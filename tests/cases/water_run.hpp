@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Runs a verification problem of examples/verification with some keys changed, as a user does, and reads its results.
+// Runs a problem of examples/verification with some changed keys through `talus run`, and reads its results.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

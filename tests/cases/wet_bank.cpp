@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bank of 2 m with steady seepage and rain, from its file to its results: the flow stays as it was found, the budget
-// closes, and held pressures carry their share of the weight.
+// A bank of 2 m with steady seepage and rain, from its case file to its results: the flow remains steady, the water
+// budget closes, and fixed pore pressures carry their part of the weight.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

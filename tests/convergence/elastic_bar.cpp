@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Orders of convergence on closed-form solutions of a bar in uniaxial strain. With linear simplices, small
 // displacements and points that fill their elements the scheme is a linear finite element method: second order in
-// displacement, first order in stress. The order in time is held by the energy tests (physics/engine_waves.cpp): first
-// order.
+// displacement, first order in stress. The order in time, which is one, is tested by the energies in
+// physics/engine_waves.cpp.
 
 #include <gtest/gtest.h>
 

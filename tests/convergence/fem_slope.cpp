@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factor of safety by finite elements as the mesh is refined, in the plane and extruded.
+// The factor of safety by FEM under mesh refinement, in plane strain and extruded.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case file: it is a case, or its faults have sentences and places in the file.
+// Fuzz target: a case file is read, or rejected with messages and positions in the file.
 #include <cstdlib>
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The container of a checkpoint.
+// Fuzz target: the archive of a checkpoint.
 #include "output/files/archive.hpp"
 #include "target.hpp"
 

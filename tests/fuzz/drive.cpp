@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Drives a target where there is no libFuzzer: every file that is given, then changed copies of them. Number n is the
-// same on every machine. Usage: fuzz_NAME [-runs=N] [-from=N] [-artifact_prefix=PATH] FILE_OR_FOLDER … The input that
-// ends the process stands in PATHcrash. The options that libFuzzer has too have its names.
+// Drives a target without libFuzzer, with every given file and then with mutated copies, which are the same on every
+// machine for the same number n.
+//
+// Usage: fuzz_NAME [-runs=N] [-from=N] [-artifact_prefix=PATH] FILE_OR_FOLDER …
+//
+// The input that ends the process is in PATHcrash. Options in common with libFuzzer have its names.
 
 #include <algorithm>
 #include <csignal>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of jobs that a study has prepared, and what a job has left.
+// Fuzz target: the list of jobs of a study, and the results of a job.
 #include <nlohmann/json.hpp>
 
 #include "results/json.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh file in text: what is looked at before Gmsh reads it.
+// Fuzz target: the checks of a mesh file in text before Gmsh reads it.
 #include "mesh/gmsh_mesh.hpp"
 #include "target.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of a run: the file is looked at in a child process, and read.
+// Fuzz target: the frames of a run, which are examined in a child process and read.
 #include "output/files/frames_reader.hpp"
 #include "target.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Result files in JSON, read back for a report.
+// Fuzz target: result files in JSON, read for a report.
 #include <nlohmann/json.hpp>
 
 #include "results/json.hpp"

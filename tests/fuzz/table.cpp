@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables in text: a measured curve of a laboratory, and the history of a run.
+// Fuzz target: tables in text, a measured curve of a laboratory and the history of a run.
 #include <cmath>
 #include <cstdlib>
 

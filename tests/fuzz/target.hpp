@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the targets share. A target gets bytes; it may answer, or refuse with a sentence. All else ends the process.
+// Common parts of the fuzz targets. A target processes bytes and may reject them with an Error; everything else ends
+// the process.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a UMAT answers: any numbers in any of its arguments. The point keeps its state, or has numbers.
+// Fuzz target: any numbers in any argument on return from a UMAT. The point keeps its state, or its stress is finite.
 #include <dlfcn.h>
 
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The fast coupled step is the plain one rearranged: point by point and kilogram by kilogram the same to round-off, for
-// every option, condition and dimension, in wet slopes that fail, slide, dry at the crest and are flooded at the toe.
-// Damping is off but where everything moves, because Cundall's sign(v) turns round-off of a node at rest into a finite
-// force.
+// The step of the two-velocity formulation equals the plain one to round-off, by point and by mass, for every option,
+// condition and dimension, in wet slopes that fail, slide, are dry at the crest and flooded at the toe. Damping is off
+// except where everything moves, because Cundall's sign(v) amplifies round-off at a node at rest to a finite force.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels of a GPU, run on this processor, against the engine: point by point the same
-// to round-off, for every option and dimension. What a GPU adds is the launch.
+// The GPU kernels, emulated on the processor, equal the MPM step to round-off at every point, for every option and
+// dimension. Only the launch is specific to the GPU.
 
 #include <gtest/gtest.h>
 

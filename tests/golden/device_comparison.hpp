@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Runs a body on the processor and on an emulated device, side by side.
+// Runs a body on the processor and on an emulated device, and compares them.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run on a device gives the results of one on the processor, and its checkpoints go on there. The device is the
-// emulated one: the kernels of a GPU on this processor.
+// A run on a device gives the results of one on the processor, and resumes from its checkpoints. The device is
+// emulated: the GPU kernels run on the processor.
 
 #include <gtest/gtest.h>
 #include <signal.h>

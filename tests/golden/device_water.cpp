@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water that seeps on a device: the kernels, run on this processor, against the engine.
+// The Darcy formulation on a device: the kernels, emulated on the processor, against the MPM step.
 
 #include <gtest/gtest.h>
 

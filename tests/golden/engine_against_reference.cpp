@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fast step is the textbook step rearranged: point by point the same to round-off, for every option and dimension.
-// Damping is off, because Cundall's sign(v) turns round-off of a node at rest into a finite force.
+// The MPM step equals the textbook step to round-off at every point, for every option and dimension. Damping is off,
+// because Cundall's sign(v) amplifies round-off at a node at rest to a finite force.
 
 #include <gtest/gtest.h>
 

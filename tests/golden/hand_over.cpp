@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A body that is put together and taken apart again in the middle of a stage, as ranks do that hand soil on, gives the
-// same bits.
+// Results are bitwise identical if a body is gathered and scattered again within a stage, as in a rebalance of the
+// ranks.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A bank on a softer base, loaded at its crest, dry or wet: a case file in which points soon change their elements.
+// A case file of a bank on a softer base with a load at its crest, dry or wet, in which points soon cross element
+// boundaries.
 
 #include <fmt/format.h>
 

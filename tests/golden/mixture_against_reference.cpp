@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's step of the mixture is the plain one rearranged: point by point the same to round-off and to what the
-// linear solver leaves.
+// The step of the Darcy formulation equals the plain one at every point, to round-off and the residual of the linear
+// solver.
 
 #include <gtest/gtest.h>
 

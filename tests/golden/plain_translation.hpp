@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The bodies of the plain step for the engine, and the options that it is held against it with.
+// Converts bodies and options of the plain step to those of the MPM step, for comparison.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that was interrupted, by a signal or by kill -9, and resumed gives the same bits as one that was not.
+// A run interrupted by a signal or by kill -9 and then resumed is bitwise identical to an uninterrupted one.
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Softening over a length in the engine against plain loops, point by point; the same bits for any number of threads
-// and after a checkpoint.
+// Nonlocal softening against plain loops at every point; bitwise identity for any number of threads and after a
+// checkpoint.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case that starts from the result of another goes on as if both were one: bit for bit, but for the round-off of
+// A case that starts from the result of another is bitwise identical to one run of both, except for round-off of the
 // time.
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same bits for any number of threads: a hash over all point fields of failing slopes.
+// Results are bitwise identical for any number of threads: a hash over all point fields of failing slopes.
 
 #include <gtest/gtest.h>
 

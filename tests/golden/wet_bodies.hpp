@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Wet slopes for the comparison of the coupled step with its reference: in motion, and under every kind of condition.
+// Wet slopes for the comparison of the two-velocity step with its reference: in motion, and with every kind of
+// condition.
 
 #include <cmath>
 

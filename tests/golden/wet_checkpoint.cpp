@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A wet body that is saved, read back and carried on gives the same bits as one that was not, with rain, standing water
-// and pore pressures that flow or are held.
+// A wet body that is saved, read and continued is bitwise identical to an uninterrupted one, with rain, ponded water,
+// and pore pressures that are computed or fixed.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How far a body of the engine is from the same body of the plain coupled step, field by field.
+// Differences by field between a body of the MPM step and the same body of the plain two-velocity step.
 
 #include <algorithm>
 #include <cmath>

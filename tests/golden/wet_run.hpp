@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Runs the fast and the plain coupled step side by side and compares them after every step.
+// Runs the MPM step and the plain two-velocity step side by side and compares them after every step.
 
 #include <gtest/gtest.h>
 

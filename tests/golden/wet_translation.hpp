@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A body of the plain coupled step as a body of the engine.
+// Converts a body of the plain two-velocity step to one of the MPM step.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [calibration]: what `talus calibrate` fits, to which curves, and its faults.
+// [calibration]: the fitted parameters and curves of `talus calibrate`, and the messages on wrong input.
 
 #include <unistd.h>
 

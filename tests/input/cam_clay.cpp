@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cam-clay and external models: what is refused, and the sentence that says so.
+// Cam-clay and external models: rejected input and its messages.
 
 #include <unistd.h>
 

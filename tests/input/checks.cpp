@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold between the keys of a case.
+// Checks between the keys of a case.
 
 #include "slope.hpp"
 

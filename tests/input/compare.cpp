@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [[compare]]: names, units and tolerances of the values that results are compared with.
+// [[compare]]: names, units and tolerances of the expected values.
 
 #include "input/case/result_names.hpp"
 #include "results/named.hpp"

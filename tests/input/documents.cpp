@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Manual, template, schema and echo come from the declarations that read the file, and must agree with it.
+// Manual, template, schema and echo agree with the declarations that the reader uses.
 
 #include <functional>
 #include <regex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [lem.drawdown], the envelopes and B̄ of its soils, and what it cannot be together with.
+// [lem.drawdown], the envelopes and B̄ of its soils, and the keys that it excludes.
 
 #include <cmath>
 

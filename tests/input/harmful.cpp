@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Combinations that are known to ruin a calculation are replaced, with a sentence that says what, where and why.
+// Combinations of keys that ruin a calculation are replaced, with a message that states what, where and why.
 
 #include "input/read.hpp"
 #include "wet_slope.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [analysis] methods: what a case must hold for slices, finite elements and material points, and what it may not.
+// [analysis] methods: the keys that LEM, FEM and MPM require, and those that they exclude.
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A slope for slices alone, with no key more than they need, and ways to say what is wrong with another.
+// A minimal slope for LEM, and checks of the messages on faults in variants of it.
 
 #include "slope.hpp"
 

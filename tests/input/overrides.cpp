@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// `--set`: values of a case file replaced, added or removed on the command line, and the messages on faults.
+
 #include "slope.hpp"
 
 namespace talus::input {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is allowed and probably not meant: polygons that do not fit, numbers no soil has, slips of writing.
+// Warnings on valid but improbable input: polygons that do not fit, unusual values, misspellings.
 
 #include <fmt/format.h>
 

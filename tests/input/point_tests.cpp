@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [[test]]: element tests in a case, alone in a file, and what is wrong with them.
+// [[test]]: element tests in a case and in a file of their own, and the messages on wrong input.
 
 #include <fstream>
 

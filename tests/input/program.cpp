@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program itself: what it prints where, and its exit codes.
+// The program as a command: its output streams and exit codes.
 
 #include <fmt/format.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A vegetated slope as a case file: Tables 4.2 and 4.3 of the source, and a hedge on soil of Mohr and Coulomb's kind.
+// A vegetated slope as a case file: Tables 4.2 and 4.3 of the source, and a hedge on Mohr–Coulomb soil.
 
 #include "slope.hpp"
 

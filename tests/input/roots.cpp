@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rooted soils and [[roots]] as they are read: units, per cent, ages, and what follows from other keys.
+// Input of rooted soils and [[roots]]: units, per cent, ages, and values derived from other keys.
 
 #include <cmath>
 

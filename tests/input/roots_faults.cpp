@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The refusals of [[roots]] and of rooted soils, and their sentences.
+// Rejected [[roots]] and rooted soils, and the messages.
 
 #include "rooted_slope.hpp"
 

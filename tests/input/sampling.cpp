@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [study] with mode = "sample": uncertain numbers and their correlations; and the key that is extrapolated.
+// [study] with mode = "sample": uncertain parameters and their correlations; and the key of the extrapolation.
 
 #include "methods_slope.hpp"
 

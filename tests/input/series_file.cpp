@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Series in time that stand in files.
+// Time series in files.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A small case, and a way to break it in one place and say where the fault must be reported.
+// A small case, and a check that a fault in one place is reported at that place.
 
 #include <gtest/gtest.h>
 

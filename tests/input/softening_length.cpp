@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh.softening_length: refused where no soil softens, and where it is no length.
+// mesh.softening_length is rejected if no soil softens or if it is not a valid length.
 
 #include "rooted_slope.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [initial] result: what is refused before anything is calculated.
+// [initial] result: input that is rejected before the calculation.
 
 #include <unistd.h>
 

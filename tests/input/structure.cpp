@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unknown and missing keys, tables of the wrong kind, files that are no case.
+// Unknown and missing keys, tables of the wrong kind, and files that are not a case.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Units of values in a case file, and suggestions for misspelled words.
+
 #include "base/units.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +55,7 @@ TEST(Units, NameTheDimensionThatWasGivenAndTheOneThatIsNeeded) {
 }
 
 TEST(Units, KeepAnglesAndPlainNumbersApart) {
-  // UDUNITS itself would turn 50 % into half a radian.
+  // UDUNITS would convert 50 % to 0.5 rad.
   EXPECT_EQ(find_complaint("50 %", "deg"), "'50 %' is a number; cohesion needs an angle such as \"30 deg\"");
   EXPECT_NE(find_complaint("30 deg", "1"), "");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The case of a correct file, and the refusals of single values.
+// Values read from a correct file, and rejected single values.
 
 #include <filesystem>
 #include <fstream>

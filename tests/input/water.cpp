@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meaning of the keys of pore water: units, series in time, laws of the soil.
+// Input of pore water: units, time series, hydraulic laws of the soil.
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The refusals of pore water, and their sentences.
+// Rejected input of pore water, and the messages.
 
 #include "wet_slope.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proven bounds against exact collapse loads: the interval holds the exact factor, and becomes narrower.
+// Limit analysis against exact collapse loads: the interval contains the exact factor and narrows with refinement.
 
 #include <gtest/gtest.h>
 

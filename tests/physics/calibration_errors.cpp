@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits to curves of known parameters (Table 4.1 of the source, four root contents), without errors and with errors of 2
-// %.
+// Calibration on curves of known parameters (Table 4.1 of the source, four root contents), without errors and with
+// errors of 2 %.
 
 #include "support/laboratory.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The findings of a calibration on parameters that the curves do not fix, and its behaviour at limits and refused
-// soils.
+// Calibration of parameters that the curves do not determine, at limits, and with soils that are rejected.
 
 #include "base/error.hpp"
 #include "laboratory/calibration_model.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stages with held pore pressures: the soil comes to rest under its buoyant weight, and stays at rest when the water is
-// released.
+// Stages with fixed pore pressures: the soil comes to rest under its buoyant weight, and stays at rest when the pore
+// pressures are released.
 
 #include <gtest/gtest.h>
 

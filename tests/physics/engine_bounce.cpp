@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A frictionless wall gives and takes no energy. Found by this test: a node that the wall had stopped could receive a
-// velocity away from it in MUSL's remap. It strained the soil without work and doubled the energy of a bounce.
+// A frictionless wall conserves energy. Regression test: in the remap of MUSL a node stopped by a wall could receive a
+// velocity away from it, which strained the soil without work and doubled the energy of a bounce.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No energy comes from nothing: loose sand that slides, opens and closes pays for everything it does; and velocities
-// that no node sees fade without a change of momentum. Saturated soil pays for its flow, too.
+// Energy balance: it closes in loose sand that slides, opens and closes, and in saturated soil with flow; null modes of
+// the points' velocities are filtered without a change of momentum.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An explosion that throws every point out of the grid between two looks is an error, not a finished run; a step that
-// is too long by far stays too long when it is halved.
+// An instability that ejects all points from the grid between two checks is an error, not a finished run; a step that
+// exceeds the limit by far is still too large after halving.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The grid: points that leave it, the free surface as it moves, the critical step, and instability.
+// The grid: points that leave it, the moving free surface, the critical time step, and instability.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies without supports: free fall, momentum, and the turning of stressed blocks.
+// Bodies without supports: free fall, momentum, and the rotation of stressed blocks.
 
 #include <gtest/gtest.h>
 

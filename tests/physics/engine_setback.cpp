@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stage that becomes unstable goes back to its last good state and on with a smaller step; what was recorded of the
-// lost part is dropped.
+// A stage that becomes unstable returns to its last good state and is repeated with a smaller step; records of the
+// discarded part are removed.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walls: sliding with Coulomb friction, rollers on an inclined plane, and boundaries that move.
+// Walls: sliding with Coulomb friction, rollers on an inclined plane, and moving boundaries.
 
 #include <gtest/gtest.h>
 

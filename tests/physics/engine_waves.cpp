@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elastic waves and vibrations, and where the energy of a body goes.
+// Elastic waves and vibrations, and the terms of their energy balance.
 
 #include <gtest/gtest.h>
 

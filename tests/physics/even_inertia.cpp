@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small elements whose points have more inertia at frozen geometry: the step is that of the ordinary elements, and the
-// soil comes to rest where it did.
+// Equalised-mass bodies at frozen geometry: small elements no longer reduce the time step, and the state of rest is the
+// same.
 
 #include "run/mpm/start/frozen_body.hpp"
 

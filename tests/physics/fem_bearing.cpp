@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A strip footing on weightless clay: Prandtl's N_c = 2 + π by quadratic triangles, and how it comes closer with the
-// mesh.
+// A strip footing on weightless clay: convergence of quadratic triangles to Prandtl's N_c = 2 + π under mesh
+// refinement.
 
 #include <gtest/gtest.h>
 

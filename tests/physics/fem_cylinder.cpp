@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A thick cylinder under internal pressure in plane strain: Lamé's elastic solution, and Hill's with a plastic zone of
-// Tresca's material, to which Mohr–Coulomb without friction comes down.
+// A thick cylinder under internal pressure in plane strain: Lamé's elastic solution, and Hill's solution with a plastic
+// zone of Tresca material, which equals frictionless Mohr–Coulomb.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strength reduction of slopes against limit equilibrium and published finite elements, and the invariances of its
-// answer.
+// Strength reduction of slopes against LEM and published FEM, and invariances of the factor.
 
 #include <gtest/gtest.h>
 

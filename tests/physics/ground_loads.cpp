@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What slices and elements take, points take too: surcharges, r_u, a water table without pore water of its own,
-// standing water, and cohesion that grows with depth. Columns of 3 m against their closed forms.
+// Surcharges, r_u, a water table without pore water of its own, ponded water, and cohesion that grows with depth in MPM
+// as in LEM and FEM: columns of 3 m against closed forms.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state that points start with: Cam-clay's preconsolidation against the weight of a column, with suction and roots,
-// given or from the stress of equilibrium, exactly once; and after a start from another run.
+// Initial state of MPM: preconsolidation pressure of Cam-clay against the weight of a column, with suction and roots,
+// given or from the equilibrium stress, set exactly once; also after a start from another run.
 
 #include <gtest/gtest.h>
 

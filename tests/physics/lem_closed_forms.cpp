@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slip surfaces whose factor is known in closed form.
+// Slip surfaces with a closed-form factor of safety.
 
 #include "support/lem_sections.hpp"
 

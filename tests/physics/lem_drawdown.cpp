@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rapid drawdown in slices: strengths by hand and by the printed bases of the Corps of Engineers, its published
-// factors, and limits in which the stages must give the factor of another slope.
+// Rapid drawdown in LEM: strengths by hand and from the printed slice bases of the Corps of Engineers, its published
+// factors, and limits in which the stages must equal the factor of another slope.
 
 #include <numeric>
 

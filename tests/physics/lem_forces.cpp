@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The slice table: every slice is in equilibrium, the thrust acts where the moments say, k_y gives F = 1.
+// The slice table: every slice is in equilibrium, the line of thrust follows from the moments, k_y gives F = 1.
 
 #include "lem/surface/mass.hpp"
 #include "support/lem_sections.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Methods that close the forces alone, with interslice forces of given inclinations.
+// Force-equilibrium methods with given inclinations of the interslice forces.
 
 #include "lem/surface/mass.hpp"
 #include "support/lem_sections.hpp"

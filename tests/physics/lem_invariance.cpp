@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Invariances of the factor: mirror image, position, units, the level of a pool over everything, absent items.
+// Invariances of the factor: reflection, position, units, the level of a pool above the slope, and absent items.
 
 #include <algorithm>
 #include <functional>

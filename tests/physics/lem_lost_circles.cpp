@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circles that methods with complete equilibrium have no solution on: tension at the crest of steep slopes, and the
-// limits of λ.
+// Circles without a solution by methods of complete equilibrium: tension at the crest of steep slopes, and the limits
+// of λ.
 
 #include <algorithm>
 

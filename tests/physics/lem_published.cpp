@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Factors of given slip surfaces against published ones and an independent recomputation with 400 slices.
+// Factors of given slip surfaces against published ones and an independent computation with 400 slices.
 
 #include <ostream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searched minima against an independent recomputation of published problems (smallest factors of 100 slices).
+// Searched minima against an independent computation of published problems (smallest factors with 100 slices).
 
 #include "lem/search/search.hpp"
 

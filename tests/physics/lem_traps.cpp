@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Known traps of the methods of slices, each with a test.
+// One test for each known numerical trap of the methods of slices.
 
 #include "support/lem_sections.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water: ponds, submerged slopes, vertical faces, pressure grids, suction.
+// Water in LEM: ponds, submerged slopes, vertical faces, pressure grids, suction.
 
 #include <algorithm>
 

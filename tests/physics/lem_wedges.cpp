@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wedge mechanism of a polyline against closed forms of limit analysis, and what it refuses.
+// The wedge mechanism of a polyline against closed forms of limit analysis, and the polylines that it rejects.
 
 #include "lem/search/search.hpp"
 #include "lem/slices/wedge_mechanism.hpp"

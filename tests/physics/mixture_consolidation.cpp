@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Consolidation in the plain step of the mixture, with the stiffness of real water and without mass scaling.
+// Consolidation in the plain step of the Darcy formulation, with the bulk modulus of real water and without mass
+// scaling.
 
 #include <gtest/gtest.h>
 

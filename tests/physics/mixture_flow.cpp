@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flow through soil at rest in the plain step of the mixture: Darcy's discharge through layers, infiltration against a
-// fine solution of Richards' equation, runoff.
+// Flow through soil at rest in the plain step of the Darcy formulation: discharge through layers, infiltration against
+// a fine solution of Richards' equation, runoff.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Element tests of Cam-clay against its closed solutions: compression lines, undrained strength, critical state,
-// collapse.
+// Element tests of Cam-clay against closed forms: compression lines, undrained strength, critical state, collapse.
 
 #include "support/point_soils.hpp"
 

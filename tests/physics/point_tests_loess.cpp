@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The case file of examples/triaxial_loess against an independent integration of the rooted-soil model (4.1-4.15).
+// The case file of examples/triaxial_loess against an independent integration of the rooted-soil model (4.1–4.15).
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Element tests against the strength that Mohr–Coulomb soil has in closed form, and the moduli of elastic soil.
+// Element tests against the closed-form strength of Mohr–Coulomb soil and the moduli of elastic soil.
 
 #include "base/error.hpp"
 #include "support/point_soils.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plain Mohr–Coulomb return against closed forms, and against the principle of maximum plastic work.
+// The plain Mohr–Coulomb return mapping against closed forms and the principle of maximum plastic work.
 
 #include <gtest/gtest.h>
 

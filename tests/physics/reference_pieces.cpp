@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pieces of the plain step against hand values, on two triangles.
+// Parts of the plain step against hand calculations on two triangles.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plain step against exact solutions and conservation laws. What the engine is compared with must itself be right.
+// The plain step, the reference of the MPM step, against exact solutions and conservation laws.
 
 #include <gtest/gtest.h>
 

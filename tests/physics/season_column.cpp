@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Transpiration as a sink of seepage: columns that dry against sums and an ordinary differential equation, water
-// budgets of seasons, and what the mesh changes.
+// Transpiration as a sink in seepage: drying columns against sums and an ordinary differential equation, water budgets
+// of seasons, and mesh dependence.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Roots that draw water while the engine runs: against the same sink in seepage, budgets, threads, checkpoints; and
-// where
-// [[roots]] of a case draw it.
+// Root water uptake in MPM: against the same sink in seepage; budgets, threads, checkpoints; and the uptake zone of the
+// [[roots]] of a case.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Soil boxes and columns for the tests of seepage: meshes without a mesh generator, with named sides.
+// Soil boxes and columns for the tests of seepage: meshes with named sides, without a mesh generator.
 
 #include <cmath>
 

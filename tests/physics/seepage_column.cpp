@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steady seepage in columns against closed solutions: Darcy's flow, layers, and Gardner's infiltration.
+// Steady seepage in columns against closed forms: Darcy flow, layers, and Gardner's infiltration.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seepage in time against closed solutions: Srivastava and Yeh's infiltration, consolidation, drainage; and budgets.
+// Transient seepage against closed forms: Srivastava and Yeh's infiltration, consolidation, drainage; and water
+// budgets.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seepage against published answers: a quarter of a ring, a block under recharge, and an earth dam on rock.
+// Seepage against published solutions: a quarter of a ring, a block under recharge, and an earth dam on rock.
 
 #include <gtest/gtest.h>
 

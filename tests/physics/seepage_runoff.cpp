@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rain that cannot enter: it stands on the ground, runs down it to where it can enter, and closes its budget.
+// Rain above the infiltration capacity: it ponds on the ground, runs off to places of infiltration, and closes its
+// budget.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The unsaturated slope of section 3.4.2: its steady seepage, the suction at the crest and the saturation there.
+// The unsaturated slope of section 3.4.2: steady seepage, and suction and saturation at the crest.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When mass scaling makes the soil too slow for what happens to it: closed forms of the two times, and what is said.
+// Mass scaling that makes the soil too slow for its loading: closed forms of the two times, and the warning.
 
 #include <gtest/gtest.h>
 

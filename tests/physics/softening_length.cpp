@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Soil that softens over a length: how much load a block of clay keeps after its peak, on four meshes.
+// Nonlocal softening: residual load of a block of clay after its peak, on four meshes.
 
 #include <gtest/gtest.h>
 

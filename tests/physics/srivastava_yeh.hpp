@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Srivastava and Yeh (1991), Water Resour. Res. 27, 753: infiltration into homogeneous soil over a water table, steady
-// flow q_A until t = 0 and q_B from then on. k = k_s e^(αψ), θ = θ_r + (θ_s - θ_r) e^(αψ).
+// Solution of Srivastava and Yeh (1991), Water Resour. Res. 27, 753: infiltration into homogeneous soil over a water
+// table, with steady flow q_A until t = 0 and q_B afterwards. k = k_s e^(αψ), θ = θ_r + (θ_s - θ_r) e^(αψ).
 
 #include <cmath>
 #include <numbers>

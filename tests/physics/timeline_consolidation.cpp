@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Saturated columns that store water by the compressibility of their skeleton, through the water of a [timeline]: a
-// pool falls at once, and the pressure that it leaves drains at the top.
+// Saturated columns with storage by the compressibility of the skeleton, through the seepage of a [timeline]: a pool
+// falls instantly, and the excess pressure drains at the top.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The factor of safety in time against closed forms and hand calculations: rain on an infinite slope, and a bank whose
-// pool falls infinitely fast or slowly.
+// The factor of safety over time against closed forms and hand calculations: rain on an infinite slope, and a bank with
+// infinitely fast or slow drawdown.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Budgets of the plain coupled step: momentum and water close to round-off, and the work of the pressures on both
-// phases equals that on the water's storage.
+// Budgets of the plain two-velocity step: momentum and water close to round-off, and the work of the pressures on both
+// phases equals that of the storage of the water.
 
 #include <gtest/gtest.h>
 

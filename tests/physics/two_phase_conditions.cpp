@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conditions and options of the plain coupled step that have closed answers: evaporation that suction limits, given
-// inflow and pressure, the water that a full element shares, Khalili and Khabbaz's effective stress.
+// Conditions and options of the plain two-velocity step with closed-form solutions: evaporation limited by suction,
+// given inflow and pressure, the mean water of a full element, effective stress of Khalili and Khabbaz.
 
 #include <gtest/gtest.h>
 

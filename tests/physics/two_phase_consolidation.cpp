@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Terzaghi's consolidation (2.6.2) in the plain coupled step, and the two limits that enclose it: drained and undrained
+// Terzaghi's consolidation (2.6.2) in the plain two-velocity step, and its two limits: drained and undrained
 // compression.
 
 #include <gtest/gtest.h>

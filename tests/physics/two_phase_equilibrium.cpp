@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Water at rest in the plain coupled step: a saturated body stays still in every mode, and suction above the water
-// table stands under a surface that no water enters.
+// Water at rest in the plain two-velocity step: a saturated body remains at rest in every mode, and suction above the
+// water table persists under a surface without inflow.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steady flow in the plain coupled step: Darcy's discharge through layers, and the effect of damping on it.
+// Steady flow in the plain two-velocity step: Darcy's discharge through layers, and the effect of damping on it.
 
 #include <gtest/gtest.h>
 

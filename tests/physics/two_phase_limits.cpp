@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Critical steps of the coupled step against the values that the source prints, and against the plain step itself: just
-// below the exact limit it is stable, just above it is not.
+// Critical time steps of the two-velocity formulation against the printed values of the source and against the plain
+// step, which is stable just below the exact limit and unstable just above it.
 
 #include <gtest/gtest.h>
 

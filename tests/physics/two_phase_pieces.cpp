@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single pieces of the plain coupled step by hand: drag at a node, held phases, damping, smoothing, rain and seepage.
+// Parts of the plain two-velocity step by hand: drag at a node, fixed phases, damping, smoothing, rain and seepage.
 
 #include <gtest/gtest.h>
 

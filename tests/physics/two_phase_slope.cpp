@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plain coupled step on a wet slope that fails, with everything on: it stays finite, keeps grains and water, and
-// no node is faster than free fall.
+// The plain two-velocity step on a failing wet slope with all options: fields remain finite, the masses of grains and
+// water are conserved, and no node is faster than free fall.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unsaturated soil in the plain coupled step: sealed compression against the closed form, pressure from the water that
-// is there, and infiltration against a fine finite-difference solution of Richards' equation.
+// Unsaturated soil in the plain two-velocity step: sealed compression against the closed form, pressure from the mass
+// of water, and infiltration against a fine finite-difference solution of Richards' equation.
 
 #include <gtest/gtest.h>
 

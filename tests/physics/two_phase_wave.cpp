@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The undrained wave of 2.6.1 in the plain coupled step: height and time of the front, its reflection, both drags, and
-// the limits of the step found by trying.
+// The undrained wave of 2.6.1 in the plain two-velocity step: height and time of the front, its reflection, both drags,
+// and the time step limits found by bisection.
 
 #include <gtest/gtest.h>
 

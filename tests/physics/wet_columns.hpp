@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Columns of soil and water with known answers, for both plain steps.
+// Columns of soil and water with closed-form solutions, for both plain steps.
 
 #include <algorithm>
 #include <cmath>

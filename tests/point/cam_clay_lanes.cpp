@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs against doubles, plane strain against space, turned axes, and the plastic strain of an update.
+// Cam-clay in packs against doubles, in plane strain against 3D, in rotated axes, and the plastic strain of an update.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law against plain integrations that share nothing with it: small explicit steps along random paths, and nested
-// bisection for single large steps; and how fast its error falls with the step.
+// Cam-clay against independent plain integrations: small explicit steps along random paths, nested bisection for single
+// large steps, and the order of convergence with the step.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever the state and the increment: numbers, admissible stresses, no energy from nothing.
+// Cam-clay for any state and increment: finite numbers, admissible stresses, no creation of energy.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Effects of roots: larger p'_c and M, hardening with the activation strain, breakage, and the mechanics of the
-// source's Figure 4.2, each against a closed form or a limit.
+// Effects of roots on Cam-clay: larger p'_c and M, hardening with the activation strain, breakage, and the mechanics of
+// Figure 4.2 of the source, each against a closed form or a limit.
 
 #include <gtest/gtest.h>
 

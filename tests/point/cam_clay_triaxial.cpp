@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drained triaxial compression of the source's loess (Table 4.1, Figure 4.3) against a table computed independently,
-// and the ends that critical state theory gives in closed form.
+// Drained triaxial compression of the loess of the source (Table 4.1, Figure 4.3) against an independently computed
+// table, and the critical states in closed form.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of relative conductivity against closed values, differences, their limits, and packs against doubles.
+// Laws of relative conductivity against closed-form values, finite differences and limits, and packs against doubles.
 
 #include "material/water/conductivity.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The polynomial behind the principal stresses is as exact as its header says.
+// The polynomial for the principal stresses has the accuracy that its header states.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A compiled UMAT: that every argument arrives where it belongs, that elasticity in C is the built-in one, and the
-// message of a UMAT that fails or is missing.
+// A compiled UMAT: every argument arrives in its place, elasticity in C equals the built-in one, and messages on a UMAT
+// that fails or is missing.
 
 #include <gtest/gtest.h>
 

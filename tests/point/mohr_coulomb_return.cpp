@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The closed-form return against the plain one that tries every set of planes, and the properties of any return.
+// The closed-form return mapping against the plain one that tries every set of planes, and general properties of a
+// return.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strengths and flow of the Mohr–Coulomb point in the tests of a soil laboratory, against their closed forms.
+// Strength and flow of Mohr–Coulomb soil in element tests, against closed forms.
 
 #include <gtest/gtest.h>
 

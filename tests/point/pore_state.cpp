@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pressure of pore water from its mass: found from any guess, in every lane what a double gives, for all curves.
+// Pore pressure from the mass of water: convergence from any initial guess, and packs against doubles, for all curves.
 
 #include <gtest/gtest.h>
 

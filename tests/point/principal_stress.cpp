@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Principal stresses without an eigenvalue solver, against one; and elasticity against Hooke's law written out.
+// Closed-form principal stresses against an eigenvalue solver, and elasticity against Hooke's law in components.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Retention curves against closed values, differences, their limits, and packs against doubles.
+// Retention curves against closed-form values, finite differences and limits, and packs against doubles.
 
 #include "material/water/retention.hpp"
 

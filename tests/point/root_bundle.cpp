@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two root bundles: numbers worked by hand, a bundle that is pulled root by root, and the bound between the two.
+// The two root bundle models: hand calculations, a bundle pulled root by root, and the bound between the two models.
 
 #include <gtest/gtest.h>
 

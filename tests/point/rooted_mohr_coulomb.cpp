@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rooted Mohr–Coulomb against Mohr–Coulomb whose cohesion is the sum, for everything that the sum decides: planes,
-// edges, apex, tension cut-off, reduced strength, one point or a pack of points that all differ.
+// Rooted Mohr–Coulomb against Mohr–Coulomb with the sum of both cohesions, on planes, edges, apex and tension cut-off,
+// with reduced strength, for one point and for packs of different points.
 
 #include <gtest/gtest.h>
 

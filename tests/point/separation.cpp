@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Soil that comes apart: the gap in closed form, for every law that keeps one.
+// Separation of soil: the gap in closed form, for every law that stores one.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Small bodies for the plain step and for the comparison of the engine with it: jittered meshes of a box, filled up to
-// a profile, with rollers and K0 stresses. y is upwards in 2D and 3D.
+// Small bodies for the plain step and for the comparison of the MPM step with it: jittered meshes of a box, filled up
+// to a profile, with rollers and K0 stresses. y is upwards in 2D and 3D.
 
 #include <Eigen/Dense>
 #include <algorithm>

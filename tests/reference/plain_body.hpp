@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The data of the plain material point method: points, nodes, elements and settings as plain structs, and the linear
-// shape functions. Everything is stored the way the theory writes it: global coordinates, full tensors.
+// shape functions. The storage follows the theory: global coordinates, full tensors.
 
 #include <Eigen/Dense>
 #include <array>

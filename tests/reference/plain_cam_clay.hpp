@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Rooted Cam-clay in plain loops, for reading: no line is shared with the program. Compression is positive here.
-// Two ways: small explicit steps of the rate equations (4.1-4.10), and one implicit step (4.11-4.15) solved by nested
-// bisection.
+// Rooted Cam-clay in plain loops, independent of the program, by two integrations: small explicit steps of the rate
+// equations (4.1–4.10), and one implicit step (4.11–4.15) solved by nested bisection. Compression is positive here.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One point of soil, written for reading: linear elasticity and Mohr–Coulomb with a tension cut-off by trying every
-// set of yield planes. Slow, and independent of the engine's closed-form return, which is tested against it.
+// Plain constitutive law of one point: linear elasticity and Mohr–Coulomb with a tension cut-off, whose return tries
+// every set of yield planes. It is slow, and independent of the closed-form return that is tested against it.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The plain step of the mixture with continuous pore pressures, semi-implicit: everything but the pressure is explicit,
-// and the pressure of the end of the step is that at which pores and water agree (docs/theory/22-mixture.md). The step
-// is bounded by waves in the drained soil alone.
+// The plain semi-implicit step of the Darcy (u–p) formulation with continuous pore pressures: everything except the
+// pressure is explicit, and the pressure at the end of the step satisfies the storage equation
+// (docs/theory/22-mixture.md). The time step is limited by waves in the drained soil only.
 
 #include <vector>
 

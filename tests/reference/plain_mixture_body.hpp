@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The data of the plain step of the mixture: soil and water with one velocity, pore pressures at the nodes, and Darcy's
-// flux eliminated. docs/theory/22-mixture.md has the formulas.
+// The data of the plain step of the Darcy (u–p) formulation: one velocity of soil and water, nodal pore pressures, and
+// Darcy's flux eliminated. The equations are in docs/theory/22-mixture.md.
 
 #include <utility>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The equation of the nodal pressures in the plain mixture step (T22.5), with the conditions of the surface.
+// The equation of the nodal pressures in the plain step of the Darcy formulation (T22.5), with the surface conditions.
 
 #include <Eigen/Sparse>
 #include <cmath>

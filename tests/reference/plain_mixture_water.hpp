@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The water of the plain mixture step: what nodes and elements hold, and the pressure that the step starts from.
+// The water of the plain step of the Darcy formulation: contents of nodes and elements, and the pressure at the start
+// of the step.
 
 #include <algorithm>
 #include <cmath>

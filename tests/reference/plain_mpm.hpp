@@ -2,7 +2,7 @@
 #pragma once
 // The textbook one-phase MUSL step, (2.35)–(2.45) with damping (2.89), mass scaling (2.91), mixed integration (2.92)
 // and strain smoothing (2.94–2.95), as plain loops over plain structs. The remap (2.41) is a second pass over the
-// points; nothing is fused, cached or reordered. The engine is compared with it point by point.
+// points; nothing is fused, cached or reordered. The MPM step is compared with it at every point.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Softening over a length (docs/theory/23-softening-length.md) in plain loops.
+// Nonlocal softening (docs/theory/23-softening-length.md) in plain loops.
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The second half of the plain step: strain increments of the elements, stresses of the points, and the nodal averaging
-// that keeps linear simplices from locking (2.43–2.45, 2.94–2.95).
+// that prevents locking of linear simplices (2.43–2.45, 2.94–2.95).
 
 #include <Eigen/Dense>
 #include <cstddef>

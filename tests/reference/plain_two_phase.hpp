@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The textbook two-phase single-point MUSL step of 2.3.4 and 3.2, saturated and unsaturated, as plain loops over plain
-// structs, in the order of the source. The coupled engine is compared with it point by point.
+// structs, in the order of the source. The two-velocity formulation is compared with it at every point.
 
 #include <Eigen/Dense>
 #include <vector>

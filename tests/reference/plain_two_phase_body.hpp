@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The data of the plain coupled step of soil and pore water (2.3, 3.2): one set of points that carries both phases,
-// nodes with two velocities, and the data of the soil for its water. docs/theory/14-two-phase.md has the formulas.
+// The data of the plain two-velocity step (2.3, 3.2): one set of points for both phases, nodes with two velocities, and
+// the hydraulic parameters of the soil. The equations are in docs/theory/14-two-phase.md.
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Exchange of water between neighbouring elements of the plain coupled step (T14.9).
+// Exchange of water between neighbouring elements in the plain two-velocity step (T14.9).
 
 #include <Eigen/Dense>
 #include <algorithm>

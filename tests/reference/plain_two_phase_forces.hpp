@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The first half of the plain coupled step: which elements are full, where water may pass, and the sums at the nodes.
+// The first half of the plain two-velocity step: full elements, sides open to water, and the nodal sums.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Critical time steps of the coupled step (2.84–2.88): the source's sufficient bound, and the exact limit of the
-// one-dimensional scheme for explicit and implicit drag.
+// Critical time steps of the two-velocity formulation (2.84–2.88): the sufficient bound of the source, and the exact
+// limit of the one-dimensional scheme for explicit and implicit drag.
 
 #include <Eigen/Dense>
 #include <cmath>

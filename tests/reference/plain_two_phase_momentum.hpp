@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Accelerations of both phases at the nodes: drag implicit or explicit, damping, held nodes (2.66, 2.67, 2.89–2.91).
+// Nodal accelerations of both phases: implicit or explicit drag, damping, fixed nodes (2.66, 2.67, 2.89–2.91).
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The second half of the plain coupled step: strains and the divergence of the seepage (2.80, 2.81), their smoothing
-// (2.94–2.97), the water of every point and its pressure (3.4), effective stresses (2.82), volumes and porosity (2.50).
+// The second half of the plain two-velocity step: strains and the divergence of the seepage (2.80, 2.81), their
+// smoothing (2.94–2.97), water and pressure of every point (3.4), effective stresses (2.82), volumes and porosity
+// (2.50).
 
 #include <Eigen/Dense>
 #include <cmath>

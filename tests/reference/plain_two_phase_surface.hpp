@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Water at the free surface: which sides are open, the pressure of standing water, rain and seepage faces, and the
-// count of what passes (docs of the conditions: docs/theory/14-two-phase.md).
+// Water at the free surface: open sides, pressure of ponded water, rain and seepage faces, and the flow through each
+// surface (docs/theory/14-two-phase.md).
 
 #include <Eigen/Dense>
 #include <algorithm>

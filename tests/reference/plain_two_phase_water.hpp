@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The water of points and elements: the pressure that holds it (3.4), what the points of a full element share, and what
-// it adds to the stress (3.12).
+// The water of points and elements: the pressure at which the pores contain it (3.4), the mean over the points of a
+// full element, and its effect on the stress (3.12).
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies for the plain coupled step and for the comparison of the engine with it: filled boxes and columns on rollers
-// with pore water. Component 1 is upwards.
+// Bodies for the plain two-velocity step and for the comparison of the MPM step with it: filled boxes and columns on
+// rollers with pore water. Component 1 is upwards.
 
 #include <Eigen/Dense>
 #include <algorithm>

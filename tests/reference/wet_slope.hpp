@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A wet slope that uses every part of the coupled step at once: unsaturated soil over a tighter one of another
-// porosity, a dry berm, standing water before the toe, rain, a head behind, plastic failure through many elements.
+// A wet slope that uses every part of the two-velocity step at once: unsaturated soil over a less permeable one of
+// another porosity, a dry berm, ponded water at the toe, rain, a head behind the slope, and plastic failure through
+// many elements.
 
 #include <Eigen/Dense>
 #include <array>

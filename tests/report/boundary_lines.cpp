@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sides of a mesh become the lines that are drawn.
+// Sides of a mesh are joined to polylines.
 
 #include "report/content/model.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run with a rapid drawdown: the summary has its stages, and the report keeps its contract.
+// A run with a rapid drawdown: the summary has its stages, and the report satisfies its contract.
 
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders of runs that did not finish, of studies, and of nothing.
+// Reports of unfinished runs, of studies, and of folders without results.
 
 #include "base/error.hpp"
 #include "report/report.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports of slices and finite elements, with and without material points, against the results that they come from.
+// Reports of LEM and FEM, with and without MPM, against the results.
 
 #include "report/report.hpp"
 #include "report_page.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays survive the way into the page and back.
+// Arrays are recovered from the page.
 
 #include "report/pack/pack.hpp"
 

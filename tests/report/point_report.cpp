@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of element tests: it keeps the contract with the page, alone and beside a run.
+// The report of element tests satisfies the contract of the page, alone and together with a run.
 
 #include <fstream>
 

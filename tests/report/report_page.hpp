@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Reads a report back as its page does: the document out of the HTML, the arrays out of base64, zlib, planes and rows.
+// Reads a report as its page does: the document from the HTML, the arrays from base64, zlib, byte planes and row
+// differences.
 
 #include <gtest/gtest.h>
 

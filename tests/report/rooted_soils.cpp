@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report says of Cam-clay and rooted soils: the table of materials, the assumptions and the methods.
+// Cam-clay and rooted soils in a report: the table of materials, the assumptions and the methods.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The contract with the page: what a report may hold (web/contract/report.schema.json).
+// Validation of a report against the contract of the page (web/contract/report.schema.json).
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

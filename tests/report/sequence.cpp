@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames in the page are the frames of the results file: every value, the points that left, components, colour scales.
+// Frames in the page equal those of the results file: all values, points that left the grid, components, colour scales.
 
 #include "report/content/sequence.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A slope so coarse that a whole strength reduction of it takes a second, with everything that a report shows.
+// A very coarse slope, whose whole strength reduction takes a second, with everything that a report shows.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A bank so coarse that it runs in a moment, with everything about pore water that a report shows: wet and dry soil,
-// standing water that rises, rain in steps, runoff, a drained and a coupled stage.
+// A very coarse bank with everything on pore water that a report shows: wet and dry soil, rising ponded water, rain in
+// steps, runoff, a drained stage and one with two velocities.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule of which frames and points a report shows.
+// The selection of frames and points for a report.
 
 #include "report/content/sequence.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of a run with a timeline: the least factor in time stands first, and its figure has all times.
+// The report of a run with a timeline: the smallest factor over time comes first, and its figure contains all times.
 
 #include <algorithm>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The statements of a report must be true of its case: only those that apply, with numbers in the units of the case.
+// The statements of a report agree with its case: only those that apply, with numbers in the units of the case.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The water of a reservoir cut after a drawdown in its report: its states with their fields, and what leaves where.
+// The pore water of a cut in a reservoir after drawdown in its report: states with their fields, and outflow by side.
 
 #include <fstream>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of a wet run: its water is that of the run's own files, its laws are those of the engine, and what it says
-// of drained and coupled, soft water and factors on conductivity is true of the case.
+// The report of a wet run: water and hydraulic laws agree with the result files and with MPM, and the statements on the
+// drained and two-velocity stages, reduced bulk modulus and scaled conductivity agree with the case.
 
 #include <algorithm>
 #include <cmath>

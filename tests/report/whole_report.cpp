@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A real run becomes a page: the contract is kept, and the numbers are those of the run's own files.
+// The report of a real run satisfies its contract, and its numbers agree with the result files.
 
 #include "report/report.hpp"
 

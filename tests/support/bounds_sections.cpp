@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns of crossed triangles.
+// Sections of limit analysis: columns of crossed triangles.
 
 #include "support/bounds_sections.hpp"
 

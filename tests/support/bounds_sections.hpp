@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sections of limit analysis for tests: columns of crossed triangles under a ground.
+// Sections of limit analysis for tests: columns of crossed triangles under the ground surface.
 
 #include <functional>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A process of ours that a test watches. Nothing here looks at the clock on the wall: a busy machine is only slower.
+// A child process that a test observes. Nothing depends on wall-clock time, so that a busy machine only slows the test
+// down.
 
 #include <poll.h>
 #include <sched.h>

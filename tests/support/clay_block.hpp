@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A block of overconsolidated clay that is pressed from above until it softens in a band.
+// A block of overconsolidated clay that is compressed until it softens in a shear band.
 
 #include <cmath>
 

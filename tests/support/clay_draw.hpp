@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Random Cam-clay soils, points of them and strain increments, over every range that a slope may reach.
+// Random Cam-clay soils, their states and strain increments, over the whole range that occurs in slopes.
 
 #include "support/clay_point.hpp"
 #include "support/draw.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One point of Cam-clay soil driven through element tests: by strain, or by strain and some stresses.
+// Element tests on one point of Cam-clay, with given strains or with given strains and stresses.
 
 #include <array>
 #include <cmath>

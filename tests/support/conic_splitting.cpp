@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The splitting: a least squares problem with one matrix, and projections into cones.
+// The method of multipliers: alternately a least squares problem with a constant matrix, and projections onto the
+// cones.
 
 #include "support/conic_splitting.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Cone programs by a method of another kind than src/bounds/conic: projections, one after the other, on dense matrices.
+// Reference solver of cone programs, independent of src/bounds/conic: the alternating direction method of multipliers
+// on dense matrices.
 
 #include <Eigen/Dense>
 

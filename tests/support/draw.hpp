@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Random numbers that are the same with every compiler: the standard distributions are not.
+// Random numbers that do not depend on the compiler, unlike the standard distributions.
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A laboratory for the tests of calibration: measured curves that known parameters give, with errors on demand.
+// Synthetic laboratory curves of known parameters for the tests of calibration, with optional errors.
 
 #include <gtest/gtest.h>
 

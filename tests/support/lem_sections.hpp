@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sections of limit equilibrium for tests, and the factors of one surface by all methods.
+// Sections of LEM for tests, and the factors of one surface by all methods.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Soils and element tests for the tests, from memory as calibration makes them.
+// Soils and element tests for the tests, made in memory as in calibration.
 
 #include <gtest/gtest.h>
 

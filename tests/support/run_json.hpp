@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Runs whose results tests read as JSON, as readers of summary.json do.
+// Runs whose summary.json the tests read as JSON.
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A bank so coarse that it slides in a second of computing: three monitors, a vertical section, frames.
+// A very coarse bank, which slides within a second of computing time: three monitors, a vertical section, frames.
 
 #include "support/slopes.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Slopes that several tests share: the case files of tests/support/slopes, and what a test changes in them.
+// Slopes that several tests share: the case files of tests/support/slopes, and changes to them.
 
 #include <string>
 #include <vector>

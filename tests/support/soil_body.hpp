@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies for the engine's tests: a mesh of a box, points in the elements that a function chooses, and rollers.
+// Bodies for the tests of the MPM step: a mesh of a box, points in selected elements, and rollers.
 
 #include <cmath>
 #include <functional>

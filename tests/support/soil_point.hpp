@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One point of Mohr–Coulomb soil, driven as the engine drives it, and the same soil for the plain return.
+// One point of Mohr–Coulomb soil, updated as in the MPM step, and the same soil for the plain return mapping.
 
 #include <array>
 

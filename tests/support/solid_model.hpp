@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Models for the finite elements of stress: meshes of polygons, sides by their place, Mohr–Coulomb soil.
+// Models for FEM: meshes of polygons, sides by position, Mohr–Coulomb soil.
 
 #include <cmath>
 #include <functional>

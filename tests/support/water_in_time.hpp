@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The water of a case with a [timeline], found as its run finds it: the start, and the pressures at its times.
+// The pore water of a case with a [timeline], computed as in its run: the initial state, and the pressures at its
+// times.
 
 #include <array>
 #include <string>

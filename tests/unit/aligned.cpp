@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays that take memory where they are written.
+// Aligned arrays, of which only written pages occupy memory.
 
 #include "base/aligned.hpp"
 

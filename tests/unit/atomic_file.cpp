@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that is replaced is replaced by name: a link that stands in its place, or under its temporary name, is not
-// followed.
+// Atomic replacement of a file acts on its name: a link in its place, or under its temporary name, is not followed.
 #include "base/atomic_file.hpp"
 
 #include <gtest/gtest.h>

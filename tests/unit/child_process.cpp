@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work in a child process: how it ends, well or badly.
+// Work in a child process, and its normal and abnormal ends.
 #include "base/foreign_code.hpp"
 
 #include <gtest/gtest.h>

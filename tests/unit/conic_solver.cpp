@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solver of cone programs: known optima, programs made to have one, none or no end, and a method of another kind.
+// The solver of cone programs: known optima; infeasible and unbounded programs; and comparison with the method of
+// multipliers.
 
 #include "bounds/conic/solve.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Factors of safety read off curves whose answer is known.
+// Factors of safety by the criteria of the displacement curve, on curves with a known factor.
 
 #include "run/mpm/reduction/criteria.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a text may reach a terminal, a picture or a table.
+// Sanitising of text for a terminal, a picture or a table.
 #include "base/text.hpp"
 
 #include <gtest/gtest.h>

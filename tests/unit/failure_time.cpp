@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The time of failure from factors in time, with what searches scatter.
+// The time of failure from factors over time, with the scatter of the search.
 
 #include <gtest/gtest.h>
 

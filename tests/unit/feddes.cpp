@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feddes' reduction against its definition, point by point and in lanes, and its slope against differences.
+// Feddes' reduction against its definition, in doubles and packs, and its slope against finite differences.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Equilibrium by quadratic elements where the answer is known to the last digit: they hold every stress that is linear
-// in space, on any mesh; and the messages on invalid meshes.
+// Exact equilibrium of quadratic elements: every stress that is linear in space is reproduced on any mesh; and the
+// messages on invalid meshes.
 
 #include <gtest/gtest.h>
 

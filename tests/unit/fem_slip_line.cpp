@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slip lines of given motions: blocks that rotate above circles.
+// Slip lines of given displacement fields: blocks that rotate on circles.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sparse solver against dense elimination, with values that change on one pattern.
+// The sparse solver against dense elimination, with changing values on one pattern.
 
 #include "fem/sparse_solver.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Consistent tangents by dual numbers against central differences of the update itself, in random states of every law:
+// Consistent tangents by dual numbers against central differences of the update, in random states of every law:
 // elastic, on planes, edges, the apex and the tension cut-off, on the ellipse of Cam-clay, with roots.
 
 #include <gtest/gtest.h>

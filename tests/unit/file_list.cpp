@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of the files that a run wrote: complete at any moment, and nothing else is removed or replaced.
+// The list of the files that a run wrote is complete at any moment, and no other file is removed or replaced.
 #include "base/file_list.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No name of a case, of a list of jobs or of a result leads out of its folder, onto another file, or past what a file
-// system allows.
+// Names in a case, a list of jobs or a result cannot leave their folder, denote another file, or exceed the limits of a
+// file system.
 #include "base/user_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One run at a time in a folder.
+// The lock that admits one run at a time in a folder.
 #include "base/folder_lock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run will need: counts against the meshes that are then made, free memory from the system's words.
+// The forecast of a run: counts against the meshes made afterwards, and free memory from the text of the system.
 #include "run/forecast/forecast.hpp"
 
 #include <gtest/gtest.h>

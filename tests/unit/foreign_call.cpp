@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls of code that is not ours: a crash, no end, and an end of the program.
+// Calls of foreign code that crashes, does not return, or ends the program.
 #include "base/foreign_code.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factor that governs, and its surface.
+// The governing factor and its surface.
 
 #include "results/governing.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pore pressure and stress at the start, against those from a level of water and the weight above a point.
+// Initial pore pressure and stress, against the water table and the overburden above a point.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress that finite elements leave for material points: a linear field stays what it is on any mesh.
+// Transfer of the FEM stress to material points: a linear field is reproduced on any mesh.
 
 #include "ground/known_state.hpp"
 

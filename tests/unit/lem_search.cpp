@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the search: arcs, minimiser, local minima, findings, candidates; threads and mirrors.
+// Parts of the search: arcs, minimiser, local minima, findings, candidates; threads and reflections.
 
 #include "lem/search/search.hpp"
 

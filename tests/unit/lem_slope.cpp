@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A section made ready: soil and water above x, faults by name, surfaces on the ground.
+// The section of LEM: soil and water at x, faults by name, surfaces on the ground.
 
 #include "lem/section/slope.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Re-entrant corners of the ground and the element size at them.
+
 #include "mesh/planar.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overlaps and gaps of polygons against areas by hand, and random polygons against areas on a raster.
+// Overlaps and gaps of polygons against hand calculations, and random polygons against areas on a raster.
 #include "mesh/cover.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Meshes read from files of Gmsh, in text and in binary form, and the messages on files that cannot be used.
+
 #include <gmsh.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The finished mesh: volumes, gradients and quality by hand, neighbours, renumbering, and rejected meshes.
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Meshes by Gmsh: published size, conformity to layers and lines, refinement, extrusion, reproducibility.
+
 #include <gtest/gtest.h>
 #include <omp.h>
 

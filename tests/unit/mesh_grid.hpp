@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Regular meshes whose every number is known by hand.
+// Regular meshes with known numbering.
 
 #include <algorithm>
 #include <array>

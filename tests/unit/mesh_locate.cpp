@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Location of points in a mesh, and columns of soil above a point.
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Checks of the polygons, names, sizes and lines of a mesh, and removal of collinear points.
+
 #include <gtest/gtest.h>
 
 #include <cmath>

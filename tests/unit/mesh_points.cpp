@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Positions of the material points in an element: exact moments, distances, and the permitted numbers.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

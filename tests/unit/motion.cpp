@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Onset of movement: when a curve passes the threshold, in which order points began, and the sentence about it.
+// Onset of movement: crossing of the threshold, order of the monitors, and the sentence on it.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many elements a band of softened soil is thick, and what is said of it.
+// Number of elements across a band of softened soil, and the warning.
 
 #include <gtest/gtest.h>
 

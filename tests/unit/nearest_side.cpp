@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Distances from segments and triangles against a dense grid of their points, and the nearest of many against all.
+// Distances from segments and triangles against a dense grid of their points, and the nearest of many by comparison
+// with all.
 
 #include <gtest/gtest.h>
 

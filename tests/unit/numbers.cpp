@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in sentences with as many digits as their uncertainty leaves, and the uncertainty that two meshes give.
+// Numbers in sentences, rounded by their uncertainty, and the uncertainty from two meshes.
 
 #include "base/numbers.hpp"
 

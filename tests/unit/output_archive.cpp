@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A checkpoint comes back bit for bit, or not at all with a reason.
+// A checkpoint is restored bit by bit, or rejected with a reason.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The history of a run: every row is in the file, every number comes back exactly, a resumed run leaves no seam.
+// The history of a run: every row is in the file, every number is read back exactly, and a resumed run continues
+// seamlessly.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures: labels never lie on each other, lengths are true, the kept script draws the same picture again.
+// Plots: labels do not overlap, lengths are true to scale, and the kept script draws the same picture again.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

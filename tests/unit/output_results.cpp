@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results of a run: nothing written is lost, the files hold to VTKHDF and XDMF, a full disk is one sentence.
+// The frames of a run: none is lost, the files satisfy VTKHDF and XDMF, and a full disk gives one message.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Soil-water curves: drawn and tabulated values are those of closed formulas, and the axes show the whole range
-// of change.
+// Soil-water curves: drawn and tabulated values equal closed forms, and the axes show the whole range of change.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

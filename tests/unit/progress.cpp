@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Progress told to a program instead of a terminal: every report arrives whole, one at a time, and not too often.
+// Progress reports for programs: every report is complete, they arrive one at a time and at a limited rate.
 
 #include "base/progress.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results as JSON: what is written is read back, what is missing keeps its default, what is wrong is named with its
-// place.
+// Results as JSON: written values are read back, missing ones keep their default, and wrong ones are reported with
+// their place.
 
 #include "results/json.hpp"
 

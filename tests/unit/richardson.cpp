@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Richardson extrapolation of a study: exact laws come back, scatter is told.
+// Richardson extrapolation of a study: exact power laws are recovered, and scatter is reported.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where roots are: depth normal to inclined ground and round its corners, profiles, planting along the slope, age and
-// felling, blocks that add up, and which soils take part.
+// Root distribution: depth normal to inclined ground and around its corners, profiles, planting along the slope, age
+// and felling, sum of several blocks, and the soils that they affect.
 
 #include <gtest/gtest.h>
 

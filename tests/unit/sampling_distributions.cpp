@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers against published answers, distributions against their closed forms.
+// Random numbers against published values, distributions against closed forms.
 
 #include "study/distributions.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Latin hypercubes: classes, correlations, and their gain over random samples.
+// Latin hypercube sampling: classes, correlations, and variance reduction against random samples.
 
 #include "study/distributions.hpp"
 

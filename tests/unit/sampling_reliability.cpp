@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Probability of failure and reliability index against closed forms, and how often the intervals contain the
-// true value.
+// Probability of failure and reliability index against closed forms, and the coverage of the confidence intervals.
 
 #include "study/reliability.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections: means of the points beside a line.
+// Sections: means over the points beside a line.
 
 #include <gtest/gtest.h>
 

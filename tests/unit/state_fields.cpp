@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws' quantities as fields over a body with several soils.
+// State variables of the constitutive laws as fields over a body with several soils.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces that are unstable by inspection.
+// Detection of faces of cohesionless soil that are steeper than its friction angle.
 
 #include "ground/ground_line.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Times are chosen where a curve bends or passes the target.
+// Selection of times where a curve bends or crosses the target.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections whose soil moves to both sides: where they are divided, and what is said of each side.
+// Sections with soil that moves to both sides: their division, and the sentences on each side.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where water is held, and its condition at each node: walls, skins, lines inside the soil, and ground that moves.
+// Nodes at which water is fixed, and their conditions: walls, skins, lines inside the soil, and moving ground.
 
 #include <gtest/gtest.h>
 

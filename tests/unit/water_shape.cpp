@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water tables that are drawn as no water can stand, and those that are right.
+// Warnings on water tables that are physically impossible or end inside the section, and none on plausible ones.
 
 #include "ground/ground_line.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water at rest under the table of a case: what of it lies in the soil, what stands on the ground, and its pressures.
+// Hydrostatic water under the water table of a case: its part in the soil, the ponded water, and its pressures.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
