@@ -82,7 +82,7 @@ class Values {
     add_factor("main_factor", "factor of safety that governs", find_main_factor(run));
   }
 
-  /// Adds the factor and the yield acceleration of the governing surface.
+  /// Adds the bounds of the referee, and the factor and the yield acceleration of the governing surface.
   void add_governing(const RunResult& run) {
     const std::optional<GoverningSurface> governing = find_governing_surface(run);
     if (run.slices && run.slices->referee) {

@@ -125,7 +125,7 @@ struct FailureProbability {
   std::optional<double> index, index_lower, index_upper, standard_error;
   std::string interval;                           ///< kind of the confidence interval
   std::vector<std::array<double, 4>> growth;      ///< convergence: number of samples, probability, lower and upper end
-  std::optional<double> with_largest_difference;  ///< with all factors lowered by the largest SurfaceCheck
+  std::optional<double> with_largest_difference;  ///< with all factors lowered by SurfaceCheck::largest
 };
 template <class V, As<FailureProbability> R>
 void describe(V& v, R& r) {

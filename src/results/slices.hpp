@@ -120,9 +120,9 @@ inline constexpr auto words<Drainage> =
 struct DrawnSurface {
   std::optional<double> factor_before;          ///< before the drawdown; nullopt without a solution
   std::optional<double> undrained_factor;       ///< second stage of the three-stage method
-  std::vector<double> normal, shear;            ///< effective, on the base before the drawdown [Pa]
+  std::vector<double> normal, shear;            ///< effective normal and shear stress on the base before it [Pa]
   std::vector<std::optional<double>> strength;  ///< undrained strength [Pa]; nullopt in soil that drains
-  std::vector<Drainage> counts;                 ///< strength that governs
+  std::vector<Drainage> counts;                 ///< governing strength
 };
 template <class V, As<DrawnSurface> R>
 void describe(V& v, R& r) {

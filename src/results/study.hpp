@@ -35,7 +35,8 @@ void describe(V& v, R& r) {
   v.key("shown", r.shown, {"", "as people read it"});
 }
 
-/// Kind of a column, where it affects the output: intervals are computed for these kinds, and factors are extrapolated.
+/// Kind of a column, where it affects the output: ranges over the variants are reported for these kinds, and factors
+/// are extrapolated.
 enum class ColumnKind { other, governing, factor, runout, displacement, ratio };
 template <>
 inline constexpr auto words<ColumnKind> = std::array{Word{ColumnKind::other, "other"},

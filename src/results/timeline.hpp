@@ -60,7 +60,7 @@ struct Release {
   double time = 0;               ///< [s]
   std::optional<double> factor;  ///< of LEM at that time
   std::string folder;            ///< folder of its results within that of the run; empty for the run itself
-  bool rests = false;            ///< a stage at rest precedes the release
+  bool rests = false;            ///< the soil was brought to rest before the release
   /// Strength reduction factor of the FEM equilibrium that gives the initial stress; nullopt if it is not from FEM.
   std::optional<double> start_factor;
   std::optional<std::string> error;
