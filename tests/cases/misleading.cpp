@@ -213,8 +213,8 @@ int compare_pressures(const json& summary, const json& fields) {
         const double c = ((at[1][0] - at[0][0]) * (y - at[0][1]) - (x - at[0][0]) * (at[1][1] - at[0][1])) / area;
         if (b < 1e-3 || c < 1e-3 || b + c > 1 - 1e-3) continue;
         const double result = (1 - b - c) * pressure[e[0].get<std::size_t>()].get<double>() +
-                            b * pressure[e[1].get<std::size_t>()].get<double>() +
-                            c * pressure[e[2].get<std::size_t>()].get<double>();
+                              b * pressure[e[1].get<std::size_t>()].get<double>() +
+                              c * pressure[e[2].get<std::size_t>()].get<double>();
         EXPECT_NEAR(u, result, 5) << "at (" << x << ", " << y << ")";
         ++compared;
       }

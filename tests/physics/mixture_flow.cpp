@@ -36,7 +36,7 @@ TEST(DarcyFlow, DischargeThroughLayersIsDarcysExactly) {
 }
 
 DarcyBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,
-                                      double jitter) {
+                                    double jitter) {
   DarcyBody<2> body{make_column<2>(cells, height / cells, soil, n, jitter)};
   body.points.clear();
   fill_wet(

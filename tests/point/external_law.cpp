@@ -80,8 +80,8 @@ void expect_every_argument() {
     // STRAN is the strain before the increment; its last component is 12 in plane strain, 23 = yz in space.
     const double stran = (call - 1) * d[NS == 4 ? 3 : 4];
     const double result[20] = {1.0 * call, 3,     NS - 3, NS,    20, 3,   6.5,
-                             0.75,       time,  time,   0.125, 42, 111, call == 1 ? 11.0 : 21.0,
-                             80.75,      stran, 0,      1,     0,  1};
+                               0.75,       time,  time,   0.125, 42, 111, call == 1 ? 11.0 : 21.0,
+                               80.75,      stran, 0,      1,     0,  1};
     const char* names[20] = {"calls",
                              "NDI",
                              "NSHR",

@@ -42,7 +42,7 @@ Prediction<D> predict_motion(const DarcyBody<D>& body, const DarcySettings& sett
 /// The velocity under the pressures of the end of the step, to the points and back (2.76–2.79).
 template <int D>
 void move_darcy(DarcyBody<D>& body, const DarcySettings& settings, const Prediction<D>& predicted,
-                  const std::vector<ElementFlow>& flow) {
+                const std::vector<ElementFlow>& flow) {
   std::vector<double> change(body.nodes.size(), 0);
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = body.water[i].change;
   const std::vector<Vector<D>> force = find_pressure_force(body, flow, change);
@@ -176,8 +176,7 @@ std::vector<Vector<D>> find_seeping(const DarcyBody<D>& body, const std::vector<
 
 /// Volumes, effective stresses and pressures of the points.
 template <int D>
-void update_mixture_points(DarcyBody<D>& body, const DarcySettings& settings,
-                           const std::vector<Vector<D>>& seeping) {
+void update_mixture_points(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<Vector<D>>& seeping) {
   body.plastic_dilation.assign(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
     const WetCell& cell = body.cells[e];

@@ -37,7 +37,8 @@ TEST(FailureTime, HoldsWhatSearchesScatter) {
   ASSERT_TRUE(t.failure);
   EXPECT_EQ(t.failure->earliest, 0);
   EXPECT_EQ(t.failure->latest, 4 * 3600.0);
-  EXPECT_NE(format_failure(t).find("Allowing ± 0.3 % for the search, it fails between 0 s and 4 h."), std::string::npos);
+  EXPECT_NE(format_failure(t).find("Allowing ± 0.3 % for the search, it fails between 0 s and 4 h."),
+            std::string::npos);
 }
 
 TEST(FailureTime, MayBeNone) {

@@ -159,7 +159,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 /// A results file under its temporary name, with its series.
 class Heavy {
  public:
