@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The one pass over the points, block by block: velocity, position, strain, stress and volume, and the nodal sums of
-// the next step. What pore water adds are the hooks of a block and of a slot that the phase hands in: DryBlock of
-// dry_block.hpp has none, WetBlock of coupled/advance_points.cpp has them all. Everything is inlined by force into
-// advance_block(), whose packs then live in registers. B is the body: Body, whose lanes are packs, or that of one
+// The one pass over the points, block by block: G2P (velocity, position, strain, stress, volume) and the P2G of the
+// next step (nodal sums). Pore water is added by the hooks of the block and of its slots, which the pass selects: those
+// of DryBlock (end of this file) are empty, WetBlock (two_velocity/advance_points.cpp) and DarcyBlock
+// (darcy/darcy_block.hpp) implement them. All of it is forced inline into advance_block(), so that the packs stay in
+// registers. B is the body: Body, whose lanes are packs, or the body of one GPU thread.
 // thread of a GPU.
 
 #include "base/rows.hpp"
@@ -13,13 +14,13 @@
 
 namespace talus::mpm {
 
-/// Where block `b` stands in the arrays of a body, and what is the same for all its points.
+/// Position of block `b` in the arrays of a body, and the quantities that are the same for all its points.
 template <class B>
 struct BlockPlace {
   using T = typename B::Lanes;
   static constexpr int D = B::dimension;
   int b;
-  std::size_t first;  ///< of its lanes
+  std::size_t first;  ///< index of its first lane
   const int* rows;
   T g[D * D], count;
 
@@ -31,7 +32,7 @@ struct BlockPlace {
   }
 };
 
-/// The first Count vectors of the rows of a block's nodes.
+/// The first Count vectors of the node rows of a block, gathered by node and direction.
 template <class B, int Count, int Stride>
 struct NodeVectors {
   using T = typename B::Lanes;
@@ -52,7 +53,7 @@ struct NodeVectors {
   }
 };
 
-/// The points of a slot of a block.
+/// The points of one slot of a block, one point per lane.
 template <class B>
 struct SlotPoints {
   using T = typename B::Lanes;
@@ -92,7 +93,7 @@ struct SlotPoints {
     for (int i = 0; i < state_size; ++i) store(p + (P::state + i) * width, q[i]);
   }
 
-  /// Empties the other lanes: they may hold anything, also what is no number.
+  /// Zeroes the lanes that do not stay; these may hold any value, also NaN.
   TALUS_KERNEL void keep(MaskOf<T> stays) {
     mass = select(stays, mass, T(0.0));
     volume = select(stays, volume, T(0.0));
@@ -106,7 +107,7 @@ struct SlotPoints {
   }
 };
 
-/// What the points of a block sum up.
+/// Sums over the points of a block, by lane (element).
 template <class B>
 struct BlockSums {
   using T = typename B::Lanes;
@@ -131,7 +132,8 @@ struct BlockSums {
   }
 };
 
-/// Strain of the elements and its rotation; sums the strain. The block gets its `volumetric`.
+/// Computes strain increment and rotation of the elements of a block, smoothed where requested, and adds the increment
+/// to elements.strain. Sets block.volumetric.
 template <bool Apart, class Pass, class Block, class B = typename Pass::B>
 TALUS_KERNEL auto strain_elements(Pass& pass, const BlockPlace<B>& at, Block& block) {
   constexpr int D = B::dimension, NS = material::stress_size<D>, width = B::width;
@@ -160,7 +162,8 @@ TALUS_KERNEL auto strain_elements(Pass& pass, const BlockPlace<B>& at, Block& bl
   return increment;
 }
 
-/// Notes elements with a gap where they stand: few have one, and a sum over the slots would cost all a register.
+/// Marks elements with a gap directly in elements.apart: they are few, and a sum over the slots would cost every block
+/// a register.
 template <class B, class T = typename B::Lanes>
 TALUS_KERNEL void note_apart(B& body, const BlockPlace<B>& at, MaskOf<T> apart) {
   if (!any(apart)) return;
@@ -168,7 +171,7 @@ TALUS_KERNEL void note_apart(B& body, const BlockPlace<B>& at, MaskOf<T> apart) 
   store(noted, select(apart, T(1.0), load<T>(noted)));
 }
 
-/// Takes the points of slot `k` through the step, and adds what stays in its element to the sums.
+/// G2P for the points of slot `k`; adds the points that stay in their element to the sums of the block.
 template <class Pass, class Block, class Update, class B = typename Pass::B>
 TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<B>& at, Block& block, const Update& update,
                                BlockSums<B>& sums, int k) {
@@ -222,8 +225,8 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<B>& at, Block& block
   sums.solid.add(points.mass, points.volume, points.xi, points.u, points.s);
 }
 
-/// Gives the sums to the elements and to their nodes. `weight`: V_e/Σ V_p where the forces of this step were taken over
-/// V_e; the work of the stress is that of the forces.
+/// P2G: adds the sums of the block to its elements and nodes. `weight` is V_e/Σ V_p where the internal force of this
+/// step was integrated over V_e, so that the plastic work is that of the same force.
 template <bool Mixed, class Law, class Pass, class Block, class B = typename Pass::B, class T = typename B::Lanes>
 TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<B>& at, const Block& block, const MaskOf<T>& was_full,
                             T weight, BlockSums<B>& sums) {
@@ -260,8 +263,9 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<B>& at, const Block& bl
   for (int i = 0; i < moment_size<D>; ++i) store(moments + i * width, sums.solid.moments[i]);
 }
 
-/// `Mixed` and `Apart`, whether a point of the block keeps a gap, are template parameters because the second source of
-/// stress and the closing of gaps cost registers that other points need.
+/// Takes block `b` through the pass. `Mixed` (mixed integration) and `Apart` (a point of the block keeps a gap) are
+/// template parameters because the second source of stress and the closing of gaps cost registers that other points
+/// need.
 template <bool Mixed, bool Apart, class Pass, class Law>
 TALUS_PORTABLE void advance_block(Pass& pass, const Law& law, int b) {
   using B = typename Pass::B;
@@ -293,9 +297,9 @@ TALUS_PORTABLE void advance_block(Pass& pass, const Law& law, int b) {
   give_sums<Mixed, Law>(pass, at, block, element.full, weight, sums);
 }
 
-// What the pass over the points asks of soil of one phase.
+// The hooks of the pass for soil of one phase.
 
-/// A block without pore water, or with water that is held.
+/// A block of dry soil, or of soil with hydrostatic water of given saturation.
 template <class Pass, class Law>
 struct DryBlock {
   using B = typename Pass::B;
@@ -322,7 +326,7 @@ struct DryBlock {
     pass.give_rows(at, out);
   }
 
-  /// The points of a slot have no water of their own.
+  /// Hooks of a slot. The points have no water of their own.
   struct Slot {
     TALUS_KERNEL Slot(const DryBlock&, const SlotPoints<B>&) {}
     TALUS_KERNEL void advance_velocity(const DryBlock&, const SlotPoints<B>&) {}
@@ -330,7 +334,7 @@ struct DryBlock {
     TALUS_KERNEL T update_water(const Pass&, const DryBlock& block, const Update&, const SlotPoints<B>&) {
       return block.saturation;
     }
-    /// Gaps are no volume of the soil.
+    /// Fraction of the new volume that is soil; gaps do not count as volume of the soil.
     TALUS_KERNEL T find_solid_share(T opened) const { return 1.0 - opened; }
     TALUS_KERNEL void store_fields() const {}
     TALUS_KERNEL void keep(MaskOf<T>) {}

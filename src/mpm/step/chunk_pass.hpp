@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The pass over the points on the CPU: the blocks of a chunk one after another, the chunks on threads.
+// The pass over the points on the CPU: chunks run on threads, the blocks of a chunk one after another. Also the
+// stopwatch that times the phases of a step.
 
 #include <chrono>
 #include <optional>
@@ -11,9 +12,8 @@
 
 namespace talus::mpm {
 
-// The time of the lines of a step.
-
-/// Runs lines one after the other, and adds the time since the last one, or since its making, to a part of the step.
+/// Runs the phases of a step one after another, and adds the time since the last one, or since construction, to `part`
+/// [s].
 class Stopwatch {
  public:
   template <class Line>
@@ -28,14 +28,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What a chunk sums up beside the sums of its nodes.
+/// Sums over a chunk beside the nodal sums.
 struct ChunkSums {
   double dissipated = 0;  ///< plastic work [J]
-  double pressed_in = 0;  ///< see Water::pressed_in [kg]
-  double pore_work = 0;   ///< see Work::pore_water [J]
+  double pressed_in = 0;  ///< added to Water::pressed_in [kg]
+  double pore_work = 0;   ///< added to Work::pore_water [J]
 };
 
-/// Everything a block's pass needs that does not change from block to block, and what it sums over a chunk.
+/// What is constant over the blocks of a chunk, and the sums over the chunk.
 template <int D>
 struct ChunkPass {
   static constexpr int dimension = D;
@@ -51,7 +51,7 @@ struct ChunkPass {
   }
   bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
   ChunkSums sum() const { return {sum_lanes(dissipated)}; }
-  /// What the passes leave in lists; empty where a chunk is another rank's.
+  /// Appends the lists of the passes to those of the body. The entry of a chunk of another rank is empty.
   template <class Passes>
   static void collect_lists(B&, const Passes&) {}
 };
@@ -59,10 +59,10 @@ struct ChunkPass {
 /// A pass over points with one velocity.
 template <int D>
 struct OneVelocityPass : ChunkPass<D> {
-  static constexpr int far = 50000;  ///< points from which on memory is fetched ahead
+  static constexpr int far = 50000;  ///< number of points above which memory is prefetched
   using ChunkPass<D>::ChunkPass;
 
-  /// Adds what a block gives to its nodes.
+  /// P2G: adds the sums of a block to its node rows.
   TALUS_KERNEL void give_rows(const BlockPlace<Body<D>>& at, const Pack out[D + 1][1 + 2 * D]) const {
     TALUS_UNROLL
     for (int k = 0; k <= D; ++k) add_rows<1 + 2 * D>(this->body.nodes.sums.data(), at.rows + k * lane_width, out[k]);
@@ -77,8 +77,8 @@ struct OneVelocityPass : ChunkPass<D> {
   }
 };
 
-/// Prefetches what block `b` will read and write. Inlined by force: GCC takes a function that only prefetches for one
-/// without effect and removes its calls.
+/// Prefetches what block `b` will read and write. It is forced inline: GCC takes a function that only prefetches for
+/// one without effect and removes its calls.
 template <class Pass, int D>
 TALUS_KERNEL void prefetch_block(const Body<D>& body, int b) {
   const Points<D>& points = body.points;
@@ -93,7 +93,7 @@ TALUS_KERNEL void prefetch_block(const Body<D>& body, int b) {
   for (int i = 0; i < material::stress_size<D>; ++i) __builtin_prefetch(strain + i * lane_width, 1, 3);
 }
 
-/// The blocks of chunk `c`.
+/// Takes the blocks of chunk `c` that hold points through the pass.
 template <class Pass>
 void advance_chunk(Pass& pass, int c) {
   constexpr int D = Pass::dimension, ahead = D == 2 ? 1 : 3;
@@ -119,7 +119,8 @@ void advance_chunk(Pass& pass, int c) {
   }
 }
 
-/// All blocks. Each chunk has a pass of its own, and their sums are taken in their order.
+/// The pass over all blocks. Each chunk has a pass of its own, and sums are added in the order of the chunks, so that
+/// the result does not depend on the number of threads.
 template <class Pass, int D>
 MoverLists advance_blocks(Body<D>& body, const StepOptions<D>& options) {
   if (body.softening_reach) lend_softening(body, options.threads);

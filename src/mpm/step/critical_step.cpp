@@ -13,11 +13,11 @@
 namespace talus::mpm {
 namespace {
 
-/// Suctions below this may vanish between two looks at the critical step [Pa].
+/// Suctions below this may vanish before the next evaluation of the critical step [Pa].
 constexpr double saturating_suction = 2e3;
 
-/// A wet point, in the state of smallest storage that it can reach before the next look. Its conductivity matters with
-/// explicit drag only.
+/// A wet point in the state of smallest storage that it can reach before the next evaluation of the critical step. The
+/// conductivity is needed for explicit drag only; null with implicit drag.
 CoupledSoil make_coupled_soil(const WaterLaw& law, double modulus, double porosity, double pressure,
                               const double* conductivity_factor) {
   double storage = law.full / law.bulk_modulus, saturation = law.full, relative = law.saturated_relative;
@@ -30,15 +30,16 @@ CoupledSoil make_coupled_soil(const WaterLaw& law, double modulus, double porosi
   return {modulus, porosity, saturation, porosity * storage, law.grain_density, law.density, resistance};
 }
 
-/// Mass scaling over the share by which damping strengthens a force. Explicit drag slows what it acts on, and net
-/// damping (T14.10) adds its own share to it: stiffness and drag act as if they were larger by that.
+/// Effective mass scaling, β/(1+α) with explicit drag and net damping (T14.10), else β: net damping adds its fraction α
+/// to forces that slow a phase, so stiffness and drag act as if they were 1+α times as large (theory 14, Time step).
 template <int D>
 double find_scaling_in_drag(const StepOptions<D>& o) {
   const bool strengthens = !o.implicit_drag && o.net_damping;
   return o.mass_scaling / (strengthens ? 1 + std::max(o.damping, o.water_damping) : 1.0);
 }
 
-/// Smallest altitude of an element and its neighbours, which its points may enter before the next look.
+/// Smallest altitude [m] of an element and its neighbours, which its points may enter before the next evaluation, with
+/// the element that has it.
 template <int D>
 std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
   std::pair<double, int> shortest{mesh.altitudes[e], e};
@@ -48,7 +49,7 @@ std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
   return shortest;
 }
 
-/// That of all ranks; a step that is no number comes before all others.
+/// The smallest critical step of all ranks; NaN wins over any number.
 template <int D>
 CriticalStep find_least(const Body<D>& body, const CriticalStep& critical) {
   CriticalStep of_all;

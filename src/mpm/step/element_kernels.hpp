@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Internal force and free surface of single elements, for the few that relocation touches and for a fresh start. B is a
-// Body here, or the body on a GPU; element_lines.hpp has the definitions.
+// Internal force, free surface, point sums and critical step of single elements, for relocation and for the start of a
+// stage, and the averages of volumetric strain of a block. B is a Body or the body on a GPU.
 
 #include <cmath>
 
@@ -13,34 +13,34 @@
 
 namespace talus::mpm {
 
-/// Share of V_e that an element at the free surface must hold to count as full (2.92).
+/// Fraction of V_e above which an element at the free surface counts as full (2.92).
 inline constexpr double full_share = 0.9;
 
-/// Adds `sign` times the internal force of element `e`, from the points that are in it now, to its node rows.
+/// Adds `sign` times the internal force of element `e`, from the points that it holds now, to its node rows.
 template <class B>
 TALUS_PORTABLE void add_internal_force(B& body, int e, bool mixed, double sign);
 
-/// Sets elements.fill_limit of `e`: full_share·V_e at the free surface (some neighbour holds no point), else 0.
+/// Sets elements.fill_limit of `e`: full_share·V_e at the free surface (a neighbour holds no point), else 0 [m³].
 /// Returns whether it changed.
 template <class B>
 TALUS_PORTABLE bool update_fill_limit(B& body, int e);
 
-/// Adds mass, momentum and moments of one point to its element's node rows.
+/// Adds mass, momentum and moments of one point to the element's moments and node rows.
 template <class B>
 TALUS_PORTABLE void add_point_mass(B& body, int e, const double* fields);
 
-/// Elastic energy that the points of element `e` lose when it is full and shares their stress [J].
+/// Elastic energy [J] that the points of element `e` lose when it is full and its points share one stress; 0 otherwise.
 template <class B>
 TALUS_PORTABLE double find_sharing_loss(const B& body, const StepOptions<B::dimension>& options, int e);
 
-/// Finds out whether a point of element `e` keeps a gap.
+/// Sets elements.apart of `e`: whether a point of the element keeps a gap.
 template <class B>
 TALUS_PORTABLE void note_gaps(B& body, const StepOptions<B::dimension>& options, int e);
 
-// What a block gives to the nodal averages of the volumetric strain increment (2.94), for a body B of packs or of one
-// thread of a GPU.
+// Contribution of a block to the nodal averages of the volumetric strain increment (2.94). B is a body of packs or of
+// one GPU thread.
 
-/// tr Δε of a block.
+/// tr Δε of the elements of block `b`.
 template <class B, class T = typename B::Lanes>
 TALUS_PORTABLE T find_volumetric(const B& body, int b, double dt) {
   constexpr int D = B::dimension, width = B::width;
@@ -58,7 +58,7 @@ TALUS_PORTABLE T find_volumetric(const B& body, int b, double dt) {
   return divergence * dt;
 }
 
-/// Value times V_e, and V_e, of the elements of block `b`; zero where they take no part.
+/// V_e times the value, and V_e, of the elements of block `b`; zero for elements that take no part.
 template <class B, class T = typename B::Lanes>
 TALUS_PORTABLE void find_average_parts(const B& body, int b, const StepOptions<B::dimension>& o, T* parts) {
   const std::size_t first = static_cast<std::size_t>(b) * B::width;
@@ -70,7 +70,7 @@ TALUS_PORTABLE void find_average_parts(const B& body, int b, const StepOptions<B
   parts[1] = V_e;
 }
 
-// What element_force.hpp declares, for a body B here or on a GPU: element by element, whatever the lanes.
+// Definitions of the functions declared above, element by element, for any number of lanes.
 
 /// ∇ξ of element `e`.
 template <class B>
@@ -80,7 +80,7 @@ TALUS_PORTABLE void read_gradients(const B& body, int e, double* g) {
   for (int i = 0; i < D * D; ++i) g[i] = gradients[static_cast<std::size_t>(i)];
 }
 
-/// The row of the sums of the k-th node of element `e`.
+/// Row in nodes.sums of the k-th node of element `e`.
 template <int D>
 double* sums_row(Body<D>& body, int e, int k) {
   const std::size_t b = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
@@ -205,8 +205,8 @@ TALUS_PORTABLE void add_point_mass(B& body, int e, const double* fields) {
   for (int i = 0; i < moment_size<D>; ++i) moments[i * width] += sums.moments[i];
 }
 
-/// The sums of an element whose rows are zero, from its points. `more_mass`: field of mass that moves with the points;
-/// -1: none.
+/// P2G of an element whose rows are zero, from its points. `more_mass`: field of a mass that moves with the points
+/// (pore water); -1: none.
 template <class B>
 TALUS_PORTABLE void gather_points(B& body, const StepOptions<B::dimension>& options, int e, int more_mass = -1) {
   using P = PointFields<B::dimension>;
@@ -220,14 +220,13 @@ TALUS_PORTABLE void gather_points(B& body, const StepOptions<B::dimension>& opti
     if (more_mass >= 0) fields[P::mass] += p[more_mass * width];
     add_point_mass(body, e, fields);
   }
-  if (options.smoothing != input::Smoothing::stable)  // nobody would renew them
+  if (options.smoothing != input::Smoothing::stable)  // they are not updated then
     body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
   if (n > 0) add_internal_force(body, e, options.mixed, 1);
 }
 
-/// The square of the critical step of the points of element `e`, there and in its neighbours, which they may enter
-/// before the next look, and the element that decides it. Nothing (-1) where there is none. `more_mass`: field of mass
-/// that moves with the points; -1: none.
+/// Square of the critical step for the points of one element, and the element that decides it: `e` or one of its
+/// neighbours, which the points may enter before the next evaluation. element is -1 where there are no points.
 struct StepSquare {
   double dt2 = 0;  ///< [s²], without mass scaling
   int element = -1;
@@ -236,6 +235,7 @@ struct StepSquare {
     if (element < 0 || !(other.dt2 >= dt2)) *this = other;
   }
 };
+/// `more_mass`: field of a mass that moves with the points (pore water); -1: none.
 template <class B>
 TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass = -1) {
   using P = PointFields<B::dimension>;
@@ -243,7 +243,7 @@ TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass =
   const auto& points = body.points;
   const auto& mesh = body.mesh();
   const int b = e / width, lane = e % width;
-  double speed2 = 0;  // of waves
+  double speed2 = 0;  // of compression waves [m²/s²]
   for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
     const std::int64_t slot = points.block_start[b] + k;
     const double* p = points.slot(slot) + lane;
@@ -253,7 +253,7 @@ TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass =
     for (int i = 0; i < count_states(body.laws, soil); ++i) state[i] = p[(P::state + i) * width];
     const double mass = p[P::mass * width] + (more_mass < 0 ? 0.0 : p[more_mass * width]);
     const double of_point = find_modulus(body.laws, soil, sigma, state) * p[P::volume * width] / mass;
-    // What is no number must win, and a point that was turned inside out has none.
+    // NaN must win over any number; a point whose volume is negative has no real wave speed and yields NaN.
     if (!(of_point > 0 && of_point <= speed2) && !std::isnan(speed2)) speed2 = of_point > 0 ? of_point : NAN;
   }
   StepSquare least;

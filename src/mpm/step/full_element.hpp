@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Mixed integration: one stress and one state for all points of an element that is full (2.92).
+// Mixed integration: all points of a full element share one stress and one state (2.92, 2.93).
 
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/laws.hpp"
@@ -8,7 +8,7 @@
 
 namespace talus::mpm {
 
-/// Stress and state that a full element (2.92) gives to all its points.
+/// Stress and state that the points of a full element share (2.92).
 template <class B, class Law>
 struct FullElement {
   using T = typename B::Lanes;
@@ -19,16 +19,17 @@ struct FullElement {
   material::Softening<T> softening;
 };
 
-/// What a step does to the stress of an element's points.
+/// Rotation and strain increment that are applied to the stress of the points of an element in one step.
 template <int D, class T>
 struct StressIncrement {
   Rotation<D, T> rotation;
   T d_epsilon[material::stress_size<D>];
-  double time;  ///< at the start of the step [s]
-  T lent{0.0};
-  bool lends = false;  ///< softening has a length
+  double time;         ///< at the start of the step [s]
+  T lent{0.0};         ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2)
+  bool lends = false;  ///< nonlocal averaging is on
 
-  /// What a law is given and answers of it, in `softening`.
+  /// Initialises `softening` for a law that softens, and returns it for the law to fill; nullptr without nonlocal
+  /// averaging.
   template <class Law>
   TALUS_KERNEL material::Softening<T>* begin(material::Softening<T>& softening) const {
     if constexpr (Law::softens) {
@@ -40,15 +41,15 @@ struct StressIncrement {
   }
 };
 
-/// What the law is told of the gaps of a block.
+/// How a law treats gaps in a block.
 template <bool Apart>
 TALUS_PORTABLE material::Gaps know_gaps(bool moving) {
   using material::Gaps;
   return !moving ? Gaps::ignored : Apart ? Gaps::kept : Gaps::none;
 }
 
-/// Which elements of block `b` are full, and the means of their points' stress and state. `Apart`: a point of the block
-/// keeps a gap.
+/// Which elements of block `b` are full, and the V_p-weighted means of stress and state of their points (2.93).
+/// `Apart`: a point of the block keeps a gap.
 template <bool Apart, class B, class Law, class T = typename B::Lanes>
 TALUS_PORTABLE FullElement<B, Law> gather_full_elements(const B& body, const Law& law, int b, T count) {
   using P = PointFields<B::dimension>;
@@ -87,7 +88,8 @@ TALUS_PORTABLE FullElement<B, Law> gather_full_elements(const B& body, const Law
   return e;
 }
 
-/// Stress and state of the full elements of block `b` at the end of the step. `saturation`: of their pore water then.
+/// Stress and state of the full elements of block `b` at the end of the step. `saturation` is that of their pore water
+/// at the end of the step.
 template <bool Apart, class B, class Law, int D = B::dimension, class T = typename B::Lanes>
 TALUS_KERNEL void update_full_elements(const B& body, const StepOptions<D>& options, const Law& law, int b,
                                        const StressIncrement<D, T>& increment, T saturation, FullElement<B, Law>& e) {
@@ -100,7 +102,8 @@ TALUS_KERNEL void update_full_elements(const B& body, const StepOptions<D>& opti
        increment.template begin<Law>(e.softening)});
 }
 
-/// Where the points of a block take their new stress from: their element where it is full, else their own.
+/// Inputs of the stress update of the points of a block. The new stress is that of the element where it is full, else
+/// the point's own.
 template <bool Mixed, bool Apart, class B, class L>
 struct StressUpdate {
   using Law = L;
@@ -112,7 +115,8 @@ struct StressUpdate {
   bool none_partial;  ///< no lane has points in an element that is not full
 };
 
-/// Stress and state of the points of a slot at the end of the step. `saturation`: of their pore water then.
+/// Stress and state of the points of a slot at the end of the step. `saturation` is that of their pore water at the end
+/// of the step.
 template <class Slot, bool Mixed, bool Apart, class B, class Law, class T = typename B::Lanes>
 TALUS_KERNEL material::Response<T> update_point_stress(const StressUpdate<Mixed, Apart, B, Law>& update, T saturation,
                                                        Slot& points) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The mathematics of one element and its points in a step, as templates on T: a Pack (one element per lane) on the CPU,
-// a double on a GPU. Symbols are those of docs/notation.md.
+// Kernels of one element and its points in a step: motion (G2P), stress rotation, sums over the points (P2G) and remap.
+// They are templates on T: a Pack (one element per lane) on the CPU, a double on a GPU. Symbols are those of
+// docs/notation.md.
 
 #include "base/lane.hpp"
 #include "material/linear_elastic.hpp"
@@ -9,7 +10,8 @@
 
 namespace talus::mpm {
 
-/// Motion of an element in one step, affine in the local coordinates: value at ξ is first + Σ_k slope[k] ξ_k.
+/// Motion of an element in one step, affine in the local coordinates (T2.1, T2.2): the value at ξ is first + Σ_k
+/// slope[k] ξ_k.
 template <int D, class T>
 struct ElementMotion {
   T dv_first[D], dv_slope[D][D];    ///< Δt a: velocity change of a point [m/s]
@@ -92,15 +94,15 @@ struct ElementMotion {
   }
 };
 
-/// Rotation of the stress in one step, R = (I-W/2)⁻¹(I+W/2) with the spin W (Hughes and Winget 1980): exactly
-/// orthogonal, so principal stresses are kept.
+/// Rotation of the stress in one step, R = (I-W/2)⁻¹(I+W/2) with the spin W (Hughes and Winget 1980; T7.1). R is
+/// exactly orthogonal, so principal stresses are unchanged.
 template <int D, class T>
 struct Rotation;
 
 template <class T>
 struct Rotation<2, T> {
   T cosine, sine;        ///< of twice the angle
-  Rotation() = default;  ///< no rotation at all: not to be applied
+  Rotation() = default;  ///< uninitialised; must not be applied
   TALUS_KERNEL explicit Rotation(const T grad[2][2]) {
     const T t = 0.25 * (grad[0][1] - grad[1][0]);  // W_xy / 2 = tan(half the angle)
     const T scale = 1.0 / (1.0 + t * t);
@@ -159,7 +161,7 @@ struct Rotation<3, T> {
   }
 };
 
-/// Smallest of the D+1 shape functions: negative outside the element.
+/// Smallest of the D+1 shape functions; negative outside the element.
 template <int D, class T>
 TALUS_KERNEL T smallest_shape(const T* xi) {
   T sum = xi[0], smallest = xi[0];
@@ -179,7 +181,7 @@ TALUS_KERNEL constexpr int force_component(int i) {
   return D == 2 && i == 2 ? 3 : i;
 }
 
-/// Sums over the points of an element, and what they give to its nodes.
+/// P2G of one element: sums over its points, and their mapping to its nodes.
 template <int D, class T>
 struct ElementSums {
   T moments[moment_size<D>];
@@ -244,7 +246,7 @@ struct ElementSums {
     force_to_nodes(stress, g, out);
   }
 
-  /// -∇N_i·s into the force columns of `out`, for a stress sum s.
+  /// Writes -∇N_i·s for a stress sum s into the force columns of `out`.
   TALUS_KERNEL static void force_to_nodes(const T* s, const T* g, T out[D + 1][1 + 2 * D]) {
     T total[D];
     TALUS_UNROLL
@@ -272,7 +274,7 @@ struct ElementSums {
   }
 };
 
-/// Δt Σ_j M_ij a_j of one element from its moments: the change of nodal momentum in MUSL's remap (2.41).
+/// Δt Σ_j M_ij a_j of one element from its moments: the change of nodal momentum in the remap of MUSL (2.41).
 template <int D, class T>
 TALUS_KERNEL void remap_element(const T* moments, const T a[D + 1][D], double dt, T out[D + 1][D]) {
   TALUS_UNROLL

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which constitutive law the lanes of a block follow: one for all (the common case, visited once per block), or one per
-// lane, applied law by law under masks. Never a branch per point.
+// Selection of the constitutive law for the lanes of a block: one law for all lanes (the common case, dispatched once
+// per block), or one per lane, applied law by law under masks. There is no branch per point.
 
 #include <algorithm>
 
@@ -10,14 +10,14 @@
 
 namespace talus::mpm {
 
-/// Every point of the block is of the material with this law. Kept: a copy, whose parameters then live in registers,
-/// not behind a pointer that a store might alias; or a reference, where registers are what there is least of.
+/// All points of the block have this law. Kept is the law itself, whose copied parameters stay in registers and not
+/// behind a pointer that a store might alias, or a reference where registers are scarce (GPU).
 template <class L, class Kept = L>
 struct OneLaw {
   static constexpr bool is_single = true;
   static constexpr bool is_plastic = L::is_plastic, softens = L::traits.softens;
   static constexpr int state_size = L::state_size;
-  /// The states but the gap, which comes last and is zero in most blocks: these need not read it.
+  /// Number of states without the gap, which is the last one and zero in most blocks, where it need not be read.
   static constexpr int core_size = [] {
     if constexpr (requires { L::gap_states; })
       return L::state_size - L::gap_states;
@@ -37,7 +37,7 @@ struct OneLaw {
   }
 };
 
-// What the step asks of a list of laws, by material number.
+// Functions of a law in a list, by material number.
 
 inline int count_states(const std::vector<material::Law>& laws, int m) {
   return material::state_size(laws[m]);
@@ -60,17 +60,17 @@ void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, Work&& w
   std::visit(work, laws[m]);
 }
 
-/// Lanes may differ; `material` of update() holds each lane's material number.
+/// Lanes may have different laws; `material` of update() is the material number of each lane.
 template <class Laws = std::vector<material::Law>>
 struct ManyLaws {
   static constexpr bool is_single = false;
   static constexpr bool is_plastic = true, softens = true;
   const Laws* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
-  int state_size;         ///< most state variables of a law of the body
+  int state_size;         ///< largest number of state variables of a law of the body
   int core_size = state_size;
 
-  /// The lanes whose soil softens.
+  /// Mask of the lanes whose law softens.
   template <class T>
   TALUS_PORTABLE MaskOf<T> find_softening(T material) const {
     MaskOf<T> some(false);
@@ -110,7 +110,7 @@ struct ManyLaws {
   }
 };
 
-/// Material number of each lane of a slot, for blocks that hold several materials.
+/// Material number of each lane of a slot, for blocks with several materials.
 template <class B>
 TALUS_PORTABLE typename B::Lanes lane_materials(const B& body, std::int64_t slot) {
   typename B::Lanes m(0.0);
@@ -121,14 +121,14 @@ TALUS_PORTABLE typename B::Lanes lane_materials(const B& body, std::int64_t slot
   return m;
 }
 
-/// Most state variables of a law in the list: what the slots of a body have room for.
+/// Largest number of state variables of a law in the list; the slots of a body are sized for it.
 inline int find_state_size(const std::vector<material::Law>& laws) {
   int size = 0;
   for (const material::Law& law : laws) size = std::max(size, material::state_size(law));
   return size;
 }
 
-/// Calls work(OneLaw or ManyLaws) for the materials in `present`.
+/// Calls work(OneLaw) or work(ManyLaws) for the set of materials in `present`.
 template <class Work>
 void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, Work&& work) {
   if ((present & (present - 1)) != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The two node loops of the step and the remap between them, for a body B of packs or of one thread of a GPU.
+// Grid solve: nodal accelerations (2.39), the remap of momentum and the nodal velocities after it (2.41), for a body B
+// of packs or of one GPU thread.
 
 #include <array>
 #include <cmath>
@@ -12,6 +13,8 @@
 
 namespace talus::mpm {
 
+/// Accelerations of the nodes [begin, end) with damping (2.89) and constraints. Adds damping work, work of walls,
+/// mapping loss (T9.1) and, if o.monitor is set, the measures of rest to `sums`.
 template <class B, int D = B::dimension>
 // NOLINTNEXTLINE(readability-function-size): in parts it gets other fused operations, so other bits
 TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
@@ -43,8 +46,8 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
       if (c >= 0) {
         const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
         if (constraint.has_wall) {
-          // The out-of-balance force that damping is a share of holds the wall's reaction, or a resting block would be
-          // shaken by a share of its own weight.
+          // The out-of-balance force that damping acts on is taken without the wall's reaction; otherwise damping would
+          // shake a resting block with a fraction of its own weight.
           Vec<D> f, v;
           for (int d = 0; d < D; ++d) {
             f[d] = t[1 + D + d] + f_ext[d];
@@ -61,8 +64,8 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
           for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
-          // Along its fixed directions the node moves as what holds it, so what other speed its points bring there is
-          // taken from them, and damping takes no share of what supports bear.
+          // In its fixed directions the node moves with its support: the difference to the velocity that its points
+          // bring is removed there. Damping does not act on what supports bear.
           Vec<D> f, v;
           for (int d = 0; d < D; ++d) {
             f[d] = t[1 + D + d] + f_ext[d];
@@ -82,7 +85,7 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
           }
         }
       }
-      // What is lost on the way to the points is added up here and in remap_momentum(), theory 9.
+      // Mapping loss (T9.1); remap_nodes() adds the rest of it.
       const double* last = &body.nodes.motion[static_cast<std::size_t>(layout.motion_row(i, 0)) * motion_stride<D> + D];
       double lost = 0;
       for (int d = 0; d < D; ++d) lost += last_dt * last[d] * t[1 + D + d] - o.dt * a[d] * t[1 + d];
@@ -133,7 +136,7 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
   sums.mapping += mapping;
 }
 
-/// Adds Δt Σ_j M_ij a_j of block `b` to the momentum of its nodes.
+/// Remap: adds Δt Σ_j M_ij a_j of block `b` to the momentum of its nodes.
 template <class B>
 TALUS_KERNEL void remap_block(B& body, int b, double dt) {
   constexpr int D = B::dimension, width = B::width;
@@ -150,8 +153,8 @@ TALUS_KERNEL void remap_block(B& body, int b, double dt) {
   for (int k = 0; k <= D; ++k) add_to_sums<D, 1>(body, b, k, change[k]);
 }
 
-/// v of the nodes [begin, end) after the remap; empties their sums. Adds to `works` what external forces do, and what
-/// is lost in the mapping [J].
+/// Velocities of the nodes [begin, end) after the remap (2.41), with constraints; zeroes their sums. Adds to `works`
+/// the external work and the mapping loss [J].
 template <class B, int D = B::dimension>
 TALUS_PORTABLE void remap_nodes(B& body, const StepOptions<D>& o, int begin, int end, std::array<double, 2>& works) {
   const auto& layout = *body.layout;

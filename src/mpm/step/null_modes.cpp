@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Velocities of points that no node sees. Points are more than nodes, so they may keep velocities whose sum Σ m_p N_i
-// v_p is zero at every node. No force ever changes these; crossing an element makes some of them, and they come back as
-// noise. Here the points' velocities are put onto the velocities that nodes can have: v = Σ N_i u_i with the u that has
-// the points' momentum at every node, Σ_j M_ij u_j = Σ_p m_p N_i v_p. That keeps linear momentum exactly, and
-// everything that is affine, a rotation too, as far as the iteration for u converges (theory 2).
+// Filter of null modes (theory 2). There are more points than nodes, so point velocities may have components with Σ_p
+// m_p N_i v_p = 0 at every node. No force changes these null modes; points that cross elements create them, and they
+// reappear as noise. The filter replaces the point velocities by v_p = Σ_i N_i u_i, where u has the points' momentum at
+// every node, Σ_j M_ij u_j = Σ_p m_p N_i v_p (T2.5). Linear momentum is conserved exactly; affine motions, rotations
+// among them, as far as the iteration for u converges.
 #include "mpm/step/null_modes.hpp"
 
 #include "mpm/body/averages.hpp"
@@ -14,17 +14,17 @@ namespace talus::mpm {
 
 namespace {
 
-/// Where the points' masses and velocities and the sums of one phase stand.
+/// Sums, moments and slot fields of one phase (soil or water).
 template <int D, int SumsStride, int MassColumn, int MomentumColumn>
 struct Phase {
   static constexpr int sums_stride = SumsStride, mass_column = MassColumn, momentum_column = MomentumColumn;
   AlignedVector<double>& sums;
   const AlignedVector<double>& moments;
-  int mass_field, velocity_field;  ///< of a slot
-  int more_mass_field = -1;        ///< what moves with it
+  int mass_field, velocity_field;  ///< index in a slot
+  int more_mass_field = -1;        ///< field of a mass that moves with the phase; -1: none
 };
 
-/// Calls work(node, sum) with the node's momentum-sized sum over the columns from First on of its rows.
+/// Calls work(node, sum) with the sum of the Count columns from First on over the rows of the node.
 template <int Count, int Stride, int First, int D, class Work>
 void for_nodes(const Body<D>& body, int threads, AlignedVector<double>& rows, Work&& work) {
   const Layout<D>& layout = *body.layout;
@@ -40,7 +40,7 @@ void for_nodes(const Body<D>& body, int threads, AlignedVector<double>& rows, Wo
   });
 }
 
-/// The nodal velocities that have the momentum of the points, in rows.
+/// Nodal velocities u that solve (T2.5), in rows.
 template <int D, class P>
 AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const P& phase) {
   const Layout<D>& layout = *body.layout;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The arithmetic of fade_unseen() for a body B of packs or of one thread of a GPU.
+// Kernels of fade_unseen(), the filter of null modes, for a body B of packs or of one GPU thread.
 
 #include <array>
 
@@ -10,12 +10,12 @@
 
 namespace talus::mpm {
 
-/// Chebyshev's iteration for lumped⁻¹ M u = lumped⁻¹ p, whose eigenvalues lie between 0 and 1: fixed numbers, so the
-/// result is linear in p and needs no sums over the body. Velocities with eigenvalues below `smallest` are nearly
-/// unseen and fade too.
+/// Weights of Chebyshev's iteration for M_l⁻¹ M u = M_l⁻¹ p with the lumped mass matrix M_l; the eigenvalues are
+/// between 0 and 1. The weights are constants, so the result is linear in p and needs no sums over the body. Modes with
+/// eigenvalues below `smallest` are almost null modes and are filtered in part.
 struct FadeWeights {
-  double keep;  ///< share of the last change of u
-  double step;  ///< of what is left of the momentum
+  double keep;  ///< factor on the last change of u
+  double step;  ///< factor on the residual of the momentum
 };
 inline std::array<FadeWeights, 8> list_fade_weights() {
   constexpr double smallest = 0.1, middle = (1 + smallest) / 2, half_width = (1 - smallest) / 2;
@@ -30,10 +30,10 @@ inline std::array<FadeWeights, 8> list_fade_weights() {
   return weights;
 }
 
-/// Doubles of a node row of velocities.
+/// Number of doubles in a node row of velocities.
 inline constexpr int fade_stride = 8;
 
-/// Σ_j M_ij u_j of the elements of block `b`; `value` gets the u of their nodes from the rows.
+/// Σ_j M_ij u_j of the elements of block `b`. `value` receives the u of their nodes from `rows`.
 template <class B, class Moments, class Rows, int D = B::dimension, class T = typename B::Lanes>
 TALUS_KERNEL void multiply_mass(const B& body, const Moments& moments, const Rows& rows, int b, T (&value)[D + 1][D],
                                 T (&out)[D + 1][D]) {
@@ -46,13 +46,14 @@ TALUS_KERNEL void multiply_mass(const B& body, const Moments& moments, const Row
   remap_element<D, T>(m, value, 1, out);
 }
 
-/// Fields of a slot.
+/// Field indices in a slot.
 struct FadingFields {
   int mass, velocity;
-  int more_mass = -1;  ///< what moves with it; -1: nothing
+  int more_mass = -1;  ///< mass that moves with the phase; -1: none
 };
 
-/// Puts the velocities of the points of block `b` onto those of their nodes. Adds what they lose to `kinetic` [J].
+/// G2P: replaces the velocities of the points of block `b` by those interpolated from `value` at their nodes. Adds the
+/// kinetic energy that they lose to `kinetic` [J].
 template <class B, int D = B::dimension, class T = typename B::Lanes>
 TALUS_KERNEL void fade_points(B& body, int b, const T (&value)[D + 1][D], const FadingFields& fields, T& kinetic) {
   constexpr int width = B::width;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points that left their element: found again by walking through the sides, in an order that threads cannot change.
+// Relocation of points that left their element: search by walking through the sides, migration between ranks, and
+// correction of the nodal sums, in an order that does not depend on the number of threads.
 #include "mpm/step/relocate.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void record_loss(Body<D>& body, const Record<D>& r, std::vector<double>& water) 
   body.points.place[r.id] = -1;
 }
 
-/// A point on its way, with what it carries beside its own fields: strain is summed in the elements.
+/// A point between two elements, with the strain data that are stored per element and not in its own fields.
 template <int D>
 struct Traveller {
   using Strain = std::array<double, Points<D>::stress_size>;
@@ -52,6 +53,7 @@ typename Traveller<D>::Strain read_strain(const Body<D>& body, int e) {
   return strain;
 }
 
+/// Sets the strain offset of a point in its new element so that its total strain is unchanged.
 template <int D>
 void hand_over(Body<D>& body, const Traveller<D>& point) {
   const auto to = read_strain(body, point.record.element);
@@ -59,8 +61,8 @@ void hand_over(Body<D>& body, const Traveller<D>& point) {
   for (std::size_t i = 0; i < to.size(); ++i) offset[i] = point.offset[i] + (point.from[i] - to[i]);
 }
 
-/// The points that come to the elements of this rank: its own, and those of others, in the order of the ranks. Points
-/// that leave are no longer here.
+/// Migrates points to the rank of their new element. Returns the points that arrive in elements of this rank (its own
+/// and those of other ranks, in the order of the ranks); points that leave are removed from this rank.
 template <int D>
 std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D>> points) {
   if (!body.share) return points;
@@ -99,8 +101,8 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
   return coming;
 }
 
-/// Adds the points that other ranks have lost as well, in the order of the ranks, and counts the `water` that went with
-/// all of them [kg]. Returns whether any rank has elements to put in order.
+/// Gathers the lost points of all ranks in the order of the ranks and adds the water [kg] that left with them. Returns
+/// whether any rank has elements to correct.
 template <int D>
 bool join_losses(Body<D>& body, std::size_t before, std::vector<double> water, bool changes) {
   if (body.share) {
@@ -140,14 +142,14 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
   }
 }
 
-/// The record with the mass of its water added, where there is any.
+/// The record with the mass of its water added to its mass, if it has any.
 template <int D>
 Record<D> weigh(const Body<D>& body, Record<D> r) {
   if (body.water.is_wet()) r.fields[Points<D>::mass] += r.fields[body.water.first_field + WaterFields<D>::mass];
   return r;
 }
 
-/// A block without points is skipped by the pass, so its moments are those of long ago.
+/// Clears the moments of a block that has no points yet: the pass skips such blocks, so their moments are out of date.
 template <int D>
 void wake_block(Body<D>& body, int b) {
   if (body.points.block_used[b] > 0) return;
@@ -160,7 +162,7 @@ void wake_block(Body<D>& body, int b) {
   clear(body.water.volume, 1);
 }
 
-/// Elements whose filling or surface changes when the records are put into their elements; sorted.
+/// Elements whose filling or free-surface state changes when the records are inserted; sorted.
 template <int D>
 std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Record<D>>& records,
                                        const std::vector<int>& sources) {
@@ -184,8 +186,8 @@ std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Re
   return candidates;
 }
 
-/// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
-/// internal force taken anew. These will share their stress.
+/// Inserts the records. With mixed integration, the internal force of elements whose filling or free-surface state
+/// changes is recomputed. The elastic energy that their points lose by sharing one stress is added to work.mapping.
 template <int D>
 void insert_with_mixed_forces(Body<D>& body, const StepOptions<D>& o, const std::vector<Record<D>>& records,
                               const std::vector<int>& sources) {
@@ -206,8 +208,8 @@ void insert_with_mixed_forces(Body<D>& body, const StepOptions<D>& o, const std:
   for (const double loss : join_lists(body, std::move(losses))) body.work.mapping += loss;
 }
 
-/// The same with pore water, where an element's sums are no sums over its points: they share their pressure. Elements
-/// that the pass left full for the first time are treated alike.
+/// The same with pore water, where the sums of an element are not sums over its points, which share one pressure.
+/// Elements that became full in the pass are recomputed as well.
 template <int D>
 void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector<Record<D>>& records,
                        const std::vector<int>& sources) {
@@ -215,7 +217,7 @@ void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector
   candidates.insert(candidates.end(), body.water.newly_full.begin(), body.water.newly_full.end());
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  // Among dry soil an element may also gain or lose its water without becoming empty.
+  // Next to dry soil an element may also gain or lose its water without becoming empty.
   const bool all_wet =
       std::all_of(body.water.laws.begin(), body.water.laws.end(), [](const auto& law) { return law.wet; });
   if (!all_wet && !sources.empty()) body.water.surface_is_stale = true;
@@ -245,7 +247,8 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
   std::vector<Record<D>> records;
   std::vector<int> sources;
   for (const std::vector<Mover>& list : movers) {
-    // Backwards, so that the last point of a lane, which fills a gap, is never one that still has to go.
+    // Backwards, so that the last point of a lane, which fills the vacated slot, never is one that is still to be
+    // removed.
     for (auto m = list.rbegin(); m != list.rend(); ++m) {
       for (int lane = 0; lane < lane_width; ++lane) {
         if (!(m->lanes >> lane & 1)) continue;

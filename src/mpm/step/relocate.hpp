@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The way of a point that left its element.
+// Search of the element that holds a point, by walking through element sides.
 
 #include "mesh/mesh.hpp"
 
 namespace talus::mpm {
 
-/// How far outside the grid, in shape functions, a point may be by round-off.
+/// Distance outside the grid, in shape functions, up to which a point counts as on the boundary (round-off).
 inline constexpr double outside_tolerance = 1e-9;
 inline constexpr int longest_walk = 1000;
 
-/// Walks from `element` to the one that holds the point with local coordinates `xi`, and changes both. False when the
-/// point is outside the grid. M: mesh::Mesh, or the mesh on a GPU.
+/// Walks from `element` to the element that holds the point with local coordinates `xi`, and updates both. Returns
+/// false if the point is outside the grid. M: mesh::Mesh, or the mesh on a GPU.
 template <int D, class M>
 TALUS_PORTABLE bool find_new_element(const M& mesh, int& element, double* xi) {
   for (int i = 0; i < longest_walk; ++i) {
@@ -21,7 +21,7 @@ TALUS_PORTABLE bool find_new_element(const M& mesh, int& element, double* xi) {
       shape[k + 1] = xi[k];
       shape[0] -= xi[k];
     }
-    // The side that the point is farthest behind, and the farthest one that leads on.
+    // `worst`: the side that the point is farthest outside of; `way`: the same among sides with a neighbour.
     int worst = -1, way = -1;
     for (int k = 0; k <= D; ++k) {
       if (!(shape[k] < 0)) continue;

@@ -11,10 +11,10 @@
 namespace talus::mpm {
 namespace {
 
-/// Elements farther than this many lengths have no part: the weight is a twelfth of the largest there.
+/// Cut-off of the weight r exp(-r²) of (T23.1), in nonlocal lengths; the weight there is a twelfth of its maximum.
 constexpr double farthest = 2;
 
-/// Cells of a grid as wide as the reach: neighbours stand in the same cell or in one beside it.
+/// Element centroids in cells of the cut-off's width: neighbours are in the same or in an adjacent cell.
 template <int D>
 class MiddleGrid {
  public:
@@ -25,7 +25,8 @@ class MiddleGrid {
       cells_[find_cell(middles_[e])].push_back(static_cast<int>(e));
     }
   }
-  /// Calls work(element, distance) for the elements up to the width away, in the order of their numbers.
+  /// Calls work(element, distance) for the elements whose centroid is closer than the width [m], in the order of their
+  /// numbers.
   template <class Work>
   void visit(int e, Work&& work) const {
     std::vector<int> near;
@@ -61,7 +62,7 @@ class MiddleGrid {
   std::map<Cell, std::vector<int>> cells_;
 };
 
-/// What the elements of other ranks that these reach have softened.
+/// Halo exchange: softened and softening_volume of the elements of other ranks within reach of this rank's elements.
 template <int D>
 void update_reach(Body<D>& body) {
   if (body.share) body.share->reach->update({as_halo(body.elements.softened), as_halo(body.elements.softening_volume)});

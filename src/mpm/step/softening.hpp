@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Softening over a length (theory 23). The plastic volume that softens an element is a mean over its neighbourhood, so
-// that a band has the width that the length gives it, not that of an element.
+// Nonlocal averaging of softening (theory 23): plastic volumetric strain is averaged over the neighbourhood of an
+// element, so that the nonlocal length, not the element size, decides the width of a shear band.
 
 #include <cstdint>
 #include <vector>
@@ -10,14 +10,15 @@
 
 namespace talus::mpm {
 
-/// Which elements an element takes its mean over, and with which weights, before their volumes (T23.1).
+/// Neighbours of each element within the nonlocal reach, and their weights w_ef without volumes (T23.1).
 struct SofteningReach {
   std::vector<std::int64_t> start;  ///< of element e: [start[e], start[e + 1])
   std::vector<int> element;
   std::vector<double> weight;
 };
 
-/// What element `e` takes over from its neighbourhood (T23.2). List: a SofteningReach, or the same on a GPU.
+/// Nonlocal correction ε̄_e - ε_e of the dilation of element `e` (T23.1, T23.2). List: a SofteningReach, or the same on
+/// a GPU.
 template <class List, class E>
 TALUS_PORTABLE double find_lent(const List& reach, const E& elements, std::size_t e) {
   if (!(elements.softening_volume[e] > 0)) return 0;
@@ -30,16 +31,16 @@ TALUS_PORTABLE double find_lent(const List& reach, const E& elements, std::size_
   return volume > 0 ? softened / volume - elements.softened[e] / elements.softening_volume[e] : 0;
 }
 
-/// `length` in m.
+/// Neighbours and weights for the nonlocal length `length` [m].
 template <int D>
 SofteningReach find_softening_reach(const mesh::Mesh<D>& mesh, double length);
 
-/// Lets the soil of a body soften over `length` [m] from the next step on.
+/// Sets the nonlocal length [m] of a body, for the steps from now on.
 template <int D>
 void set_softening_length(Body<D>& body, double length);
 
-/// What the points of each element take over from their neighbourhood, from what softened in the last step (T23.2).
-/// Reads and clears softened and softening_volume; writes lent.
+/// Computes the nonlocal correction of each element from the dilation of the last step (T23.2). Reads and clears
+/// softened and softening_volume; writes lent.
 template <int D>
 void lend_softening(Body<D>& body, int threads);
 

@@ -19,7 +19,8 @@ namespace talus::mpm {
 
 namespace {
 
-/// The lines of the step, each timed as a part of it.
+/// Runs the phases of the step in order and adds the time of each to its part of body.timing. MUSL's grid solve is
+/// solve_momentum and remap_momentum; advance_points is G2P and the P2G of the next step.
 template <class Phase, int D>
 void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch timed) {
   using input::Smoothing;
@@ -56,7 +57,7 @@ void step(Body<D>& body, const StepOptions<D>& options) {
 template void step<2>(Body<2>&, const StepOptions<2>&);
 template void step<3>(Body<3>&, const StepOptions<3>&);
 
-// The one pass over the points of soil of one phase.
+// G2P and P2G for soil of one phase: the pass over the points with the hooks of DryBlock.
 
 namespace {
 
@@ -79,19 +80,19 @@ MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options) {
 template MoverLists advance_points<2>(Dry, Body<2>&, const StepOptions<2>&);
 template MoverLists advance_points<3>(Dry, Body<3>&, const StepOptions<3>&);
 
-// Nodal forces of the tractions on sides and on points, at the time of the body.
+// Nodal forces (2.37) of tractions on sides and on points, at body.time.
 
 namespace {
 
-/// A point that carries a force: where it stands.
+/// Position of a point that carries a force.
 template <int D>
 struct Carrier {
-  std::size_t entry = 0;  ///< of the load
+  std::size_t entry = 0;  ///< index in the load
   int element = 0;
   double shape[D + 1];
 };
 
-/// The carriers of a load on points that are in the body, in the order of its entries, whatever rank has them.
+/// The carriers of a load whose points are on the grid, gathered from all ranks, in the order of the load's entries.
 template <int D>
 std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) {
   const Points<D>& points = body.points;
@@ -119,7 +120,7 @@ std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) 
 
 template <int D>
 void gather_loads(Body<D>& body) {
-  // Those of the step of the mixture hold the water outside too: another step's would count it twice.
+  // nodes.load of the Darcy step includes the pressure of outside water, which another step would count twice.
   body.nodes.load.clear();
   if (body.conditions.loads.empty()) return;
   body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
@@ -141,7 +142,7 @@ void gather_loads(Body<D>& body) {
 template void gather_loads<2>(Body<2>&);
 template void gather_loads<3>(Body<3>&);
 
-// The two node loops of the step: accelerations, and MUSL's nodal velocities.
+// Grid solve: nodal accelerations, then the nodal velocities of MUSL's second mapping (remap).
 
 template <int D>
 void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
@@ -190,9 +191,8 @@ template void solve_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
 template void remap_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
 template void remap_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
 
-// Nodal averages of the volumetric strain increment of the elements, weighted by their volume (2.94).
-
-// nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the elements at each node that take part.
+// Nodal averages of the volumetric strain increment (2.94): nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the
+// elements at each node that take part.
 template <int D>
 void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& o) {
   for_blocks_and_update(body, o.threads, body.nodes.average, 2, [&](int b, const int* rows) {
