@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one pass over the points of soil with pore water: what the water adds to it, its velocity, mass and pressure.
+// G2P and P2G of the two-velocity formulation: the hooks by which the pass over the points updates velocity, mass and
+// pressure of the pore water, and adds it to the nodal sums.
 
 #include "mpm/step/chunk_pass.hpp"
 #include "mpm/two_velocity/kernels.hpp"
@@ -12,7 +13,7 @@ namespace {
 template <int D, class Law>
 struct WetBlock;
 
-/// What a chunk sums up of its water.
+/// The pass over a chunk of soil with pore water, with the sums of its water.
 template <int D>
 struct WetPass : ChunkPass<D> {
   static constexpr int far = 30000;
@@ -20,8 +21,8 @@ struct WetPass : ChunkPass<D> {
   using Block = WetBlock<D, Law>;
   std::vector<int> newly_full;
   double density;        ///< ρ_w at zero pressure [kg/m³]
-  Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
-  Pack pore_work{0.0};   ///< see Work::pore_water [J]
+  Pack pressed_in{0.0};  ///< added to Water::pressed_in [kg]
+  Pack pore_work{0.0};   ///< added to Work::pore_water [J]
 
   WetPass(Body<D>& b, const StepOptions<D>& o) : ChunkPass<D>(b, o), density(b.water.density) {}
   TALUS_KERNEL static void prefetch_node(const Body<D>& body, std::size_t row) {
@@ -49,7 +50,7 @@ struct WetPass : ChunkPass<D> {
   }
 };
 
-/// The water of the points of a slot.
+/// Pore water of the points of a slot.
 template <int D, class Law>
 struct WetSlot {
   using W = WaterFields<D>;
@@ -67,12 +68,13 @@ struct WetSlot {
     block.water_motion.advance_velocity(points.xi, w);
   }
 
-  /// Mass and pressure at the end of the step; returns the saturation.
+  /// Updates mass and pressure to the end of the step (T14.7); returns the saturation.
   template <class Update>
   TALUS_KERNEL Pack update_water(WetPass<D>& pass, const WetBlock<D, Law>& block, const Update& update,
                                  const SlotPoints<Body<D>>& points) {
     wet = block.lanes.is_wet(points.material);
-    const Pack grains = points.mass * block.lanes.get_inverse_grain_density(points.material);  // their volume
+    const Pack grains =
+        points.mass * block.lanes.get_inverse_grain_density(points.material);  // volume of the grains [m³]
     const Pack pores = points.volume - grains;
     pore = block.shared_pore;
     mass = block.per_pores * pores;
@@ -97,7 +99,7 @@ struct WetSlot {
     mass = select(own, m, mass);
   }
 
-  /// Gaps of wet soil are pores: they fill with water and air.
+  /// Fraction of the new volume that is soil. Gaps of wet soil are pores: they fill with water and air, and count.
   TALUS_KERNEL Pack find_solid_share(Pack opened) const { return 1.0 - select(wet, Pack(0.0), opened); }
   TALUS_KERNEL void store_fields() const {
     TALUS_UNROLL
@@ -113,7 +115,7 @@ struct WetSlot {
     TALUS_UNROLL
     for (int d = 0; d < D; ++d) w[d] = select(stays, w[d], none);
   }
-  /// Adds the water to the sums, and its pressure to the stress that the nodes feel.
+  /// P2G: adds the water to the sums, and χp to the stress of the points, so that the nodes receive the total stress.
   TALUS_KERNEL void add_to(WetBlock<D, Law>& block, SlotPoints<Body<D>>& points) const {
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) points.s[i] += pore.bishop;
@@ -123,7 +125,7 @@ struct WetSlot {
   }
 };
 
-/// The water of a block.
+/// Hooks of the pass for a block of soil with pore water.
 template <int D, class Law>
 struct WetBlock {
   using W = WaterFields<D>;
@@ -135,9 +137,9 @@ struct WetBlock {
   WaterMotion<D, Pack> water_motion;
   Pack volumetric;    ///< Δε_s [-]
   Pack divergence;    ///< Δt div θ(w-v) [-]
-  Pack surplus{0.0};  ///< of pressure smoothing, exchange and roots [-]
+  Pack surplus{0.0};  ///< of pressure smoothing, exchange and root uptake [-]
   Pack growth;
-  // What a full element gives to all its points.
+  // State that the points of a full element share.
   PoreState<Pack> shared_pore{Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0), Pack(-1.0)};
   Pack per_pores{0.0};  ///< m_w over pore volume [kg/m³]
   Pack stretch{1.0};    ///< V_e/Σ V_p
@@ -157,18 +159,18 @@ struct WetBlock {
     volumetric = find_node_mean<Body<D>, 4>(pass.body.water.smoothed.data(), at.rows);
     divergence = find_node_mean<Body<D>, 4>(pass.body.water.smoothed.data() + 1, at.rows);
   }
-  /// The pores of a full element grow as the flux is integrated, over its whole volume: only so does the work of the
-  /// pressure in the balance of forces equal that in the balance of water.
+  /// Pores of a full element grow by its whole volume V̄, over which the flux is integrated as well. Only then is the
+  /// work of the pressure in the momentum balance equal to that in the water balance.
   TALUS_KERNEL void find_growth() { growth = 1.0 + volumetric * stretch; }
 
-  /// Volume of water lost per volume of soil; in frozen pores those keep what they would press out.
+  /// Volume of water lost per volume of soil. At frozen geometry the pores keep the water that they would press out.
   TALUS_KERNEL Pack find_lost(Pack soil_stretch, Pack saturation, bool frozen) const {
     Pack lost = divergence * soil_stretch + surplus;
     if (frozen) lost += saturation * volumetric * soil_stretch;
     return lost;
   }
 
-  /// Water and pressure of the full elements; returns their saturation.
+  /// Updates water and pressure of full elements, whose points share them; returns their saturation.
   TALUS_KERNEL Pack share_water(WetPass<D>& pass, const BlockPlace<Body<D>>& at,
                                 const FullElement<Body<D>, Law>& element) {
     const Mask wet = element.full && lanes.is_wet(element.material);
@@ -188,12 +190,13 @@ struct WetBlock {
       grains += select(active, load<Pack>(p + P::mass * lane_width), Pack(0.0));
       water += select(active, load<Pack>(w + W::mass * lane_width), Pack(0.0));
     }
-    grains *= lanes.get_inverse_grain_density(element.material);  // their volume
+    grains *= lanes.get_inverse_grain_density(element.material);  // volume of the grains [m³]
     const Pack volume = select(wet, element.volume, Pack(1.0));
     const Pack saturation = load<Pack>(&pass.body.water.mean_saturation[at.first]);
     stretch = select(wet, load<Pack>(&pass.body.layout->volumes[at.first]) / volume, Pack(1.0));
     const Pack lost = find_lost(stretch, saturation, !moving);
-    const double* first_point = points.slot(points.block_start[at.b]) + first_field * lane_width;  // has their pressure
+    const double* first_point = points.slot(points.block_start[at.b]) +
+                                first_field * lane_width;  // its pressure is that of all points of the element
     const Pack old_content = water / (pass.density * (volume - grains));
     water -= pass.density * volume * lost;
     if (!moving) pass.pressed_in -= select(wet, pass.density * volume * stretch * volumetric * saturation, Pack(0.0));
@@ -205,8 +208,8 @@ struct WetBlock {
     shared_pore = lanes.find(content, guess, wet, element.material);
   }
 
-  /// Work of the mean of the pressures before and after on what the pores and the flux take. Exchange and roots move
-  /// water without a force on any node.
+  /// Work of the mean pressure of the step on pore growth and flux (T9.2). Exchange and root uptake move water without
+  /// a nodal force and do no work here.
   TALUS_KERNEL Pack find_pore_work(const Water<D>& water, std::size_t first, Pack force_stretch) const {
     const Pack before = load<Pack>(&water.volume[first]) * load<Pack>(&water.stretch[first]);
     const Pack on_water = before * load<Pack>(&water.mean_pressure[first]) + sums.pressure * force_stretch;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exchange of water between neighbouring elements that removes pressures which no node feels (T14.9).
+// Single elements of the two-velocity step, exchange of water between neighbouring elements against spurious pressure
+// modes (T14.9), and nodal averages of strain increment and seepage divergence (2.94, 2.96).
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +15,11 @@
 
 namespace talus::mpm {
 
-// Single elements of the coupled step, from their points: for those that relocation touches, and for a fresh start.
+// Single elements of the two-velocity step, computed from their points: for relocation and for the start of a stage.
 
 namespace {
 
-/// Pointer to field 0 of the k-th point of element `e`, and its material.
+/// Pointer to field 0 of the k-th point of element `e`; field i is i * lane_width behind it.
 template <int D>
 double* find_point(Body<D>& body, int e, int k) {
   return body.points.slot(body.points.block_start[e / lane_width] + k) + e % lane_width;
@@ -163,12 +164,12 @@ template void share_wet_element<3>(Body<3>&, int, const StepOptions<3>&);
 
 namespace {
 
-/// A side moves at most this share of the smaller storage in one exchange, which keeps it stable. The storage is that
-/// of saturated soil: an element that fills in an exchange must not be hit by water that it could take when it was
-/// drier.
+/// Largest fraction of the smaller storage that one exchange moves across a side, for stability. The storage is that of
+/// saturated soil, so that an element that fills during the exchange does not receive the water that it could store
+/// when it was drier.
 constexpr double exchange_share = 0.05;
 
-/// What a full wet element brings to an exchange.
+/// State of a full wet element that enters an exchange.
 template <int D>
 struct ExchangeElement {
   Vec<D> centre{};        ///< [m]
@@ -192,8 +193,8 @@ ExchangeElement<D> read_element(const Body<D>& body, int e, double storage) {
   return r;
 }
 
-/// Volume of water [m³] that passes from `e` to its neighbour across the side opposite local node `k` until the next
-/// exchange.
+/// Volume of water [m³] that flows from `e` to its neighbour across the side opposite local node `k` until the next
+/// exchange (T14.9).
 template <int D>
 double find_exchange(const Body<D>& body, const StepOptions<D>& o, int e, int k, const ExchangeElement<D>& from,
                      const ExchangeElement<D>& to) {
@@ -208,7 +209,7 @@ double find_exchange(const Body<D>& body, const StepOptions<D>& o, int e, int k,
       flux[d] += body.water.still_flux[node][d] / D;
     }
   }
-  // Growth of the pressure from one middle to the other beyond that at rest, and what Darcy's law explains of it.
+  // Pressure difference between the centroids beyond the hydrostatic one, and the part of it that Darcy's law explains.
   double growth = to.pressure - from.pressure, explained = 0, first2 = 0, second2 = 0;
   for (int d = 0; d < D; ++d) {
     const double first = middle[d] - from.centre[d], second = to.centre[d] - middle[d];
@@ -220,8 +221,8 @@ double find_exchange(const Body<D>& body, const StepOptions<D>& o, int e, int k,
   const double area = D * mesh.volumes[e] * norm(mesh::find_shape_gradient(mesh, e, k));
   const double conductance = area / (from.resistance * std::sqrt(first2) + to.resistance * std::sqrt(second2));
   const double most = exchange_share * std::min(from.storage, to.storage);
-  // Only down the head, and not more than there is: at a boundary layer that the mesh does not resolve the nodes'
-  // fluxes explain too much.
+  // Only down the head, and not more than the whole head difference drives: at boundary layers that the mesh does not
+  // resolve, the nodal fluxes explain too much.
   const double rest = growth - explained;
   if (rest * growth <= 0) return 0;
   return std::min(conductance * dt, most) * (std::abs(rest) < std::abs(growth) ? rest : growth);
@@ -245,7 +246,8 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
   });
   update_elements(body, storage, water.mean_pressure, water.mean_resistance, water.volume);
   if (!o.smooth_pressure) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
-  // Each element looks at all its sides itself, so that a side gives both of its elements the same, in any order.
+  // Each element computes the flow across all its sides itself. Both elements of a side compute the same value,
+  // whatever the order.
   for_chunks(body, o.threads, [&](int c) {
     const int end = std::min(layout.chunk_start[c + 1] * lane_width, mesh.element_count());
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
@@ -265,14 +267,14 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
 template void exchange_water<2>(Body<2>&, const StepOptions<2>&);
 template void exchange_water<3>(Body<3>&, const StepOptions<3>&);
 
-// Nodal averages of what makes soil and water change their volume: of the strain increment with weights V_e, of the
-// divergence of the seepage with weights V̄ (2.94), and the surplus of pressure smoothing (2.96, T14.8).
+// Nodal averages of the volumetric strain increment with weights V_e and of the divergence of the seepage with weights
+// V̄ (2.94), and the surplus of pressure smoothing (2.96, T14.8).
 
 namespace {
 
 constexpr int columns = 4;  ///< of a row of Water::average: value and weight, twice
 
-/// Strain increment and divergence of a block, times Δt.
+/// Volumetric strain increment of a block, and Δt times the divergence of its seepage.
 template <int D>
 std::pair<Pack, Pack> find_increments(const Body<D>& body, int b, const int* rows, double dt) {
   Pack strain(0.0), divergence(0.0), first[4 * D];
@@ -312,7 +314,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     divide_averages<columns, columns>(body, o.threads, water.average, water.smoothed.data());
   }
   if (!o.smooth_pressure) return;
-  // What makes the pressure of an element rise, per volume; kept in `surplus` until its average is known.
+  // Δζ_e of (T14.8); `surplus` stores it until its average is known.
   for_blocks(body, o.threads, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     auto [strain, divergence] = find_increments(body, b, rows, o.dt);

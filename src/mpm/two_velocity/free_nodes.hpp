@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Accelerations of nodes that nothing holds, loads or limits, a pack of nodes at once (T14.6): most nodes of a body.
+// Accelerations of free nodes (without constraint, load or surface condition), which are most nodes of a body, one pack
+// of nodes at once (T14.6).
 
 #include "base/rows.hpp"
 #include "mpm/body/body.hpp"
@@ -10,11 +11,11 @@
 
 namespace talus::mpm {
 
-/// The pack of nodes from `first` on.
+/// The pack of nodes that starts at `first`.
 template <int D>
 struct NodePack {
   int rows[lane_width];  ///< the first row of each node
-  unsigned special = 0;  ///< bit set of the nodes that are held, on the surface, or in several chunks
+  unsigned special = 0;  ///< bit set of the nodes with a constraint, on the surface, or in several chunks
   Mask free{true};       ///< the others
 
   NodePack(const Body<D>& body, int first) {
@@ -50,8 +51,8 @@ TALUS_KERNEL Pack find_damping(Pack unbalanced, Pack velocity, double alpha) {
   return select(velocity > Pack(0.0), -force, select(velocity < Pack(0.0), force, Pack(0.0)));
 }
 
-/// Writes the accelerations of the whole pack; those of its special nodes have no meaning, and their work is not
-/// counted. The velocities in the same rows come with the remap. `density`: ρ_w [kg/m³].
+/// Writes the accelerations of the whole pack. Those of its special nodes are meaningless here, and their work is not
+/// counted. The velocities in the same rows are written by the remap. `density`: ρ_w [kg/m³].
 template <int D>
 void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, const NodePack<D>& nodes,
                       PackWork& work) {
@@ -72,7 +73,7 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
   const Pack ss = select(wet, (fluid + implicit) * inverse, per_grains * (1 / beta)), sw = content * implicit * inverse;
   const Pack ww = select(wet, (solid + content * implicit) * inverse, zero), ws = select(wet, implicit * inverse, zero);
   Pack damped(0.0), rubbed(0.0), lost(0.0);
-  Pack out[8];  // the rest of the row stays: special nodes in the pack still need their velocities
+  Pack out[8];  // the rest of the row is kept: special nodes in the pack still need their velocities
   TALUS_UNROLL
   for (int c = 0; c < 8; ++c) out[c] = last[c];
   TALUS_UNROLL
@@ -83,7 +84,7 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
     const Pack on_grains = t[C::force + d] + external - content * on_water;
     const Pack f_w = on_water - pull, f_s = on_grains + content * pull;
     Pack left_w = on_water, left_s = on_grains;
-    if (o.net_damping) {  // T14.9
+    if (o.net_damping) {  // (T14.10)
       left_w = fluid * (ww * f_w + ws * f_s);
       left_s = solid * (ss * f_s + sw * f_w);
     }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What pore water adds to the mathematics of one element (mpm/step/kernels.hpp), as templates on T.
+// Kernels of the pore water of one element: motion (G2P) and sums (P2G), the counterpart of mpm/step/kernels.hpp. They
+// are templates on T.
 
 #include "mpm/step/kernels.hpp"
 
 namespace talus::mpm {
 
-/// Columns of a node's row of sums. The first ones are those of one phase, with grains for all mass.
+/// Columns of a node's row of sums. The first ones are those of one phase, with the mass of the grains.
 template <int D>
 struct WetColumns {
   static constexpr int mass = 0;                    ///< M_s [kg]
@@ -23,7 +24,7 @@ struct WetColumns {
   static constexpr int count = 6 + 5 * D;
 };
 
-/// Fields of a slot from Water::first_field on: w [m/s], p [Pa], m_w [kg], and PoreState::capacity [1/Pa].
+/// Fields of a slot from Water::first_field on: w [m/s], p [Pa], m_w [kg], PoreState::capacity [1/Pa].
 template <int D>
 struct WaterFields {
   static constexpr int velocity = 0, pressure = D, mass = D + 1, capacity = D + 2, count = D + 3;
@@ -60,7 +61,7 @@ struct WaterMotion {
   }
 };
 
-/// What a point gives to the sums of the water; a dry one has V = m = 0.
+/// Quantities of a point in the sums of the water; a dry point has V = m = 0.
 template <class T>
 struct WaterPoint {
   T mass, volume, pressure, bishop, saturation;
@@ -123,7 +124,7 @@ struct WaterSums {
     saturation += V * point.saturation;
   }
 
-  /// The columns of the water of each node's row. `stretch` is V̄/V.
+  /// P2G: adds the water's columns to the row of each node. `stretch` is V̄/V.
   TALUS_KERNEL void to_nodes(const T* g, T stretch, T out[D + 1][WetColumns<D>::count]) const {
     using C = WetColumns<D>;
     spread(moments, C::water_mass, out);
@@ -162,7 +163,7 @@ struct WaterSums {
   }
 
  private:
-  /// Σ N_i of a quantity with the moments m[0] and m[1 + k].
+  /// Writes Σ_p q_p N_i of a quantity with the moments m[0] and m[1 + k] to the nodes.
   TALUS_KERNEL static void spread(const T* m, int column, T out[D + 1][WetColumns<D>::count]) {
     T rest = m[0];
     TALUS_UNROLL
@@ -174,7 +175,7 @@ struct WaterSums {
   }
 };
 
-/// Takes the columns of the grains from the sums of one phase.
+/// Copies the columns of the grains from the sums of one phase.
 template <int D, class T>
 TALUS_KERNEL void copy_solid_columns(const T solid[D + 1][1 + 2 * D], T out[D + 1][WetColumns<D>::count]) {
   TALUS_UNROLL

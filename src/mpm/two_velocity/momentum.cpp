@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Accelerations of both phases at the nodes.
+// Grid solve of the two-velocity formulation: accelerations of both phases at the nodes (T14.5, T14.6), with drag,
+// damping, constraints and surface conditions.
 
 #include <cmath>
 
@@ -41,12 +42,12 @@ HeldAxes<D> make_held_axes(const Constraint<D>* solid, const WaterConstraint<D>*
   return h;
 }
 
-/// One node's equations, put together from its sums.
+/// Masses, velocities and forces in the equations of one node (T14.3, T14.4), from its sums.
 template <int D>
 struct TwoVelocityNode {
   using C = WetColumns<D>;
   double solid_mass, water_mass, whole_mass, content;
-  PhaseVectors<D> now;    ///< velocities that the points bring [m/s]
+  PhaseVectors<D> now;    ///< nodal velocities before the solve, p/m [m/s]
   PhaseForces<D> forces;  ///< without drag [N]
   Vec<D> darcy{};         ///< unbalanced force of the mixture [N]
   Vec<D> external{};      ///< gravity and loads on the mixture [N]
@@ -94,7 +95,7 @@ TALUS_KERNEL PhaseForces<D> add(PhaseForces<D> f, const PhaseForces<D>& more) {
   return f;
 }
 
-/// What damping takes its share of when it is net of drag and of what holds the node: the inertia (T14.10).
+/// Force that net damping acts on: the inertia, which is net of drag and of reactions (T14.10).
 template <int D>
 TALUS_KERNEL PhaseForces<D> find_inertia(const PhasePair& pair, const PhaseVectors<D>& a) {
   PhaseForces<D> f;
@@ -112,7 +113,7 @@ TALUS_KERNEL PhaseForces<D> find_phase_damping(const StepOptions<D>& o, const Ph
           find_damping<D>(unbalanced.water, now.water, o.water_damping)};
 }
 
-/// Accelerations of a node whose grains meet a frictional wall, or what holds them moves.
+/// Accelerations of a node whose grains are at a frictional wall or have a moving support.
 template <int D>
 void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const TwoVelocityNode<D>& node,
                    const HeldAxes<D>& held, const PhaseForces<D>& forces, PhaseVectors<D>& a) {
@@ -125,7 +126,7 @@ void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const TwoVeloc
   a.water = solve_water_alone<D>(node.pair, held, forces.water, node.now, a.solid, o.dt);
 }
 
-/// Accelerations under `damping` and the node's own forces, with what the node may not do.
+/// Accelerations of a node under its forces and `damping`, with supports, walls and surface conditions.
 template <int D>
 PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const TwoVelocityNode<D>& node, const HeldAxes<D>* held,
                            const SurfaceNode<D>& surface, const PhaseForces<D>& damping) {
@@ -164,14 +165,14 @@ void monitor_node(const Body<D>& body, int i, const TwoVelocityNode<D>& node, Pi
   }
   sums.out_of_balance2 += dot(f, f);
   sums.external2 += dot(f_ext, f_ext);
-  // Water that seeps steadily is at rest as far as the soil goes.
+  // Steady seepage counts as rest: only the soil's speed is judged.
   const double water2 = dot(node.now.water, node.now.water), speed2 = dot(v, v) + (std::isfinite(water2) ? 0 : water2);
   sums.kinetic += 0.5 * (node.solid_mass * dot(v, v) + node.water_mass * water2);
   sums.note_speed(speed2, i);
 }
 
-/// Whether a surface with water outside takes less of it than there is. It is wet then, and conducts like saturated
-/// soil, however dry the element behind it is on the mean.
+/// Whether a surface with outside water takes in less water than is available. Such a surface is wet and conducts like
+/// saturated soil, however dry the element behind it is on average.
 template <int D>
 bool drinks(const SurfaceNode<D>& surface, const TwoVelocityNode<D>& node, const PhaseVectors<D>& a, double dt) {
   if (!surface.supplies || !(node.water_mass > 0)) return false;
@@ -183,7 +184,7 @@ bool drinks(const SurfaceNode<D>& surface, const TwoVelocityNode<D>& node, const
   return flux < 0 && (surface.offered == 0 || flux > surface.offered * (1 - 1e-9));
 }
 
-/// A node that is held, at a wall, or on the surface. Fills in the damping forces.
+/// Accelerations of a node with supports, at a wall or on the surface. Writes the damping forces.
 template <int D>
 PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t, const TwoVelocityNode<D>& node,
                                  PhaseForces<D>& damping) {
@@ -206,7 +207,7 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   TwoVelocityNode<D> wetted = node;
   wetted.pair = PhasePair(node.solid_mass, node.whole_mass, node.content, t[C::resistance], o.mass_scaling, o.dt,
                           o.implicit_drag);
-  // Across the surface only: along it the water flows as the soil's mean lets it.
+  // Saturated conductivity applies across the surface only; along it, the mean relative conductivity of the soil does.
   const PhaseVectors<D> b = solve(wetted);
   double solid = 0, water = 0;
   for (int d = 0; d < D; ++d) {
@@ -220,8 +221,8 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   return a;
 }
 
-/// Work of damping, of drag, and of walls and supports: friction along the way, and the motion that is stopped. What
-/// the forces do beyond it reaches the points, or is lost on the way (theory 9).
+/// Adds the work of damping, of drag, and of walls and supports (friction along the way, and the motion that they
+/// stop). The other terms of the mapping loss are counted in the remap (T9.1).
 template <int D>
 void count_node_work(const StepOptions<D>& o, const TwoVelocityNode<D>& node, const PhaseForces<D>& damping,
                      const PhaseVectors<D>& a, bool held, PieceSums& sums) {
@@ -245,7 +246,7 @@ void count_node_work(const StepOptions<D>& o, const TwoVelocityNode<D>& node, co
   sums.mapping -= damped + drag + walls;
 }
 
-/// Nodes one by one, whatever meets at them.
+/// Solves the nodes [begin, end) one by one; handles every kind of node.
 template <int D>
 void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& sums) {
   using C = WetColumns<D>;

@@ -4,13 +4,13 @@
 namespace talus::mpm {
 namespace {
 
-/// Newton's method converges quadratically: after a step this small, relative to the suction, the next one would be
-/// round-off. What is left is an error of the pressure only; the mass is kept, and the next time step starts from it.
+/// Newton's method converges quadratically: after a step this small, relative to the suction, the next step would be
+/// round-off. The remaining error is in the pressure only; mass is conserved, and the next time step starts from it.
 constexpr double newton_tolerance = 1e-6;
 constexpr int most_iterations = 200;
 
-/// e^x for the small x of compressed water: by its series, or as it is in the lanes that are beyond it. A lane's bits
-/// must not depend on its neighbours: lanes without a point hold what was there before.
+/// e^x for the small x of compressed water by its series, by the exact function in lanes beyond its range. The result
+/// of a lane must not depend on its neighbours, because lanes without a point hold old values.
 template <class T>
 TALUS_KERNEL T find_stretch(T x) {
   const T series = 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120)))));
@@ -21,15 +21,15 @@ TALUS_KERNEL T find_stretch(T x) {
 template <class T>
 struct Suction {
   T pressure, saturation, capacity;
-  T effective, complement;  ///< of van Genuchten's curve, see SoilWater
+  T effective, complement;  ///< of van Genuchten's curve; see SoilWater
 };
 
-/// Unsaturated lanes: Newton's method, kept between bounds by bisection.
+/// Suction of unsaturated lanes by Newton's method, safeguarded by bisection.
 template <class T, class Curve>
 TALUS_KERNEL Suction<T> find_suction(const Curve& curve, double modulus, double full, T content, T guess,
                                      MaskOf<T> wanted) {
   const double inverse = 1 / modulus;
-  // Without the retention curve the water would be stretched this far, at most: -ln x < 1/x - 1.
+  // Upper bound: the suction at which water would expand this far without the retention curve, as -ln x < 1/x - 1.
   T low(0.0), high = modulus * (full / select(wanted, content, T(0.5 * full)) - 1.0);
   Suction<T> s{select(guess > low && guess < high, guess, lane_min(T(1.0), high)), T(full), T(0.0), T(1.0), T(-1.0)};
   auto moving = wanted;
@@ -42,7 +42,7 @@ TALUS_KERNEL Suction<T> find_suction(const Curve& curve, double modulus, double 
     const auto wetter = excess > T(0.0);
     low = select(moving && wetter, p, low);
     high = select(moving && !wetter, p, high);
-    // A step this small is taken even beyond a bound, which is round-off away from the root then.
+    // A step this small is taken even beyond a bound; the bound is then within round-off of the root.
     const auto converged = !(lane_abs(step) > newton_tolerance * p + 4e-16 * modulus);
     const auto inside = converged || (next > low && next < high);
     const auto far = low > T(0.0) && high > 16.0 * low;
@@ -57,8 +57,8 @@ TALUS_KERNEL Suction<T> find_suction(const Curve& curve, double modulus, double 
   return s;
 }
 
-/// The same for van Genuchten's curve, in y = ln p. Its series about the guess is as good as the curve itself, so one
-/// look at the curve is enough nearly always, and k_r follows without a further one.
+/// The same for van Genuchten's curve, in y = ln p. Its series about the guess is as accurate as the curve, so one
+/// evaluation of the curve nearly always suffices, and k_r needs no further one.
 template <class T>
 TALUS_KERNEL Suction<T> find_suction(const material::VanGenuchten& curve, double modulus, double full, T content,
                                      T guess, MaskOf<T> wanted) {
@@ -67,7 +67,7 @@ TALUS_KERNEL Suction<T> find_suction(const material::VanGenuchten& curve, double
   const auto lost = wanted && !(guess > low && guess < high);
   Suction<T> s{select(lost, lane_min(T(1.0), 0.5 * high), guess), T(full), T(0.0), T(1.0), T(0.0)};
   s.pressure = select(wanted, s.pressure, T(1.0));
-  if (any(lost)) {  // the suction of this saturation is a little too high, and Newton's method comes down from it
+  if (any(lost)) {  // the suction at this saturation is slightly too high; Newton's method descends from it
     const T e = lane_max(T(1e-9), (select(lost, content, T(full)) - curve.minimum) * (1 / range));
     const T u = lane_max(T(1e-30), lane_power(e, -1 / curve.lambda) - 1.0);
     const T start = lane_min(0.999999 * high, curve.reference * lane_power(u, 1 - curve.lambda));
@@ -83,13 +83,13 @@ TALUS_KERNEL Suction<T> find_suction(const material::VanGenuchten& curve, double
     const auto wetter = excess > T(0.0);
     low = select(moving && wetter, p, low);
     high = select(moving && !wetter, p, high);
-    // of F = S e^(-p/K) - content, over e^(-p/K): first and half the second derivative by y
+    // First and half the second derivative by y of F = S e^(-p/K) - content, over e^(-p/K).
     const T first = held * series.c1 - value * q;
     const T second =
         held * (0.5 * series.c1 * series.c1 + series.c2) - q * (held * series.c1 + 0.5 * value * (1.0 - q));
     const T reciprocal = 1.0 / first, newton = -(excess * reciprocal), bend = second * reciprocal;
     T y = lane_max(T(-2 * reach), lane_min(T(2 * reach), newton * (1.0 - bend * newton)));
-    // once more, on the series
+    // One more Newton step, on the series.
     const T x = q * (y * (1.0 + y * (0.5 + y * (1.0 / 6 + y * (1.0 / 24)))));
     const T there = curve.minimum + range * series.find_effective(y);
     const T rest = there * (1.0 - x * (1.0 - x * (0.5 - x * (1.0 / 6)))) - target;
@@ -111,7 +111,7 @@ TALUS_KERNEL Suction<T> find_suction(const material::VanGenuchten& curve, double
   return s;
 }
 
-/// See WaterLaw::dry: by bisection on a logarithmic scale.
+/// The suction WaterLaw::dry, by bisection on a logarithmic scale.
 double find_dry_suction(const WaterLaw& law) {
   constexpr double rest = 1e-3;
   const double least = material::saturation(law.retention, driest);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MUSL's nodal velocities of both phases, the flux between them, and the budget of the water.
+// Grid solve of the two-velocity formulation, second mapping of MUSL: nodal velocities of both phases (2.78, 2.79), the
+// flux between them, and the water budget.
 
 #include <cmath>
 
@@ -12,7 +13,8 @@
 namespace talus::mpm {
 namespace {
 
-/// Darcy's flux of a node whose water has no inertia: the force on it over its resistance, with what holds it.
+/// Darcy flux of a node whose water has no inertia: force over resistance, with the constraints of the water and the
+/// limits of the surface.
 template <int D>
 Vec<D> find_still_flux(const NodePass<D>& pass, int i, const double* t, const SurfaceNode<D>& surface) {
   using C = WetColumns<D>;
@@ -33,7 +35,8 @@ Vec<D> find_still_flux(const NodePass<D>& pass, int i, const double* t, const Su
   return flux;
 }
 
-/// Velocities of a node after the remap, its flux θ(w-v), and what passes through it.
+/// Velocity of the grains after the remap and the flux θ(w-v) of a node. Adds the water that passes through the node to
+/// `budgets`, or to `lost_between` at nodes that are on no surface.
 template <int D>
 PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, SurfaceBudget* budgets,
                            double& lost_between) {
@@ -80,8 +83,8 @@ PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, Surf
   return out;
 }
 
-/// Work of gravity, loads and outer water at a node, and what is lost of it on the way to the points, but for what
-/// solve_momentum() counts; both over Δt (theory 9).
+/// Over Δt: external work of gravity, loads and outside water at a node, and its part of the mapping loss except what
+/// solve_momentum() counts (T9.1) [J].
 template <int D>
 struct NodeWork {
   double external = 0, lost = 0;
@@ -109,7 +112,7 @@ struct NodeWork {
   }
 };
 
-/// Adds what the accelerations give to the points' momenta, as the nodes see it.
+/// Remap: adds Δt Σ_j M_ij a_j of both phases to the nodal momenta.
 template <int D>
 void add_momentum_changes(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
@@ -139,7 +142,7 @@ void add_momentum_changes(Body<D>& body, const StepOptions<D>& o) {
       for (int q = 0; q < moment_size<D>; ++q)
         m[q] = load<Pack>(&water.moments[first + static_cast<std::size_t>(q) * lane_width]);
       remap_element<D, Pack>(m, aw, o.dt, change);
-      // one run of columns from the grains' momentum to the water's: the force between them is not needed any more
+      // One run of columns from the grains' momentum to the water's; the forces between them are no longer needed.
       constexpr int run = C::water_momentum + D - C::momentum;
       TALUS_UNROLL
       for (int k = 0; k <= D; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What roots draw from an element, for a body B here or on a GPU.
+// Root uptake of an element (T16.4), for a body B here or on a GPU.
 
 #include <algorithm>
 
@@ -8,10 +8,10 @@
 
 namespace talus::mpm {
 
-/// At most this share of an element's water is drawn at once, whatever the rate.
+/// Largest fraction of an element's water that one uptake removes, whatever the rate.
 inline constexpr double most_drawn = 0.05;
 
-/// Weights of the points of element `e`.
+/// Sum of the uptake weights of the points of element `e` [m²] (2D: m).
 template <class B, class Uptake>
 TALUS_PORTABLE double sum_weights(const B& body, const Uptake& uptake, int e) {
   constexpr int width = B::width;
@@ -24,8 +24,8 @@ TALUS_PORTABLE double sum_weights(const B& body, const Uptake& uptake, int e) {
   return sum;
 }
 
-/// What roots draw [m³] from element `e` in `dt` seconds. `rates`: of the uptakes [m/s]; water_in(): what the element
-/// has [m³].
+/// Root uptake [m³] of element `e` in `dt` seconds. `rates`: of the uptakes [m/s]; water_in(): water of the element
+/// [m³].
 template <class B, class Uptakes, class Rates, class WaterIn>
 TALUS_PORTABLE double find_draw(const B& body, const Uptakes& uptakes, const Rates& rates, double dt, int e,
                                 const WaterIn& water_in) {

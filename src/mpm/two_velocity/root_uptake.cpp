@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roots draw water from elements through the same surplus by which elements exchange it (T16.4).
+// Root uptake of water from elements (T16.4), by the same surplus as the exchange between elements.
 #include "mpm/two_velocity/root_uptake.hpp"
 
 #include "mpm/two_velocity/root_kernels.hpp"
@@ -13,8 +13,8 @@
 namespace talus::mpm {
 namespace {
 
-/// Calls take(e, volume) with what roots draw [m³] from each wet element in `dt` seconds, and counts it. `water_in(e)`:
-/// what the element has [m³].
+/// Calls take(e, volume) with the root uptake [m³] of each wet element in `dt` seconds, and adds it to the budget.
+/// `water_in(e)`: water of the element [m³].
 template <int D, class WaterIn, class Take>
 void draw(Body<D>& body, int threads, double dt, WaterIn&& water_in, Take&& take) {
   Water<D>& water = body.water;

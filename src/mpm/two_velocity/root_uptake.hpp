@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Water that the roots of plants draw from the pores (docs/theory/16-season.md).
+// Uptake of pore water by plant roots (docs/theory/16-season.md).
 
 #include <string>
 #include <vector>
@@ -16,22 +16,22 @@ struct Body;
 template <int D>
 struct StepOptions;
 
-/// Plants that draw water through the points where their roots are. A point loses α(s) T(t) of its weight.
+/// Plants that draw water through the points of their root zone. A point loses α(s) T(t) times its weight.
 struct RootUptake {
   std::string name;
   input::TimeTable rate;       ///< T, potential per horizontal area of ground [m/s]
-  material::Feddes reduction;  ///< α, of the mean suction of the element
-  /// By point number: the ground, measured on the horizontal, that drinks through the point [m²] (2D: m). Goes with the
-  /// point, and with it is lost.
+  material::Feddes reduction;  ///< α, of the element's mean suction
+  /// By point number: horizontal ground area whose transpiration is drawn from the point [m²] (2D: m). It moves with
+  /// the point and is lost with it.
   std::vector<double> weight;
 };
 
-/// Adds to the water's surplus, which the next pass takes from the points, what roots draw until the surplus is found
-/// again, and counts it in Water::transpired. Nothing while the geometry is frozen.
+/// Adds the root uptake until the next call to the water's surplus, which the next pass removes from the points, and to
+/// Water::transpired. Does nothing while the geometry is frozen.
 template <int D>
 void draw_root_water(Body<D>& body, const StepOptions<D>& options);
 
-/// The same for the step of the mixture, in every step: writes water.mixture.drawn [m³] and counts Water::transpired.
+/// The same for the Darcy step, in every step: writes water.darcy.drawn [m³] and adds to Water::transpired.
 template <int D>
 void find_root_draw(Body<D>& body, const StepOptions<D>& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The two equations of a node: water and grains with the drag between them (T14.5, T14.6).
+// Solution of the two equations of a node: water and grains with the drag between them (T14.5, T14.6).
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 
 namespace talus::mpm {
 
-/// What is the same in all directions.
+/// Coefficients of the equations, the same in all directions.
 struct PhasePair {
   double solid, water;  ///< βM_s, βM_w [kg]; no water: water = 0
   double content;       ///< θ [-]
@@ -39,12 +39,12 @@ struct PhaseVectors {
   Vec<D> solid{}, water{};
 };
 
-/// Acceleration of the water when that of the grains, along the same axis, is known.
+/// Acceleration of the water along an axis on which that of the grains is known.
 inline double solve_water(const PhasePair& pair, double force, double relative, double solid_acceleration) {
   return (force - pair.drag * relative + pair.implicit * solid_acceleration) / (pair.water + pair.implicit);
 }
 
-/// Accelerations [m/s²] under `f` of a node that nothing holds.
+/// Accelerations [m/s²] of a node without constraints under `f` (T14.6).
 template <int D>
 TALUS_KERNEL PhaseVectors<D> solve_free_phases(const PhasePair& pair, const PhaseForces<D>& f,
                                                const PhaseVectors<D>& now) {
@@ -64,7 +64,7 @@ TALUS_KERNEL PhaseVectors<D> solve_free_phases(const PhasePair& pair, const Phas
   return a;
 }
 
-/// The same where phases are held: they take the speed `now` of their points within Δt.
+/// The same with fixed directions: a fixed phase takes the velocity that its points bring, a = -v/Δt with `now`.
 template <int D>
 PhaseVectors<D> solve_held_phases(const PhasePair& pair, const HeldAxes<D>& held, const PhaseForces<D>& f,
                                   const PhaseVectors<D>& now, double dt) {
@@ -96,7 +96,7 @@ PhaseVectors<D> solve_held_phases(const PhasePair& pair, const HeldAxes<D>& held
   return a;
 }
 
-/// The water alone, when the grains have the accelerations `solid`.
+/// Accelerations of the water alone when those of the grains are `solid`.
 template <int D>
 Vec<D> solve_water_alone(const PhasePair& pair, const HeldAxes<D>& held, const Vec<D>& force,
                          const PhaseVectors<D>& now, const std::type_identity_t<Vec<D>>& solid, double dt) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where wet soil ends, and the pressure of the water outside.
+// Search of the open sides of wet soil, and the forces of outside water on them (T14.12).
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ std::vector<Content> find_contents_of_all(const Body<D>& body) {
   return join_lists(body, std::move(own));
 }
 
-/// Of each element without wet soil whether it is outside, by itself or through its neighbours.
+/// By element without wet soil: whether it is outside, regardless of its neighbours or through them.
 template <int D>
 std::vector<std::uint8_t> find_outside(const Body<D>& body, const std::vector<Content>& contents) {
   const mesh::Mesh<D>& mesh = body.mesh();
@@ -48,8 +48,8 @@ std::vector<std::uint8_t> find_outside(const Body<D>& body, const std::vector<Co
   return outside;
 }
 
-/// A side of a wet element is open when the outside is behind it, unless its nodes all hold the water. Every rank looks
-/// at the whole body, and keeps the sides that touch its nodes.
+/// Finds the open sides: the outside is behind them, and their nodes do not all fix the water along the normal. Every
+/// rank examines the whole body and stores the sides that touch its nodes.
 template <int D>
 void find_open_sides(Body<D>& body) {
   Water<D>& water = body.water;
@@ -76,15 +76,15 @@ void find_open_sides(Body<D>& body) {
       if (!body.share || body.share->is_near[e]) water.open_sides.push_back(side);
     }
   }
-  // Where the open sides of a node's elements close round it, as those of a lone element do, their sum is round-off,
-  // and the sides that touch the node say where outside is.
+  // Where the open sides of a node's elements close around it, as those of an isolated element do, the sum of their
+  // area vectors is round-off, and the sum over the sides that touch the node defines the outward direction.
   for (std::size_t i = 0; i < size.size(); ++i) {
     if (norm(water.facing[i]) <= closed_share * size[i]) water.facing[i] = touching[i];
   }
   water.surface_is_stale = false;
 }
 
-/// Mean pressure of the elements at the surface round each of its nodes: what limits evaporation.
+/// By surface node: mean pressure of its elements with an open side, which limits evaporation.
 template <int D>
 void find_suctions(Body<D>& body) {
   Water<D>& water = body.water;
@@ -104,7 +104,7 @@ void find_suctions(Body<D>& body) {
   }
 }
 
-/// Those of the elements with open sides. Several ranks exchange them before they are asked for.
+/// Filled parts of the elements with open sides, after the halo exchange.
 template <int D>
 class Fillings {
  public:
@@ -127,8 +127,8 @@ class Fillings {
   std::vector<Filling<D>> known_;
 };
 
-/// Forces of the water outside, linear along a side between the pressures at its nodes, where all of them have such a
-/// condition: on the water; on the mixture when it presses.
+/// Forces of outside water on open sides with pressure at all their nodes, linear between the nodes: on the water, and
+/// on the mixture where the pressure is compressive.
 template <int D>
 void load_open_sides(Body<D>& body, bool mixed, const OuterWater<D>& outer) {
   Water<D>& water = body.water;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Where wet soil ends and what the water outside presses, element by element, for a body B here or on a GPU.
+// Kernels of the surface of wet soil and of the pressure of outside water on it, element by element, for a body B here
+// or on a GPU (theory 14, Conditions).
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace talus::mpm {
 
-/// What an element holds.
+/// Content of an element.
 enum class Content : char { nothing, dry_soil, wet_soil };
 template <class B>
 TALUS_PORTABLE Content find_content(const B& body, int e) {
@@ -20,14 +21,14 @@ TALUS_PORTABLE Content find_content(const B& body, int e) {
   return body.points.count[e] > 0 ? Content::dry_soil : Content::nothing;
 }
 
-/// Whether the water of node `i` may not move along the unit vector `n`.
+/// Whether the water of node `i` is fixed along the unit vector `n`.
 template <class W, std::size_t D>
 TALUS_PORTABLE bool is_held(const W& water, int i, const std::array<double, D>& n) {
   const int c = water.constraint_of_node[i];
   return c >= 0 && norm(remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, n)) < 1e-9;
 }
 
-/// Whether the nodes of the side opposite node `k` of element `e` all hold the water along its normal.
+/// Whether the water of all nodes of the side opposite node `k` of element `e` is fixed along the side's normal.
 template <class B>
 TALUS_PORTABLE bool is_closed(const B& body, int e, int k) {
   constexpr int D = B::dimension;
@@ -40,10 +41,10 @@ TALUS_PORTABLE bool is_closed(const B& body, int e, int k) {
   return closed;
 }
 
-/// Whether an element without wet soil is outside, whatever its neighbours are. Where shear parts the points of a thin
-/// band, elements inside the soil are left without one: such a gap is no surface, and no water leaves there. A group of
-/// neighbours is outside when one of them touches no wet soil, holds dry soil, or has a side of the mesh that lets
-/// water through. `touches`: of each node whether it is one of a wet element.
+/// Whether an element without wet soil is outside regardless of its neighbours. Elements of a thin shear band inside
+/// the soil may lose their points; such a gap is no surface, and no water leaves there. A group of neighbours is
+/// outside when one of them touches no wet soil, holds dry soil, or has a side of the mesh that is open to water.
+/// `touches`: by node, whether it belongs to a wet element.
 template <class B, class Touches>
 TALUS_PORTABLE bool is_outside_by_itself(const B& body, int e, Content content, const Touches& touches) {
   const auto& mesh = body.mesh();
@@ -55,15 +56,15 @@ TALUS_PORTABLE bool is_outside_by_itself(const B& body, int e, Content content, 
   return is_far || lets_through || content == Content::dry_soil;
 }
 
-/// Whether the side opposite node `k` of the wet element `e` is open: the outside is behind it, unless its nodes all
-/// hold the water.
+/// Whether the side opposite node `k` of the wet element `e` is open: the outside is behind it, and its nodes do not
+/// all fix the water along its normal.
 template <class B, class Outside>
 TALUS_PORTABLE bool is_open(const B& body, int e, int k, const Outside& outside) {
   const int behind = body.mesh().neighbours[e][k];
   return !((behind >= 0 && !outside[behind]) || is_closed(body, e, k));
 }
 
-/// What each node has of the side opposite node `k` of element `e`, outwards [m²].
+/// Area vector of each node's part of the side opposite node `k` of element `e`, pointing outwards [m²].
 template <template <int> class M, int D>
 TALUS_PORTABLE Vec<D> find_side_share(const M<D>& mesh, int e, int k) {
   Vec<D> share = mesh::find_shape_gradient(mesh, e, k);
@@ -71,8 +72,8 @@ TALUS_PORTABLE Vec<D> find_side_share(const M<D>& mesh, int e, int k) {
   return share;
 }
 
-/// Whether node `k` of element `e` has a share of the open side opposite node `opposite`: a side with a node under a
-/// skin is a part of that, and of no other surface.
+/// Whether node `k` of element `e` has a part of the open side opposite node `opposite`. A side with a node under an
+/// impervious skin belongs to the skin and to no other surface.
 template <class B>
 TALUS_PORTABLE bool has_share(const B& body, int e, int opposite, int k) {
   if (k == opposite) return false;
@@ -84,7 +85,8 @@ TALUS_PORTABLE bool has_share(const B& body, int e, int opposite, int k) {
   return skin == is_skin(k);
 }
 
-/// What the points of an element fill of it: Σ V N_i of wet points [m³], and whether it is integrated as a whole.
+/// The part of an element that its points fill: Σ V N_i of wet points [m³], and whether the element is integrated as a
+/// whole.
 template <int D>
 struct Filling : std::array<double, D + 2> {
   TALUS_PORTABLE bool is_full() const { return this->back() != 0; }
@@ -120,15 +122,15 @@ TALUS_PORTABLE Filling<B::dimension> find_filling(const B& body, int e, bool mix
   return moment;
 }
 
-/// A side behind which there is water at all of its nodes.
+/// An open side with outside water at all its nodes.
 template <int D>
 struct PressedSide {
   int element, opposite;
-  int like = -1;             ///< its last node; -1: there is not
+  int like = -1;             ///< its last node; -1: the side is not pressed
   double pressure[D + 1]{};  ///< at its nodes [Pa]
 };
 
-/// That opposite node `opposite` of element `e`.
+/// The open side opposite node `opposite` of element `e`, with the outside pressures at its nodes.
 template <class B, int D = B::dimension>
 TALUS_PORTABLE PressedSide<D> find_pressed_side(const B& body, int e, int opposite, const OuterWater<D>& outer) {
   PressedSide<D> side{e, opposite};
@@ -143,10 +145,11 @@ TALUS_PORTABLE PressedSide<D> find_pressed_side(const B& body, int e, int opposi
   return side;
 }
 
-/// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
-/// soil is behind, nothing changes: ∮ p̂ N_i n dA over the soil's surface differs from that over the element's by
-/// ∫ div(p̂ N_i) dV over what the soil does not fill. `side`: one of its open sides, whose last node has the condition
-/// of the others. Calls add(k, on_water, on_darcy) with forces [N] on its nodes.
+/// Correction for an element that is not full (T14.12): its soil, and with it the outside pressure, ends inside the
+/// element. Sides with other soil behind them change nothing: ∮ p̂ N_i n dA over the soil's surface differs from that
+/// over the element's by ∫ div(p̂ N_i) dV over the part that the soil does not fill. `side`: an open side of the
+/// element; its last node has the condition of the other nodes. Calls add(k, on_water, on_darcy) with forces [N] on its
+/// nodes.
 template <class B, class Add, int D = B::dimension>
 TALUS_PORTABLE void load_inside(const B& body, const PressedSide<D>& side, const Filling<D>& filling,
                                 const OuterWater<D>& outer, Add&& add) {
@@ -159,7 +162,7 @@ TALUS_PORTABLE void load_inside(const B& body, const PressedSide<D>& side, const
   Vec<D> gradient[D + 1];
   for (int k = 0; k <= D; ++k) gradient[k] = mesh::find_shape_gradient(mesh, e, k);
   const double of_node = mesh.volumes[e] / (D + 1);
-  double missing[2] = {};  // ∫ p̂ dV over the points less that over the element: of the water, of the mixture
+  double missing[2] = {};  // ∫ p̂ dV over the points minus that over the element: of the water, of the mixture
   Vec<D> slope[2] = {};
   for (int k = 0; k <= D; ++k) {
     const double p[2] = {pressure[k], std::min(0.0, pressure[k])};
@@ -177,8 +180,8 @@ TALUS_PORTABLE void load_inside(const B& body, const PressedSide<D>& side, const
   }
 }
 
-/// Forces of the water outside on a side, linear along it between the pressures at its nodes: on the water; on the
-/// mixture when it presses. `share`: what each node has of the side [m²].
+/// Forces of outside water on a side, with pressure linear between its nodes: on the water, and on the mixture where
+/// the pressure is compressive. `share`: area vector of each node's part of the side [m²].
 template <int D, class Add>
 TALUS_PORTABLE void load_side(const PressedSide<D>& side, const std::type_identity_t<Vec<D>>& share, Add&& add) {
   double sum = 0;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which water law the lanes of a block follow: one for all, or one per lane under masks; the counterpart of laws.hpp.
+// Selection of the water law for the lanes of a block: one for all, or one per lane under masks; the counterpart of
+// laws.hpp.
 
 #include "mpm/body/body.hpp"
 #include "mpm/two_velocity/pore_state.hpp"
 
 namespace talus::mpm {
 
-/// Every point of the block is of one material.
+/// All points of the block are of one material.
 struct OneWater {
   const WaterLaw* law;
   double conductivity_factor;
@@ -34,14 +35,14 @@ struct OneWater {
   }
 };
 
-/// Lanes may differ; `material` holds each lane's material number. Laws: as the body has them.
+/// Lanes may have different laws; `material` is the material number of each lane. Laws: the list type of the body.
 template <class Laws>
 struct ManyWaters {
   const Laws* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
   double conductivity_factor;
 
-  /// Calls work(law, lanes of it) for each wet material of the block.
+  /// Calls work(law, mask of its lanes) for each wet material of the block.
   template <class T, class Work>
   TALUS_KERNEL void visit(T material, Work&& work) const {
     for (std::uint32_t m = 0; m < laws->size(); ++m) {
@@ -61,7 +62,7 @@ struct ManyWaters {
           [&](const WaterLaw& law, MaskOf<T> mine) { inverse = select(mine, T(1 / law.grain_density), inverse); });
     return inverse;
   }
-  /// ρ_w g/k of the saturated soil [N s/m⁴]; 0 of dry soil.
+  /// ρ_w g/k of the saturated soil [N s/m⁴]; 0 in dry soil.
   template <class T>
   T get_resistance(T material) const {
     T resistance(0.0);
@@ -90,11 +91,11 @@ struct ManyWaters {
   }
 };
 
-/// The water laws that go with the constitutive law `Law` (OneLaw or ManyLaws) of a block's lanes.
+/// Water laws that correspond to the constitutive law `Law` (OneLaw or ManyLaws) of a block's lanes.
 template <class Law>
 using WaterLanes = std::conditional_t<Law::is_single, OneWater, ManyWaters<std::vector<WaterLaw>>>;
 
-/// Those of block `b`.
+/// The water laws of block `b`.
 template <class Law, int D>
 WaterLanes<Law> get_block_water(const Body<D>& body, int b, double conductivity_factor) {
   const std::uint32_t present = body.laws.size() == 1 ? 1u : body.points.block_materials[static_cast<std::size_t>(b)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Water at the surface of the wet soil: where the surface is, and how much may pass through it (page 14, "Conditions").
+// Hydraulic conditions at the surface of wet soil: the surface of a node, the flux that is offered there, and the limit
+// on inflow (theory 14, Conditions).
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,9 @@
 
 namespace talus::mpm {
 
-/// Shares of a node smaller than this are no surface: round-off, or the quadrature error of crowded points.
+/// Fraction below which a node's area is round-off or the quadrature error of crowded points, and no surface.
 inline constexpr double surface_share = 1e-3;
-/// Evaporation ends gradually over this share of its limiting suction.
+/// Evaporation decreases to zero over this fraction of its limiting suction.
 inline constexpr double evaporation_taper = 0.1;
 
 /// `f` without its components along `count` fixed directions (unit vectors, orthonormal).
@@ -25,7 +26,7 @@ TALUS_KERNEL Vec<D> remove_fixed(const Vec<D>* fixed, int count, std::type_ident
   return f;
 }
 
-/// The unit vector against gravity; zero without gravity.
+/// Unit vector against gravity; zero without gravity.
 template <int D>
 TALUS_PORTABLE Vec<D> find_up(const Vec<D>& gravity) {
   const double g = norm(gravity);
@@ -34,19 +35,19 @@ TALUS_PORTABLE Vec<D> find_up(const Vec<D>& gravity) {
   return up;
 }
 
-/// What a node knows of its water and its surroundings when water passes.
+/// Surface of a node, and the condition on the water that passes it.
 template <int D>
 struct SurfaceNode {
   const SurfaceCondition* condition = nullptr;  ///< nullptr: the node is on no surface
   Vec<D> normal{};                              ///< unit, out of the soil
   double area = 0;                              ///< [m²]
-  double offered = 0;                           ///< q̂·n, negative inwards [m/s]
-  bool limits = false;                          ///< the condition may correct the flux
-  bool always = false;                          ///< it does so in both directions
-  bool supplies = false;                        ///< there is water outside: rain, or standing water
+  double offered = 0;                           ///< given flux q̂·n, negative inwards [m/s]
+  bool limits = false;                          ///< the condition may limit the flux
+  bool always = false;                          ///< the flux is prescribed in both directions
+  bool supplies = false;                        ///< outside water is present: rain, or standing water
 };
 
-/// Level above which the node stands [m]; negative: it is dry.
+/// Depth of the node below the water level [m]; negative: the node is dry.
 template <int D>
 TALUS_PORTABLE double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
   double height = 0;
@@ -54,8 +55,8 @@ TALUS_PORTABLE double find_submergence(double level, const Vec<D>& up, const Vec
   return level - height;
 }
 
-/// Flux that rain, evaporation or a given flux offer at time `t` [s] where the surface has the unit normal `normal`
-/// outwards and the soil below it this suction [Pa]; negative inwards [m/s].
+/// Flux q̂_n [m/s], negative inwards, of rain, evaporation or a given flux at time `t` [s], for the outward unit normal
+/// `normal` and the suction [Pa] of the soil below the surface.
 template <int D, class Condition>
 TALUS_PORTABLE double find_offered_flux(const Condition& condition, const Vec<D>& normal, double suction,
                                         const std::type_identity_t<Vec<D>>& up, double t) {
@@ -68,7 +69,7 @@ TALUS_PORTABLE double find_offered_flux(const Condition& condition, const Vec<D>
   return -value * std::clamp(left, 0.0, 1.0);
 }
 
-/// Water that stands outside.
+/// Standing water outside the soil.
 template <int D>
 struct OuterWater {
   double unit_weight;  ///< [N/m³]
@@ -78,7 +79,7 @@ struct OuterWater {
       : unit_weight(density * norm(gravity)), up(find_up<D>(gravity)) {}
 };
 
-/// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
+/// Pressure [Pa] of outside water at node `i` under the condition of node `like`; nullopt where there is none.
 template <class B, int D = B::dimension>
 TALUS_PORTABLE std::optional<double> find_outer_pressure(const B& body, int i, int like, const OuterWater<D>& outer) {
   const auto& c = body.water.surfaces[body.water.surface_of_node[like]];
@@ -89,8 +90,7 @@ TALUS_PORTABLE std::optional<double> find_outer_pressure(const B& body, int i, i
   return std::nullopt;
 }
 
-/// The surface at node `i` with the part `outside` of it (Σ V̄ ∇N), at time `t` [s]. `up` is the unit vector against
-/// gravity.
+/// The surface at node `i` at time `t` [s]. `outside` is its area vector Σ V̄ ∇N, `up` the unit vector against gravity.
 template <int D>
 SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outside, double scale,
                                  const std::type_identity_t<Vec<D>>& up, double t) {
@@ -133,9 +133,9 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
   return s;
 }
 
-/// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, puts the
-/// relative velocity right (T14.11). What a phase may not do there its supports take. Changes `v` and `w` [m/s] and
-/// returns whether it did.
+/// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, corrects the
+/// relative velocity (T14.11). Fixed directions take no impulse; supports bear it. Updates `v` and `w` [m/s] and
+/// returns whether they changed.
 template <int D>
 // NOLINTNEXTLINE(readability-function-size): two phases, each with its mass and velocity
 bool limit_inflow(const Body<D>& body, int i, const SurfaceNode<D>& s, double solid_mass, double water_mass,
