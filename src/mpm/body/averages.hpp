@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What elements give to a nodal average and take from it. `first`: the first lane of a block.
+// Nodal averages of element values and back (2.94, 2.95). `first` is the first lane of a block.
 
 #include "mpm/body/body.hpp"
 #include "mpm/body/node_rows.hpp"
 
 namespace talus::mpm {
 
-/// Elements with a point that keeps a gap.
+/// Mask of the elements with a point that keeps a gap.
 template <class B, class T = typename B::Lanes>
 TALUS_KERNEL MaskOf<T> is_apart(const B& body, std::size_t first) {
   return load<T>(&body.elements.apart[first]) > T(0.0);
 }
 
-/// Elements that take part in nodal averages: they hold points, and none of these keeps a gap. Soil that has come apart
-/// hands no volume change on, and averaging over it would make energy (theory 4).
+/// Mask of the elements that take part in nodal averages: they hold points, none of which keeps a gap. Averaging over
+/// separated soil would create energy (theory 4).
 template <class B, class T = typename B::Lanes>
 TALUS_KERNEL MaskOf<T> takes_part(const B& body, std::size_t first) {
   return load<T>(&body.points.count[first]) > T(0.0) && !is_apart(body, first);
 }
 
-/// Share of what averaging takes that an element keeps for one step, as a viscosity of what no node feels (T4.5).
+/// Fraction of what averaging removes that an element keeps for one step, a viscosity on null modes of the volume
+/// change (T4.5).
 inline constexpr double kept_share = 0.25;
 
-/// The volumetric strain increment of the elements of a block under stable smoothing, from their `own` and the nodal
-/// `average` of what is elastic of it (T4.4, T4.5). `rough`: what averaging took, for the next step.
+/// Volumetric strain increment of the elements of a block with smoothing "stable", from their `own` increment and the
+/// nodal `average` of its elastic part (T4.4, T4.5). `rough` receives r_e for the next step.
 template <class B, class T = typename B::Lanes>
 TALUS_KERNEL T join_dilation(const B& body, std::size_t first, T own, T average, T& rough) {
   const T plastic = load<T>(&body.elements.plastic_dilation[first]);
@@ -32,7 +33,7 @@ TALUS_KERNEL T join_dilation(const B& body, std::size_t first, T own, T average,
   return average + plastic + kept_share * (rough - load<T>(&body.elements.rough[first]));
 }
 
-/// Mean over the nodes of the elements of a body of a column of rows that are Stride doubles long.
+/// Mean over the nodes of the elements of a block, of one column of rows that are Stride doubles long.
 template <class B, int Stride>
 TALUS_KERNEL typename B::Lanes find_node_mean(const double* column, const int* rows) {
   constexpr int D = B::dimension;
@@ -45,7 +46,7 @@ TALUS_KERNEL typename B::Lanes find_node_mean(const double* column, const int* r
   return mean;
 }
 
-// Nodal averages of element values (2.94). Rows hold pairs: Σ value·weight, and Σ weight.
+// Nodal averages of element values (2.94). Rows hold pairs of Σ value·weight and Σ weight.
 
 /// Calls work(b, rows) for all blocks of chunk `c` that hold points.
 template <int D, class Work>
@@ -55,12 +56,12 @@ void for_blocks_of(const Body<D>& body, int c, Work&& work) {
     if (body.points.block_used[b] > 0)
       work(b, &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)]);
 }
-/// The same for all chunks.
+/// The same for all chunks of this rank.
 template <int D, class Work>
 void for_blocks(const Body<D>& body, int threads, Work&& work) {
   for_chunks(body, threads, [&](int c) { for_blocks_of(body, c, work); });
 }
-/// The same where they fill `rows`, which then are complete: see for_chunks_and_update().
+/// The same for work that fills `rows`, which are complete on return; see for_chunks_and_update().
 template <int D, class Work>
 void for_blocks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                            const Work& work) {
@@ -79,8 +80,8 @@ TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, c
   }
 }
 
-/// Divides the averages of all nodes, whose rows are complete, by their weights, into rows of Stride doubles, and
-/// empties them.
+/// Divides the sums of all nodes, whose rows are complete, by their weights, writes the averages into rows of Stride
+/// doubles and zeroes the sums.
 template <int Columns, int Stride, int D>
 void divide_averages(const Body<D>& body, int threads, AlignedVector<double>& average, double* smoothed) {
   const Layout<D>& layout = *body.layout;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Special members of Body and Water, compiled once.
 #include "mpm/body/body.hpp"
 
 namespace talus::mpm {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Everything the explicit engine computes with, as plain data. Functions over it are free and stand in the files named
-// after the lines of the step (step.hpp).
+// State of the explicit MPM engine as plain data. Functions over it are free and are in the files named after the
+// phases of the step (step.hpp).
 //
-// Elements are taken in blocks of lane_width consecutive ones, one element per lane. The points of a block lie in its
-// slots: slot k holds the k-th point of each lane, field after field, each field one pack (sliced ELL). Blocks are cut
-// into a fixed number of chunks; a node that several chunks touch has one row in each of them, and rows of a node are
-// summed in the order of the chunks. So nothing depends on the number of threads.
+// Elements are grouped in blocks of lane_width consecutive elements, one element per lane. The points of a block are in
+// its slots: slot k holds the k-th point of each lane, field after field, each field one pack (sliced ELL). Blocks are
+// partitioned into a fixed number of chunks. A node that several chunks touch has one row in each of them, and the rows
+// of a node are summed in the order of the chunks, so results do not depend on the number of threads.
 
 #include <cstdint>
 #include <memory>
@@ -23,30 +23,30 @@
 
 namespace talus::mpm {
 
-/// Σm, Σmξ_k, Σmξ_kξ_j (k <= j): what the consistent mass matrix of a linear simplex is made of.
+/// Number of moments Σm, Σmξ_k, Σmξ_kξ_j (k <= j) of an element, from which its consistent mass matrix follows (T2.4).
 template <int D>
 inline constexpr int moment_size = (D + 1) * (D + 2) / 2;
 
-/// Doubles of a node row. `sums`: m, p, f; `motion`: a, v.
+/// Number of doubles in a node row. `sums`: m, p, f; `motion`: a, v.
 inline constexpr int sums_stride = 8;
 template <int D>
 inline constexpr int motion_stride = D == 2 ? 4 : 8;
 
-/// What follows from the mesh alone; shared by all bodies on it. [block] arrays hold one pack per entry.
+/// Everything that follows from the mesh alone; shared by all bodies on it. [block] arrays have one pack per entry.
 template <int D>
 struct Layout {
   mesh::Mesh<D> mesh;
   int blocks = 0, chunks = 0, rows = 0;
-  std::vector<int> chunk_start;           ///< first block of each chunk, [chunks + 1]
-  AlignedVector<int> connectivity;        ///< [block][D+1][lane] node row
-  std::vector<int> chunk_row;             ///< first row of each chunk, [chunks + 1]
-  std::vector<int> node_start;            ///< first node whose first row is the chunk's or a later one's, [chunks + 1]
-  bool is_ordered = true;                 ///< nodes stand in the order of the chunks of their first rows
+  std::vector<int> chunk_start;     ///< first block of each chunk, [chunks + 1]
+  AlignedVector<int> connectivity;  ///< [block][D+1][lane] node row
+  std::vector<int> chunk_row;       ///< first row of each chunk, [chunks + 1]
+  std::vector<int> node_start;      ///< first node whose first row is in the chunk or in a later one, [chunks + 1]
+  bool is_ordered = true;           ///< nodes are in the order of the chunks of their first rows
   std::vector<int> row_start, node_rows;  ///< rows of node i: node_rows[row_start[i] … row_start[i+1])
   AlignedVector<double> gradients;        ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
   AlignedVector<double> volumes;          ///< [block][lane] V_e [m³, or m² per metre]
 
-  /// Rows of Nodes::motion and of averages: those of the sums, each with the whole of a node.
+  /// Rows of a node in Nodes::motion and in averages: the same rows as in the sums, each with the full nodal value.
   TALUS_KERNEL int count_motion_rows(int node) const { return row_start[node + 1] - row_start[node]; }
   TALUS_KERNEL int motion_row(int node, int k) const { return node_rows[row_start[node] + k]; }
 };
@@ -69,13 +69,13 @@ struct Points : PointFields<D> {
   std::vector<std::int64_t> block_start;        ///< first slot of each block
   std::vector<int> block_capacity, block_used;  ///< slots a block owns, and the highest one in use
   AlignedVector<double> count;                  ///< [block][lane] points in the element
-  std::vector<std::uint32_t> block_materials;   ///< bit set of the materials a block holds
+  std::vector<std::uint32_t> block_materials;   ///< bit set of the materials in a block
 
   // By point number.
   std::vector<int> element;           ///< -1 when the point has left the grid, or is on another rank
   AlignedVector<std::int64_t> place;  ///< slot * lane_width + lane
   AlignedVector<std::uint8_t> material;
-  AlignedVector<Vec<D>> reference;                               ///< where displacements are counted from [m]
+  AlignedVector<Vec<D>> reference;                               ///< position from which displacements are measured [m]
   AlignedVector<std::array<double, stress_size>> strain_offset;  ///< strain of the point minus that of its element [-]
 
   int size() const { return static_cast<int>(element.size()); }
@@ -83,7 +83,7 @@ struct Points : PointFields<D> {
   const double* slot(std::int64_t s) const { return data.data() + s * fields * lane_width; }
 };
 
-/// Slots of block `b` that hold points.
+/// Number of slots of block `b` that hold points.
 template <int D>
 TALUS_KERNEL int count_slots(const Points<D>& points, int b) {
   return points.block_used[b];
@@ -93,15 +93,16 @@ TALUS_KERNEL int count_slots(const Points<D>& points, int b) {
 template <int D>
 struct Elements {
   AlignedVector<double> moments;     ///< [moment_size] [kg]
-  AlignedVector<double> strain;      ///< [stress_size] strain summed since the element exists [-]
+  AlignedVector<double> strain;      ///< [stress_size] sum of the strain increments of the element since the start [-]
   AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
-  AlignedVector<double> apart;       ///< 1 where a point keeps a gap: such soil takes no part in nodal averages
-  AlignedVector<double> rough;  ///< what averaging took from the last elastic volume increment (stable smoothing) [-]
-  AlignedVector<double> plastic_dilation;  ///< of the last step's returns, mean over the points (stable smoothing) [-]
-  // Where softening has a length (step/softening.hpp), else empty; of the last step.
+  AlignedVector<double> apart;       ///< 1 where a point keeps a gap; such elements take no part in nodal averages
+  AlignedVector<double> rough;  ///< elastic volume increment removed by averaging in the last step, r_e of (T4.5) [-]
+  AlignedVector<double> plastic_dilation;  ///< Δθ_e, V_p-weighted mean plastic dilation of the last step (T4.4) [-]
+  // With nonlocal averaging (step/softening.hpp), else empty; values of the last step.
   AlignedVector<double> softened, softening_volume;  ///< Σ V_p Δε and Σ V_p of points of soil that softens [m³]
-  AlignedVector<double> lent;                        ///< what its points take over beside their own [-]
-  AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
+  AlignedVector<double> lent;                        ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2) [-]
+  AlignedVector<double>
+      held_saturation;  ///< S of hydrostatic pore water, with one phase in motion [-]; empty: no water
 };
 
 template <int D>
@@ -109,22 +110,22 @@ struct Nodes {
   AlignedVector<double> sums;        ///< [row][sums_stride]: m [kg], p [kg m/s], -f_int [N]
   AlignedVector<double> motion;      ///< [row][motion_stride]: a [m/s²], v [m/s]
   AlignedVector<double> average;     ///< [row][2]: Σ value V_e, Σ V_e of a nodal average
-  AlignedVector<double> smoothed;    ///< [row] a nodal average
-  std::vector<Vec<D>> load;          ///< forces of tractions at the start of the step [N]; empty when there are none
-  double motion_step = 0;            ///< Δt of the step that `motion` is of [s]
+  AlignedVector<double> smoothed;    ///< [row] nodal average
+  std::vector<Vec<D>> load;          ///< tractions at the start of the step [N]; empty when there are none
+  double motion_step = 0;            ///< Δt of the step that computed `motion` [s]
   std::vector<Vec<D>> displacement;  ///< frozen geometry: summed v Δt [m]
 };
 
-/// Work and dissipation since the start of the run [J, per metre in 2D]. Positive when energy enters the soil, except
-/// `dissipated` and `damped`, which are lost energy.
+/// Work and dissipation since the start of the run [J, per metre in 2D]; theory 9. Positive when energy enters the
+/// soil, except `dissipated` and `damped`, which are energy lost.
 struct Work {
   double external = 0;    ///< gravity and tractions
   double damped = 0;      ///< local damping (2.89)
-  double dissipated = 0;  ///< plastic
-  double walls = 0;       ///< friction of walls, and what walls and supports stop; below zero where they push
-  double mapping = 0;     ///< lost between points and nodes
-  double drag = 0;        ///< of the flow between water and grains
-  double pore_water = 0;  ///< done on the pore water: pressed, under suction, or passed out with its pressure
+  double dissipated = 0;  ///< plastic work
+  double walls = 0;       ///< friction of walls, and motion that walls and supports stop; negative where a wall pushes
+  double mapping = 0;     ///< mapping loss between points and nodes (T9.1)
+  double drag = 0;        ///< drag between water and grains
+  double pore_water = 0;  ///< work on the pore water: stored by compression or suction, or carried out with it (T9.2)
 
   Work operator-(const Work& o) const {
     return {external - o.external, damped - o.damped, dissipated - o.dissipated, walls - o.walls,
@@ -132,7 +133,7 @@ struct Work {
   }
 };
 
-/// Quantities of the last step that rest and failure are judged by; nodal, over free directions.
+/// Measures of rest and failure in the last step (theory 5); nodal, over free directions.
 struct Monitor {
   double out_of_balance = 0;  ///< ‖F_ext+G-F_int‖₂ [N]
   double external = 0;        ///< ‖F_ext+G‖₂ [N]
@@ -141,10 +142,10 @@ struct Monitor {
   int fastest_node = -1;
 };
 
-/// Wall time spent in the lines of the step [s].
+/// Wall time of the phases of the step [s].
 struct Timing {
   double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
-  double device = 0, transfer = 0;  ///< whole steps on a device, and bringing the body there and back
+  double device = 0, transfer = 0;  ///< whole steps on a device, and transfers of the body to and from it
 
   Timing& operator+=(const Timing& other) {
     solve_momentum += other.solve_momentum;
@@ -168,13 +169,13 @@ struct Lost {
 
 struct SofteningReach;  // step/softening.hpp
 template <int D>
-struct Share;  // share.hpp
+struct Share;  // partition.hpp
 
 template <int D>
 struct Body {
-  // What the lines of a step ask of a body: this one, or that of a thread of a GPU.
+  // Interface that the kernels of the step require of a body; ThreadBody has it on a GPU.
   static constexpr int dimension = D, width = lane_width;  ///< elements of a block
-  static constexpr bool adds_to_sums = true;               ///< rows of sums belong to several elements
+  static constexpr bool adds_to_sums = true;               ///< rows of sums are shared by several elements
   using Lanes = Pack;
 
   std::shared_ptr<const Layout<D>> layout;
@@ -182,8 +183,8 @@ struct Body {
   std::vector<std::string> material_names;
   Conditions<D> conditions;
   Points<D> points;
-  std::shared_ptr<const Share<D>> share;                  ///< null: all of it is calculated here
-  std::shared_ptr<const SofteningReach> softening_reach;  ///< null: soil softens element by element
+  std::shared_ptr<const Share<D>> share;                  ///< part of this rank; null: the whole body is computed here
+  std::shared_ptr<const SofteningReach> softening_reach;  ///< null: softening is local
   Elements<D> elements;
   Nodes<D> nodes;
   Water<D> water;
@@ -193,11 +194,11 @@ struct Body {
   Timing timing;
   double time = 0;  ///< [s]
   std::int64_t step_count = 0;
-  double smallest_mass = 0;  ///< of a point [kg]; nodes far below it are left out
+  double smallest_mass = 0;  ///< of a point [kg]; nodes far below it do not move
 
   const mesh::Mesh<D>& mesh() const { return layout->mesh; }
 
-  // Compiled once, in body.cpp: the files that hold one would each compile them again.
+  // Defined once in body.cpp; otherwise every file that uses a Body would compile these members again.
   Body();
   Body(const Body&);
   Body(Body&&) noexcept;

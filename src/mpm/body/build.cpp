@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Construction of layouts and bodies, nodal sums from scratch (P2G at the start of a stage), and messages that
+// broadcast a body without its fields.
 #include "mpm/body/build.hpp"
 
 #include <algorithm>
@@ -18,8 +20,9 @@ namespace talus::mpm {
 
 namespace {
 
-/// A chunk should be worth a thread's waking up, and there should be enough of them for many threads. Of a large body
-/// they grow, as nodes between chunks cost more; beyond that their number does, for many ranks.
+/// A chunk must be large enough to be worth starting a thread, and there must be enough chunks for many threads. In
+/// large bodies chunks grow first, because nodes between chunks cost more; above points_per_large_chunk their number
+/// grows, for many ranks.
 constexpr int points_per_chunk = 8192, points_per_large_chunk = 65536;
 constexpr int most_small_chunks = 64;
 
@@ -71,7 +74,7 @@ void number_rows(Layout<D>& layout) {
     }
     for (int e = begin; e < layout.chunk_start[c + 1] * lane_width; ++e) {
       for (int k = 0; k <= D; ++k) {
-        // Lanes behind the last element point at some row of the chunk and add zero to it.
+        // Lanes after the last element refer to some row of the chunk and add zero to it.
         const int node = e < elements ? mesh.elements[e][k] : mesh.elements[begin][k];
         const std::size_t at =
             (static_cast<std::size_t>(e / lane_width) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
@@ -94,7 +97,7 @@ void number_rows(Layout<D>& layout) {
   }
 }
 
-/// The water's laws; every surface is a seepage face.
+/// Sets the water laws; every surface is a seepage face.
 template <int D>
 void set_water_laws(Body<D>& body, const std::vector<WaterLaw>& laws) {
   Water<D>& water = body.water;
@@ -268,10 +271,10 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   body.water.darcy.is_used = darcy;
   if (darcy) {
     body.water.surface_is_stale = true;
-  } else if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
+  } else if (body.water.is_wet()) {  // with the forces of the water, in rows of their own
     clear(body.water.sums);
     clear(body.water.volume);
-    body.water.darcy.pressure.clear();  // nobody would renew them
+    body.water.darcy.pressure.clear();  // they are not updated in this formulation
     body.water.darcy.ponded.clear();
     body.water.darcy.own.clear();
     body.water.darcy.change.clear();
@@ -327,7 +330,7 @@ void visit_members(Visit&& visit, L& load) {
 
 namespace {
 
-/// Which fields there are: those that only some bodies have.
+/// Which optional fields a body has.
 struct Extent {
   int points = 0;
   bool softens_over_length = false, holds_saturation = false;
@@ -401,7 +404,7 @@ Body<D> copy_description(const Body<D>& body) {
 
 template <int D>
 std::shared_ptr<const Layout<D>> broadcast_layout(std::shared_ptr<const Layout<D>> layout) {
-  // List by list, as each is large.
+  // List by list, because each is large.
   mesh::Mesh<D> mesh;
   std::vector<int> chunks;
   if (layout) mesh = layout->mesh, chunks = layout->chunk_start;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the
-// case.
+// Boundary conditions in the form that the step uses: per constrained node and per traction, resolved from the names of
+// the case.
 
 #include <cstdint>
 #include <type_traits>
@@ -12,14 +12,14 @@
 
 namespace talus::mpm {
 
-/// What may not happen at one node: motion along `fixed` unit vectors (orthonormal, the first `fixed_count`) but that
-/// of what holds it, and motion into a frictional wall.
+/// Constraint of one node (theory 8): no motion along the `fixed` unit vectors (orthonormal, the first `fixed_count`)
+/// other than that of the support, and none into a frictional wall.
 template <int D>
 struct Constraint {
   int fixed_count = 0;
   Vec<D> fixed[D]{};
-  Vec<D> drive{};   ///< velocity of what holds the node [m/s], in the span of `fixed`, times a factor
-  int factor = -1;  ///< index into Conditions::factors; -1: it stands
+  Vec<D> drive{};   ///< velocity of the support [m/s], in the span of `fixed`, at factor 1
+  int factor = -1;  ///< index into Conditions::factors; -1: the support does not move
   bool has_wall = false;
   Vec<D> wall_normal{};  ///< unit, out of the soil
   double friction = 0;   ///< Coulomb's μ of the wall [-]
@@ -41,12 +41,12 @@ template <int D>
 struct Conditions {
   std::vector<int> constraint_of_node;     ///< index into constraints, or -1
   std::vector<Constraint<D>> constraints;  ///< each belongs to one node
-  std::vector<std::uint8_t> pressed;       ///< by constraint: the wall stopped the node in this step's accelerations
-  std::vector<input::TimeTable> factors;   ///< of what holds nodes and moves
+  std::vector<std::uint8_t> pressed;  ///< by constraint: the wall stopped the node in the accelerations of this step
+  std::vector<input::TimeTable> factors;  ///< over time, of moving supports
   std::vector<Load<D>> loads;
 };
 
-/// The velocity [m/s] of what holds a node, at time `t` [s]. C: Conditions, or those on a GPU.
+/// Velocity [m/s] of a node's support at time `t` [s]. C: Conditions, or those on a GPU.
 template <class C, int D>
 TALUS_PORTABLE Vec<D> find_drive(const C& conditions, const Constraint<D>& c, double t) {
   if (c.factor < 0) return {};
@@ -56,7 +56,7 @@ TALUS_PORTABLE Vec<D> find_drive(const C& conditions, const Constraint<D>& c, do
   return v;
 }
 
-/// The velocity [m/s] that a node may have at time `t` [s] instead of `wanted`.
+/// Admissible velocity [m/s] of a node at time `t` [s] that would move with `wanted` without the constraint (T8.1).
 template <class C, int D>
 TALUS_PORTABLE Vec<D> constrain_velocity(const C& conditions, const Constraint<D>& c,
                                          std::type_identity_t<Vec<D>> wanted, double t) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Node loops: pieces of nodes, sums over the rows of a node, and what a constraint leaves of a force.
+// Node loops: pieces of nodes, sums over the rows of a node, and the free part of forces and velocities under a
+// constraint.
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +11,14 @@
 
 namespace talus::mpm {
 
-/// Adds N values from column First on to the sums of the k-th nodes of the elements of block `b`.
+/// P2G: adds N values from column First on to the sums of the k-th nodes of the elements of block `b`.
 template <int N, int First, int D>
 TALUS_KERNEL void add_to_sums(Body<D>& body, int b, int k, const Pack* values) {
   const std::size_t at = (static_cast<std::size_t>(b) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
   add_rows<N, First>(body.nodes.sums.data(), &body.layout->connectivity[at], values);
 }
 
-/// The first N sums of a node, over the chunks that hold a row of it. Rows are Stride doubles long.
+/// The first N sums of a node, over the rows that it has in chunks. Rows are Stride doubles long.
 template <int N, int Stride, class Array>
 TALUS_KERNEL void sum_rows(const Array& sums, const int* rows, int count, double* t) {
   const double* s = sums.data() + static_cast<std::int64_t>(rows[0]) * Stride;
@@ -30,7 +31,7 @@ TALUS_KERNEL void sum_rows(const Array& sums, const int* rows, int count, double
   }
 }
 
-/// Share of `f` that acts along the free directions of a node.
+/// Component of `f` in the free directions of a node.
 template <int D>
 TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D>> f) {
   for (int k = 0; k < c.fixed_count; ++k) {
@@ -40,8 +41,8 @@ TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D
   return f;
 }
 
-/// Share of a force that neither the fixed directions nor a wall that presses back can take: a block that sticks to a
-/// frictional wall is at rest.
+/// Component of a force that neither the fixed directions nor a pressed wall, friction included, can bear: a block that
+/// sticks to a frictional wall is at rest.
 template <int D>
 TALUS_PORTABLE Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity_t<Vec<D>> f) {
   if (c.has_wall && pressed) {
@@ -53,8 +54,9 @@ TALUS_PORTABLE Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std
   return free_part(c, f);
 }
 
-/// Velocity after the remap under a constraint. What a wall holds does not leave it within the step: the remap mixes in
-/// neighbours' accelerations, and a rebound from them would strain the soil without the work of any force.
+/// Velocity after the remap under a constraint. A node that a wall stopped does not leave the wall within the same
+/// step: the remap mixes in the accelerations of neighbours, and a rebound from them would strain the soil without the
+/// work of any force.
 template <class C, std::size_t D>
 TALUS_PORTABLE std::array<double, D> constrain_remapped(const C& conditions, int c, std::array<double, D> v, double t) {
   const auto& k = conditions.constraints[static_cast<std::size_t>(c)];
@@ -65,19 +67,19 @@ TALUS_PORTABLE std::array<double, D> constrain_remapped(const C& conditions, int
   return k.has_wall || k.factor >= 0 ? constrain_velocity(conditions, k, v, t) : free_part(k, v);
 }
 
-/// What the pieces of a node loop sum up.
+/// Sums over a piece of a node loop.
 struct PieceSums {
   double damped = 0, walls = 0, drag = 0, mapping = 0;
   double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
   int fastest = -1;
 
-  /// A NaN must win, or an unstable run would look calm.
+  /// NaN wins over any number; otherwise an unstable run would pass for one at rest.
   TALUS_PORTABLE void note_speed(double of_node2, int node) {
     if (of_node2 <= speed2 || std::isnan(speed2)) return;
     speed2 = of_node2;
     fastest = node;
   }
-  /// Those of the next piece.
+  /// Adds the sums of the next piece.
   TALUS_PORTABLE void add(const PieceSums& next) {
     damped += next.damped;
     walls += next.walls;
@@ -90,8 +92,8 @@ struct PieceSums {
   }
 };
 
-/// Calls solve(begin, end, sums) for the pieces of the nodes, whose `rows` are complete, and adds their sums up in
-/// their order.
+/// Calls solve(begin, end, sums) for the pieces of the nodes after the halo exchange of `rows`, and adds their sums in
+/// the order of the pieces.
 template <int D, class Solve>
 void solve_pieces(Body<D>& body, int threads, AlignedVector<double>& rows, int stride, bool monitor, Solve&& solve) {
   body.conditions.pressed.resize(body.conditions.constraints.size());

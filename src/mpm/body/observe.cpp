@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Read access to single points and sums of a body on the CPU.
 #include "mpm/body/observe.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ LargestDisplacement find_largest_displacement(const Body<D>& body) {
     if (!is_present(body, id)) continue;
     const double u = norm(find_displacement(body, id, read_xi(body, find_fields(body, id))));
     if (!(u <= largest.value)) largest = {u, id};
-    if (std::isnan(u)) break;  // it must win
+    if (std::isnan(u)) break;  // NaN wins over any number
   }
   return largest;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Reading points, for a body B here or on a GPU.
+// Kernels that read points, for a body B here or on a GPU.
 
 #include "mesh/mesh.hpp"
 #include "mpm/body/observe.hpp"
@@ -10,7 +10,7 @@
 
 namespace talus::mpm {
 
-/// Pointer to field 0 of a point; field i is i * B::width behind it.
+/// Pointer to field 0 of a point; field i is i * B::width after it.
 template <class B>
 TALUS_PORTABLE const double* find_fields(const B& body, int id) {
   const std::int64_t place = body.points.place[static_cast<std::size_t>(id)];
@@ -25,7 +25,7 @@ TALUS_PORTABLE auto read_xi(const B& /*body*/, const double* fields) {
   return xi;
 }
 
-/// Displacement of the point from its reference, plus what the nodes moved while the geometry was frozen.
+/// Displacement of a point from its reference [m], plus that of the nodes while the geometry was frozen.
 template <class B, int D = B::dimension>
 TALUS_PORTABLE Vec<D> find_displacement(const B& body, int id, const std::type_identity_t<Vec<D>>& xi) {
   const int e = body.points.element[static_cast<std::size_t>(id)];

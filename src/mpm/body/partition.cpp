@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Partition of a body over ranks: halos of a rank, scatter of chunks from rank 0, and gather of the whole body.
 #include "mpm/body/partition.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
   }
   for (int c = first; c < last; ++c) (is_outer[c] ? share->outer : share->inner).push_back(c);
   std::vector<Guest> elements, near_nodes;
-  std::vector<std::uint8_t> is_read(touched.size(), 0);  // nodes of elements that touch these
+  std::vector<std::uint8_t> is_read(touched.size(), 0);  // nodes of elements that touch nodes of these chunks
   for (int e = 0; e < body.mesh().element_count(); ++e) {
     const auto& of_element = body.mesh().elements[e];
     const bool near = std::any_of(of_element.begin(), of_element.end(), [&](int i) { return touched[i] != 0; });
@@ -79,7 +80,8 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
   return share;
 }
 
-/// Calls visit(array, first, count) for what a rank owns of the arrays of a body: by element, by row, by node.
+/// Calls visit(array, first, count) for the part of each array of a body that these chunks own: by element, by row, by
+/// node.
 template <int D, class B, class Visit>
 void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
   const Layout<D>& layout = *body.layout;
@@ -127,13 +129,12 @@ void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
   visit(body.points.block_materials.data() + block, last - block);
 }
 
-/// The first element of a chunk.
 template <int D>
 int first_element(const Layout<D>& layout, int chunk) {
   return std::min(layout.chunk_start[static_cast<std::size_t>(chunk)] * lane_width, layout.mesh.element_count());
 }
 
-/// The numbers of points in the elements [first, last).
+/// Numbers of points of the elements [first, last).
 template <int D>
 std::vector<int> list_counts(const Points<D>& points, int first, int last) {
   std::vector<int> counts;
@@ -141,7 +142,7 @@ std::vector<int> list_counts(const Points<D>& points, int first, int last) {
   return counts;
 }
 
-/// The points of the elements [first, last): their numbers and what they carry, element by element.
+/// Writes number and fields of the points of the elements [first, last), element by element.
 template <int D>
 void put_points(const Points<D>& points, int first, int last, Message& message) {
   for (int e = first; e < last; ++e)
@@ -170,7 +171,7 @@ void get_points(Message& message, int first_element, const std::vector<int>& cou
     }
 }
 
-/// Slots in each block for the numbers of points in the elements from `first` on.
+/// Raises used[b] to the slots that block b needs for the given numbers of points of the elements from `first` on.
 void count_slots(const std::vector<int>& counts, int first, std::vector<int>& used) {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     int& most = used[(static_cast<std::size_t>(first) + i) / lane_width];
@@ -178,7 +179,7 @@ void count_slots(const std::vector<int>& counts, int first, std::vector<int>& us
   }
 }
 
-/// What the elements [first, last) soften with.
+/// Writes the nonlocal neighbours and weights of the elements [first, last).
 void put_reach(const SofteningReach& reach, int first, int last, Message& message) {
   const std::int64_t begin = reach.start[static_cast<std::size_t>(first)],
                      end = reach.start[static_cast<std::size_t>(last)];
@@ -198,13 +199,13 @@ std::shared_ptr<const SofteningReach> get_reach(Message& message, int first, int
   return reach;
 }
 
-/// A chunk of a body, with its points.
+/// Writes the fields and points of a chunk.
 template <int D>
 void put_chunk(const Body<D>& body, int c, Message& message) {
   put_points(body.points, first_element(*body.layout, c), first_element(*body.layout, c + 1), message);
   visit_own<D>(body, c, c + 1, [&](const auto* values, std::size_t count) { message.put(values, count); });
 }
-/// Into a body with room for `counts` points in its elements.
+/// Reads them into a body with slots for `counts` points in its elements.
 template <int D>
 void get_chunk(Message& message, int c, const std::vector<int>& counts, Body<D>& body) {
   const int first = first_element(*body.layout, c), last = first_element(*body.layout, c + 1);
@@ -212,14 +213,14 @@ void get_chunk(Message& message, int c, const std::vector<int>& counts, Body<D>&
   visit_own<D>(body, c, c + 1, [&](auto* values, std::size_t count) { message.get(values, count); });
 }
 
-/// What rank 0 makes for each rank.
+/// Scatters one message to each rank; rank 0 makes them with make(rank).
 Bytes deal_one_each(Ranks& ranks, const std::function<Bytes(int)>& make) {
   Bytes mine;
   ranks.deal({ranks.size(), [](int rank) { return rank; }, make, [&](int, Bytes bytes) { mine = std::move(bytes); }});
   return mine;
 }
 
-/// Fills this rank's chunks with what rank 0 has there.
+/// Scatter: fills the chunks of this rank from the whole body of rank 0.
 template <int D>
 void take_chunks(const Body<D>* whole, Ranks& ranks, const std::vector<int>& chunk_of_rank, Body<D>& body) {
   const Layout<D>& layout = *body.layout;
@@ -254,7 +255,7 @@ void take_chunks(const Body<D>* whole, Ranks& ranks, const std::vector<int>& chu
               }});
 }
 
-/// What other ranks have of the elements and nodes round those here.
+/// Halo exchange of the elements and nodes around those of this rank.
 template <int D>
 void update_surroundings(Body<D>& body) {
   update_counts(body);
@@ -270,7 +271,7 @@ void update_surroundings(Body<D>& body) {
     if (!field->empty()) update_nodes(body, *field);
 }
 
-/// What every rank has of the water as a whole, and room for what each has a part of.
+/// Copies the totals of the water, which every rank has, and allocates the arrays of which each rank has a part.
 template <int D>
 void copy_totals(const Water<D>& share, Water<D>& whole) {
   whole.budgets = share.budgets;
@@ -331,7 +332,7 @@ Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, cons
   return body;
 }
 
-/// What all ranks have of a body, but for its fields.
+/// Copies what all ranks have of a body: everything except its fields.
 template <int D>
 void copy_common(const Body<D>& share, Body<D>& whole) {
   if (share.water.is_wet()) copy_totals(share.water, whole.water);
@@ -354,7 +355,7 @@ void collect(const Body<D>& share, bool to_all, Body<D>* whole) {
   std::vector<int> counts;
   for (Bytes& bytes : ranks.gather(mine.take(), to_all))
     for (const int n : Message(std::move(bytes)).get_list<int>()) counts.push_back(n);
-  if (!counts.empty()) {  // the whole body comes here
+  if (!counts.empty()) {  // gathers the whole body on this rank
     copy_common(share, *whole);
     std::vector<int> used(static_cast<std::size_t>(whole->layout->blocks), 0);
     count_slots(counts, 0, used);

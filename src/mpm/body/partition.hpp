@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One rank's share of a body: consecutive chunks, with the points in their elements. A shared body has the layout and
-// the numbers of the whole one, and is filled where its rank works, which alone takes memory (base/aligned.hpp): its
-// chunks, and of the nodes between chunks also the rows of other ranks. As chunks are what is summed up, and in their
-// order, all numbers are those of a single process.
+// Partition of a body over ranks. The part of a rank is consecutive chunks with the points in their elements. Its body
+// has the layout and the numbering of the whole body; only the fields of its own chunks, and the rows of other ranks at
+// the nodes between chunks, are filled and take memory (base/aligned.hpp). Sums are taken by chunk and in the order of
+// the chunks, so results are bitwise identical to those of one process.
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@ template <int D>
 struct Share {
   Ranks* ranks = nullptr;
   std::vector<int> chunk_of_rank;          ///< first chunk of each rank, [ranks + 1]
-  std::vector<std::array<int, 2>> guests;  ///< ranges of nodes that touch these chunks, and are summed up by others
-  std::unique_ptr<Halo> rows;              ///< of nodes between ranks
-  std::unique_ptr<Halo> elements;          ///< of other ranks that touch a node of these chunks
-  std::unique_ptr<Halo> nodes;             ///< of these elements that other ranks sum up
-  std::unique_ptr<Halo> reach;             ///< elements that these soften with; null without a length
+  std::vector<std::array<int, 2>> guests;  ///< ranges of nodes that touch these chunks and are summed by other ranks
+  std::unique_ptr<Halo> rows;              ///< rows of nodes between ranks
+  std::unique_ptr<Halo> elements;          ///< elements of other ranks that touch a node of these chunks
+  std::unique_ptr<Halo> nodes;             ///< nodes of these elements that other ranks sum
+  std::unique_ptr<Halo> reach;             ///< elements within nonlocal reach of these; null without nonlocal averaging
   std::vector<int> outer, inner;           ///< own chunks with rows that other ranks need, and without
   std::vector<std::uint8_t> is_near;       ///< by element: it touches a node of these chunks
 
@@ -31,19 +31,19 @@ struct Share {
   int last_chunk() const { return chunk_of_rank[static_cast<std::size_t>(ranks->rank()) + 1]; }
 };
 
-/// The chunks [first, last) that are worked on here.
+/// The chunks [first, last) of this rank.
 template <int D>
 std::array<int, 2> own_chunks(const Body<D>& body) {
   if (!body.share) return {0, body.layout->chunks};
   return {body.share->first_chunk(), body.share->last_chunk()};
 }
 
-/// Which of the intervals that begin at `starts` an item is in.
+/// Index of the interval, of those that start at `starts`, that contains an item.
 inline int find_interval(const std::vector<int>& starts, int item) {
   return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), item) - starts.begin()) - 1;
 }
 
-/// The elements [first, last) of these chunks.
+/// The elements [first, last) of this rank's chunks.
 template <int D>
 std::array<int, 2> own_elements(const Body<D>& body) {
   const auto [first, last] = own_chunks(body);
@@ -53,21 +53,21 @@ std::array<int, 2> own_elements(const Body<D>& body) {
   return {element(first), element(last)};
 }
 
-/// Calls work(c) for the chunks that are worked on here.
+/// Calls work(c) for the chunks of this rank.
 template <int D, class Work>
 void for_chunks(const Body<D>& body, int threads, Work&& work) {
   const auto [first, last] = own_chunks(body);
   parallel_for(last - first, threads, [&, begin = first](int i) { work(begin + i); });
 }
 
-/// First node of piece `c`: the nodes whose first row belongs to that chunk.
+/// First node of piece `c`, which is the nodes whose first row belongs to that chunk.
 template <int D>
 int first_node(const Body<D>& body, int c) {
   return body.layout->node_start[static_cast<std::size_t>(c)];
 }
 
-/// Calls work(begin, end, c) for the pieces of the nodes that are worked on here; c is -1 for nodes of other ranks'
-/// pieces, whose sums are counted there.
+/// Calls work(begin, end, c) for the pieces of nodes on this rank; c is -1 for nodes of other ranks' pieces, whose sums
+/// are counted on those ranks.
 template <int D, class Work>
 void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
   const auto [first, last] = own_chunks(body);
@@ -83,7 +83,7 @@ void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
 
 namespace detail {
 
-// Compiled once, however many loops call it: a copy that is inlined elsewhere may be contracted to other fused
+// Never inlined, so that it is compiled once for all loops: an inlined copy might be contracted to different fused
 // operations.
 template <class Work, class... Arguments>
 [[gnu::noinline]] void work_on(const Work& work, Arguments... arguments) {
@@ -92,8 +92,8 @@ template <class Work, class... Arguments>
 
 }  // namespace detail
 
-/// Calls work(c) for the chunks that are worked on here, which fill `rows`; then rows of other ranks are up to date.
-/// They travel while chunks that no other rank touches are worked on.
+/// Calls work(c) for the chunks of this rank, which fill `rows`, and updates the rows of other ranks. Their halo
+/// exchange overlaps with the work on chunks that no other rank touches.
 template <int D, class Work>
 void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                            const Work& work) {
@@ -109,8 +109,8 @@ void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<doubl
   share.rows->end();
 }
 
-/// The same as for_node_pieces() with rows of other ranks up to date: they travel while nodes are worked on that need
-/// none.
+/// Like for_node_pieces(), with the rows of other ranks updated first. The halo exchange overlaps with the work on
+/// nodes that need none of them.
 template <int D, class Work>
 void update_and_for_node_pieces(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                                 const Work& work) {
@@ -133,7 +133,7 @@ void update_and_for_node_pieces(const Body<D>& body, int threads, AlignedVector<
   });
 }
 
-/// An array by node or by element as the functions below take it, of numbers or of vectors.
+/// Adapts an array by node or by element, of numbers or of vectors, to a halo exchange.
 template <class Array>
 HaloArray as_halo(Array& array) {
   using Item = typename Array::value_type;
@@ -143,25 +143,25 @@ HaloArray as_halo(Array& array) {
     return {array.empty() ? nullptr : array.front().data(), sizeof(Item) / sizeof(double)};
 }
 
-/// What other ranks have found for the elements that touch a node here, in arrays by element.
+/// Halo exchange of arrays by element: values of other ranks for the elements that touch a node of this rank.
 template <int D, class... Arrays>
 void update_elements(const Body<D>& body, Arrays&... arrays) {
   if (body.share) body.share->elements->update({as_halo(arrays)...});
 }
-/// What they have found for the nodes of these elements, in arrays by node. With these two a loop over elements may
-/// read all nodes of its elements, and one over nodes all elements round them with their nodes.
+/// Halo exchange of arrays by node: values of other ranks for the nodes of these elements. After both, a loop over
+/// elements may read all nodes of its elements, and a loop over nodes all elements around them with their nodes.
 template <int D, class... Arrays>
 void update_nodes(const Body<D>& body, Arrays&... arrays) {
   if (body.share) body.share->nodes->update({as_halo(arrays)...});
 }
 
-/// Numbers of points in the elements of other ranks beside those here.
+/// Halo exchange of the numbers of points per element.
 template <int D>
 void update_counts(Body<D>& body) {
   update_elements(body, body.points.count);
 }
 
-/// What other ranks have of a list with `per` items for every chunk.
+/// Completes a list of `per` items per chunk with the entries of the other ranks' chunks.
 template <int D, class T>
 void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk, std::size_t per = 1) {
   if (!body.share) return;
@@ -176,7 +176,7 @@ void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk, std::size_t 
   }
 }
 
-/// A list that every rank has a part of, in the order of the ranks.
+/// Concatenates the lists of all ranks, in the order of the ranks.
 template <int D, class T>
 std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
   if (!body.share) return mine;
@@ -190,7 +190,7 @@ std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
   return all;
 }
 
-/// Whether it is so on any rank.
+/// Whether `here` is true on any rank.
 template <int D>
 bool is_any(const Body<D>& body, bool here) {
   if (!body.share) return here;
@@ -198,19 +198,21 @@ bool is_any(const Body<D>& body, bool here) {
   return std::any_of(all.begin(), all.end(), [](char c) { return c != 0; });
 }
 
-/// What a step has to do in each chunk, in points: those of this rank's chunks, and an element costs a little.
+/// Cost of a step by chunk, in points, for the chunks of this rank; an element adds a small cost.
 template <int D>
 std::vector<double> count_work(const Body<D>& body);
 
-/// First chunk of each of so many ranks, [ranks + 1], such that each has about as much of `work`, by chunk.
+/// Partitions chunks over ranks so that each has about the same `work` (by chunk). Returns the first chunk of each
+/// rank, [ranks + 1].
 std::vector<int> divide_chunks(const std::vector<double>& work, int ranks);
 
-/// The share of this rank, of a body that rank 0 has as a whole (elsewhere null); chunk_of_rank as of divide_chunks().
-/// Throws Error (wrong_input) for a mesh whose nodes are not in the order of their elements.
+/// Scatters the body that rank 0 has as a whole (`whole`; null elsewhere) and returns the part of this rank;
+/// chunk_of_rank as of divide_chunks(). Throws Error (wrong_input) for a mesh whose nodes are not in the order of their
+/// elements.
 template <int D>
 Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank);
 
-/// Puts the whole body together again, in what the shares were taken of: on rank 0 (elsewhere null), or on all ranks.
+/// Gathers the whole body into the one that was scattered: on rank 0 (`whole` is null elsewhere), or on all ranks.
 template <int D>
 void collect(const Body<D>& share, bool to_all, Body<D>* whole);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Slots of the points: removal, insertion, growth of blocks and packing.
 #include "mpm/body/slots.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ std::int64_t slot_count(const Points<D>& points) {
   return static_cast<std::int64_t>(points.id.size()) / lane_width;
 }
 
-/// Copies the slots in use of a block to `target` and notes the new places of their points.
+/// Copies the used slots of a block to `target` and updates the places of their points.
 template <int D>
 void copy_block(Points<D>& points, int b, AlignedVector<double>& data, std::vector<int>& id, std::int64_t target) {
   const std::int64_t source = points.block_start[b], used = points.block_used[b];
