@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Critical time steps of one phase (2.84) and of the two-velocity formulation (2.85-2.88), over all ranks.
 #include "mpm/step/critical_step.hpp"
 
 #include <algorithm>

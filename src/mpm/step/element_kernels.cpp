@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Instances of the element kernels for a Body in 2D and 3D.
 #include "mpm/step/element_kernels.hpp"
 
 namespace talus::mpm {

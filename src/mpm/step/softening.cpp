@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Nonlocal averaging of softening (theory 23): search of neighbours, weights, and the correction of each element.
 #include "mpm/step/softening.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The step of MPM as the sequence of its phases: grid solve, remap, smoothing, G2P and P2G, relocation, loads.
 #include "mpm/step/step.hpp"
 
 #include <algorithm>
