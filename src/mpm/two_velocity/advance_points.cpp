@@ -73,8 +73,7 @@ struct WetSlot {
   TALUS_KERNEL Pack update_water(WetPass<D>& pass, const WetBlock<D, Law>& block, const Update& update,
                                  const SlotPoints<Body<D>>& points) {
     wet = block.lanes.is_wet(points.material);
-    const Pack grains =
-        points.mass * block.lanes.get_inverse_grain_density(points.material);  // volume of the grains [m³]
+    const Pack grains = points.mass * block.lanes.get_inverse_grain_density(points.material);  // volume [m³]
     const Pack pores = points.volume - grains;
     pore = block.shared_pore;
     mass = block.per_pores * pores;
@@ -190,13 +189,13 @@ struct WetBlock {
       grains += select(active, load<Pack>(p + P::mass * lane_width), Pack(0.0));
       water += select(active, load<Pack>(w + W::mass * lane_width), Pack(0.0));
     }
-    grains *= lanes.get_inverse_grain_density(element.material);  // volume of the grains [m³]
+    grains *= lanes.get_inverse_grain_density(element.material);  // volume [m³]
     const Pack volume = select(wet, element.volume, Pack(1.0));
     const Pack saturation = load<Pack>(&pass.body.water.mean_saturation[at.first]);
     stretch = select(wet, load<Pack>(&pass.body.layout->volumes[at.first]) / volume, Pack(1.0));
     const Pack lost = find_lost(stretch, saturation, !moving);
-    const double* first_point = points.slot(points.block_start[at.b]) +
-                                first_field * lane_width;  // its pressure is that of all points of the element
+    // The pressure of the first point is that of all points of the element.
+    const double* first_point = points.slot(points.block_start[at.b]) + first_field * lane_width;
     const Pack old_content = water / (pass.density * (volume - grains));
     water -= pass.density * volume * lost;
     if (!moving) pass.pressed_in -= select(wet, pass.density * volume * stretch * volumetric * saturation, Pack(0.0));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pressure of pore water from its content (T14.7), by Newton's method with bisection, and the storage of a soil.
 #include "mpm/two_velocity/pore_state.hpp"
 
 namespace talus::mpm {

@@ -38,8 +38,7 @@ struct WaterLaw {
   double full = 1;                ///< S of the saturated soil [-]
   double saturated_relative = 1;  ///< k_r there [-]
   bool drains = false;  ///< releases water under suction; otherwise the compressibility of water is the only storage
-  double dry =
-      driest / 10;  ///< suction at which all but a thousandth of the drainable water is released, at most 100 MPa [Pa]
+  double dry = driest / 10;  ///< suction at which all but a thousandth is released, at most 100 MPa [Pa]
 };
 
 enum class SurfaceKind {
