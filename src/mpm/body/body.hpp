@@ -96,13 +96,12 @@ struct Elements {
   AlignedVector<double> strain;      ///< [stress_size] sum of the strain increments of the element since the start [-]
   AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
   AlignedVector<double> apart;       ///< 1 where a point keeps a gap; such elements take no part in nodal averages
-  AlignedVector<double> rough;  ///< elastic volume increment removed by averaging in the last step, r_e of (T4.5) [-]
+  AlignedVector<double> rough;  ///< r_e of (T4.5), elastic volume increment that averaging removed in the last step [-]
   AlignedVector<double> plastic_dilation;  ///< Δθ_e, V_p-weighted mean plastic dilation of the last step (T4.4) [-]
   // With nonlocal averaging (step/softening.hpp), else empty; values of the last step.
   AlignedVector<double> softened, softening_volume;  ///< Σ V_p Δε and Σ V_p of points of soil that softens [m³]
   AlignedVector<double> lent;                        ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2) [-]
-  AlignedVector<double>
-      held_saturation;  ///< S of hydrostatic pore water, with one phase in motion [-]; empty: no water
+  AlignedVector<double> held_saturation;  ///< S of hydrostatic pore water, one phase moving [-]; empty: no water
 };
 
 template <int D>
