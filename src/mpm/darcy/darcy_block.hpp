@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the pass over the points asks of the mixture: points are as heavy as soil and water, under effective stresses,
-// and have the water that solve_pressures() leaves them.
+// Hooks of the pass over the points in the Darcy (u-p) formulation: points have the mass of soil and water and
+// effective stresses, and their water follows from solve_pressures().
 
 #include <utility>
 
@@ -11,7 +11,7 @@
 
 namespace talus::mpm {
 
-/// A block of soil and the water that goes with it.
+/// Hooks for a block of soil that moves with its water.
 template <class Pass, class Law>
 struct DarcyBlock {
   using B = typename Pass::B;
@@ -25,13 +25,13 @@ struct DarcyBlock {
   double density;
   ElementMotion<D, T> motion;
   T volumetric, growth;
-  T pushed;      ///< strain that the pressures work on, which is not smoothed [-]
+  T pushed;      ///< Δε_vol without smoothing, on which the pressures do work [-]
   T stretch;     ///< V_e/Σ V_p of full elements
-  T share;       ///< what every pore loses [-]
-  T content;     ///< of every pore of a full element, at the start [-]
-  T saturation;  ///< at the element's pressure at the start of the step
-  T pressure;    ///< and that at its end [Pa]
-  T seeping[D];  ///< the water against the grains [m/s]
+  T share;       ///< water lost per pore volume (T22.6) [-]
+  T content;     ///< water per pore volume of a full element, at the start of the step [-]
+  T saturation;  ///< at the element's pressure at the start of the step [-]
+  T pressure;    ///< at the end of the step [Pa]
+  T seeping[D];  ///< Darcy flux, relative to the grains [m/s]
   MaskOf<T> wet;
 
   TALUS_KERNEL DarcyBlock(const Pass& pass, const Place& at)
@@ -64,7 +64,7 @@ struct DarcyBlock {
     pass.give_rows(at, out);
   }
 
-  /// The water of the points of a slot.
+  /// Pore water of the points of a slot.
   struct Slot {
     double* fields;
     T old_volume, mass;
@@ -81,7 +81,7 @@ struct DarcyBlock {
       mass = load<T>(fields + W::mass * width);
       if constexpr (Update::mixed) mass = select(update.element.full, block.density * block.content * pores, mass);
       mass = mass - block.density * pores * block.share;
-      if (!pass.options.moving) {  // frozen pores hold what they would press out
+      if (!pass.options.moving) {  // frozen pores keep the water that they would press out
         const T pressed = block.density * old_volume * block.saturation * block.pushed;
         mass = mass - pressed;
         pass.pressed_in -= select(points.active && wet, pressed, T(0.0));
@@ -92,7 +92,7 @@ struct DarcyBlock {
       for (int d = 0; d < D; ++d) store(fields + (W::velocity + d) * width, points.u[d] + block.seeping[d]);
       return select(wet, block.saturation, T(1.0));
     }
-    /// Gaps of wet soil are pores: they fill with water and air.
+    /// Fraction of the new volume that is soil. Gaps of wet soil are pores: they fill with water and air, and count.
     TALUS_KERNEL T find_solid_share(T opened) const { return 1.0 - select(wet, T(0.0), opened); }
     TALUS_KERNEL void store_fields() const { store(fields + W::mass * width, mass); }
     TALUS_KERNEL void keep(MaskOf<T> stays) { mass = select(stays, mass, T(0.0)); }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The step of the Darcy (u-p) formulation (theory 22): contents and coefficients, pressure solve between two grid
+// solves, then the remap and the pass over the points of one phase.
 #include "mpm/darcy/darcy_step.hpp"
 
 #include <algorithm>
@@ -27,12 +29,12 @@ void step_darcy(Body<D>& body, const StepOptions<D>& o) {
     press_nodes(body, o);
     const Work before = body.work;
     solve_momentum(Dry{}, body, o);
-    body.work = before;  // counted with the pressures of the end of the step
+    body.work = before;  // work is counted with the pressures of the end of the step
     predict_motion(body, o);
     solve_pressures(body, o);
     press_nodes(body, o);
     solve_momentum(Dry{}, body, o);
-    body.work.pore_water -= 0.5 * body.nodes.motion_step * find_pore_power(body, o);  // as mapping counts its forces
+    body.work.pore_water -= 0.5 * body.nodes.motion_step * find_pore_power(body, o);  // mean of the step (T9.1)
   });
   timed(t.remap_momentum, [&] {
     remap_momentum(Dry{}, body, o);
@@ -48,8 +50,8 @@ void step_darcy(Body<D>& body, const StepOptions<D>& o) {
 template void step_darcy<2>(Body<2>&, const StepOptions<2>&);
 template void step_darcy<3>(Body<3>&, const StepOptions<3>&);
 
-// The one pass over the points of the mixture: as heavy as soil and water, under effective stresses, with the water
-// that solve_pressures() leaves them.
+// G2P and P2G: the pass over points with the mass of soil and water, with effective stresses, and with the water
+// content that solve_pressures() computes.
 
 namespace {
 
@@ -58,7 +60,7 @@ struct DarcyPass : OneVelocityPass<D> {
   template <class Law>
   using Block = DarcyBlock<DarcyPass, Law>;
   using OneVelocityPass<D>::OneVelocityPass;
-  Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
+  Pack pressed_in{0.0};  ///< added to Water::pressed_in [kg]
 
   TALUS_KERNEL void note_full(const BlockPlace<Body<D>>&, Mask) {}
   ChunkSums sum() const { return {sum_lanes(this->dissipated), sum_lanes(pressed_in)}; }
@@ -74,7 +76,7 @@ MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options) {
 template MoverLists advance_points<2>(Darcy, Body<2>&, const StepOptions<2>&);
 template MoverLists advance_points<3>(Darcy, Body<3>&, const StepOptions<3>&);
 
-// The water of elements and nodes at the start of a step, and the pressures that it starts from.
+// Contents of elements and nodes, and the pressures that the step starts from.
 
 namespace {
 
@@ -111,7 +113,7 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const int elements = body.mesh().element_count();
   const std::size_t nodes = body.mesh().nodes.size();
-  const bool first = water.darcy.own.size() != nodes;  // on all ranks or on none
+  const bool first = water.darcy.own.size() != nodes;  // the same on all ranks
   if (first) water.darcy.own.assign(nodes, 0.0);
   DarcyWater<D>& m = water.darcy;
   std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
@@ -132,7 +134,7 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
 template void find_contents<2>(Body<2>&, const StepOptions<2>&);
 template void find_contents<3>(Body<3>&, const StepOptions<3>&);
 
-// Coefficients of the flow in a step, the forces of the pressures, and the motion that they predict.
+// Coefficients of the flow, forces of the pressures, and predicted motion.
 
 template <int D>
 void find_flow(Body<D>& body, const StepOptions<D>& o) {
@@ -172,7 +174,7 @@ double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
   return list_nodes(body, has_rows).sum(body, o.threads, [&](int i) { return find_pore_power_at(body, i); });
 }
 
-/// Whether walls are pressed on, at nodes that other ranks sum up.
+/// Halo exchange of Conditions::pressed for nodes that other ranks sum.
 template <int D>
 void update_pressed(Body<D>& body) {
   Conditions<D>& conditions = body.conditions;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The lines of the step of the mixture (docs/theory/22-mixture.md): soil and pore water with one velocity, and
-// pressures at the nodes that are solved for. The lines of one phase do the rest, on masses of soil and water together;
-// step() of step.hpp runs them all for bodies with water when StepOptions::mixture.
+// Phases of the step in the Darcy (u-p) formulation (docs/theory/22-mixture.md): soil and pore water with one velocity,
+// and nodal pressures solved for implicitly. Grid solve, remap, G2P and P2G are those of one phase, with the mass of
+// soil and water; step() of step.hpp runs the step for bodies with water when StepOptions::darcy is set.
 
 #include "mpm/step/step.hpp"
 
@@ -12,46 +12,45 @@ struct Darcy {
   static constexpr bool has_water = true;
 };
 
-/// What elements and nodes hold, and the pressures that the step starts from. Writes mixture.pores, volume, water,
-/// node_pores, node_water, pressure, and water.volume, stretch, mean_pressure, mean_saturation.
+/// Computes the contents of elements and nodes, and the pressures that the step starts from. Writes darcy.pores,
+/// volume, water, node_pores, node_water, pressure, and water.volume, stretch, mean_pressure, mean_saturation.
 template <int D>
 void find_contents(Body<D>& body, const StepOptions<D>& options);
 
-/// Coefficients of the flow at these pressures. Writes mixture.saturated … soft.
+/// Computes the coefficients of the flow at these pressures. Writes darcy.saturated … soft.
 template <int D>
 void find_flow(Body<D>& body, const StepOptions<D>& options);
 
-/// Forces of tractions and of the water outside. Writes nodes.load.
+/// Forces of tractions and of outside water. Writes nodes.load.
 template <int D>
 void load_darcy(Body<D>& body, const StepOptions<D>& options);
 
-/// Puts the forces of the pore pressures into the sums of the nodes, in place of those that are there. Writes
-/// mixture.pore_force.
+/// Adds the forces of the pore pressures to the nodal sums, in place of those added before. Writes darcy.pore_force.
 template <int D>
 void press_nodes(Body<D>& body, const StepOptions<D>& options);
 
-/// Power of these forces with the velocities of the nodes [W].
+/// Power of the pressure forces with the nodal velocities [W].
 template <int D>
 double find_pore_power(const Body<D>& body, const StepOptions<D>& options);
 
-/// What solve_momentum() makes of the velocities, as far as the points see it. Writes mixture.velocity, acceleration,
-/// mobility.
+/// Predicted motion v* (T22.3), after solve_momentum() with the pressures at the start. Writes darcy.velocity,
+/// acceleration, mobility.
 template <int D>
 void predict_motion(Body<D>& body, const StepOptions<D>& options);
 
-/// The pressures of the end of the step (T22.5), and the water that leaves every node and every pore, what roots draw
-/// included. Writes mixture.change, out, passed, share, flux and pressure, water.budgets, transpired, mean_pressure.
+/// Solves for the pressures at the end of the step (T22.5), and computes the water that leaves each node and each pore,
+/// root uptake included. Writes darcy.change, out, passed, share, flux and pressure, water.budgets, transpired,
+/// mean_pressure.
 template <int D>
 void solve_pressures(Body<D>& body, const StepOptions<D>& options);
 
-/// The end of a run whose pressures of `step` were not found.
+/// Ends the run with an error: the pressures of step number `step` did not converge.
 [[noreturn]] void throw_no_pressures(std::int64_t step);
 
-/// Everything that happens to the points, and the nodal sums of the next step.
+/// G2P, and the P2G of the next step, in one pass over the points.
 template <int D>
 MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options);
 
-/// The step.
 template <int D>
 void step_darcy(Body<D>& body, const StepOptions<D>& options);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The water of an element and of a node at the start of a step, for a body B here or on a GPU.
+// Kernels of the Darcy step before the solution of the pressures: contents of elements and nodes (T22.2), coefficients
+// of the flow, forces of the pressures and predicted motion (T22.3), for a body B here or on a GPU.
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,11 @@
 
 namespace talus::mpm {
 
-/// Of a node's own water over its share of the elements': where points leave, it goes with them.
+/// Largest |o_i| as a fraction of the node's part of the elements' water: where points leave a node, its own water
+/// leaves with them.
 inline constexpr double most_own = 0.5;
 
-/// Pores, water and volume of element `e`. Returns whether it is wet.
+/// Sums pores, water and integrated volume of element `e`. Returns whether it is wet.
 template <class B>
 TALUS_PORTABLE bool sum_element(B& body, int e, bool mixed) {
   constexpr int D = B::dimension, width = B::width;
@@ -61,8 +63,8 @@ TALUS_PORTABLE bool sum_element(B& body, int e, bool mixed) {
   return wet > 0;
 }
 
-/// Contents of node `i`, and its pressure. In the `first` step a pressure is given, and the node holds what belongs to
-/// it.
+/// Contents of node `i` (T22.2), and the pressure that the step starts from. In the `first` step the pressure is given,
+/// and o_i follows from it.
 template <class B>
 TALUS_PORTABLE void start_node(B& body, int i, bool first) {
   constexpr int D = B::dimension;
@@ -100,11 +102,10 @@ TALUS_PORTABLE void start_node(B& body, int i, bool first) {
   p = p > 0 && content < held.find_full().held ? held.find_suction(content, p) : std::min(p, 0.0);
 }
 
-// Coefficients of the flow, the forces of the pressures and the motion that they predict, element by element and node
-// by node, for a body B here or on a GPU.
+// Coefficients of the flow, forces of the pressures and predicted motion, element by element and node by node.
 
-/// k_r of soil `k` at node `i`; zero where there is none of it. It is averaged over the nodes of an element: a dry one
-/// does not close the element to a front.
+/// k_r of soil `k` at node `i`; zero where the node has none of it. Elements take the mean over their nodes, so that a
+/// dry node does not block a wetting front.
 template <class B>
 TALUS_PORTABLE double find_relative_at_node(const B& body, std::size_t k, int i) {
   const auto& m = body.water.darcy;
@@ -112,7 +113,7 @@ TALUS_PORTABLE double find_relative_at_node(const B& body, std::size_t k, int i)
   return find_state_at_pressure<double>(body.water.laws[k], m.pressure[i]).relative;
 }
 
-/// E_c of the first point of element `e` [Pa].
+/// Constrained modulus E_c of the first point of element `e` [Pa].
 template <class B>
 TALUS_PORTABLE double find_modulus_of(const B& body, int e) {
   using P = PointFields<B::dimension>;
@@ -155,7 +156,8 @@ TALUS_PORTABLE void find_flow_through(B& body, const StepOptions<B::dimension>& 
   water.mean_pressure[e] = p;
 }
 
-/// The first row of the sums of node `i` that the next pass empties; nullptr: none.
+/// The first row of the sums of node `i`, where the pressure forces are added and which the next pass zeroes; nullptr:
+/// none.
 template <int D>
 double* find_row_to_press(Body<D>& body, int i) {
   const Layout<D>& layout = *body.layout;
@@ -196,7 +198,7 @@ TALUS_PORTABLE double find_pore_power_at(const B& body, int i) {
   return power;
 }
 
-/// Σ m N_k² of the points of element `e` for its local nodes, from its moments [kg].
+/// Σ m N_k² of the points of element `e` for its local nodes, from its moments [kg] (T22.3).
 template <class B>
 TALUS_PORTABLE auto find_own_mass(const B& body, int e) {
   constexpr int D = B::dimension, width = B::width;
@@ -216,7 +218,7 @@ TALUS_PORTABLE auto find_own_mass(const B& body, int e) {
   return own;
 }
 
-/// predict_motion() of node `i`. `own_mass`: that of the elements, [element].
+/// predict_motion() of node `i`. `own_mass`: find_own_mass() of the elements.
 template <class B, class OwnMass>
 TALUS_PORTABLE void predict_node(B& body, const StepOptions<B::dimension>& o, const OwnMass& own_mass, int i) {
   constexpr int D = B::dimension;

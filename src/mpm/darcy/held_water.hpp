@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the pores at a node hold over the pressure, and as the straight line that a solution takes for it.
+// Water content of a node's pores as a function of pressure, H_i(p) of theory 22, and its linearisation for one
+// solution.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 
 namespace talus::mpm {
 
-/// The pores of the soils at one node. Laws, Pores: as the body has them, [material] and [material][node].
+/// H_i(p) for the soils at one node. Laws, Pores: the types of the body, [material] and [material][node].
 template <class Laws, class Pores>
 class HeldWater {
  public:
@@ -26,7 +27,7 @@ class HeldWater {
       const material::SoilWater<double> water = material::find_water(law.retention, p);
       const double modulus = law.bulk_modulus, stretched = pores * std::exp(-p / modulus);
       double saturation = water.saturation, slope = water.slope;
-      if (p > law.dry) {  // on a logarithmic scale the rest is gone at 1 GPa, where all soil is dry
+      if (p > law.dry) {  // H falls with ln p to zero at 1 GPa, where all soil is dry
         const double decades = std::log(driest / law.dry), left = std::max(0.0, std::log(driest / p) / decades);
         slope = slope * left - saturation / (p * decades);
         saturation *= left;
@@ -37,7 +38,7 @@ class HeldWater {
     return sum;
   }
 
-  /// At zero pressure, and with the storage of full pores under pressure.
+  /// Value at zero pressure, with the storage of full pores under positive pressure.
   TALUS_PORTABLE Value find_full() const {
     Value sum;
     visit([&](const WaterLaw& law, double pores) {
@@ -47,16 +48,17 @@ class HeldWater {
     return sum;
   }
 
-  /// Whether a soil gives up water under suction; else only its compressibility does.
+  /// Whether a soil releases water under suction; otherwise the compressibility of water is the only storage.
   TALUS_PORTABLE bool drains() const {
     bool any = false;
     visit([&](const WaterLaw& law, double) { any = any || law.drains; });
     return any;
   }
 
-  /// The suction at which the pores hold `water`, less than at zero pressure [Pa]: Newton's steps between bounds.
+  /// Suction [Pa] at which the pores hold `water`, less than at zero pressure; Newton's method, safeguarded by
+  /// bisection.
   TALUS_PORTABLE double find_suction(double water, double guess) const {
-    constexpr double accuracy = 1e-12;  // of the last step; what follows it is less by a square
+    constexpr double accuracy = 1e-12;  // of the last step; the remaining error is of its square
     if (water <= 0) return driest;
     double low = 0, high = driest, p = std::clamp(guess, 1.0, high);
     for (int i = 0; i < 200; ++i) {
@@ -84,8 +86,8 @@ class HeldWater {
   int node_;
 };
 
-/// Held water as a straight line over the pressure: while water is drawn the tangent at the last solution; pores that
-/// fill up hold what they hold at zero pressure and what is pressed into them.
+/// Linearisation of H over the pressure: for draining pores the tangent at the last solution (Newton's method); pores
+/// that fill hold the content at zero pressure and what compression adds.
 struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
   bool full = false, drains = false;
@@ -105,14 +107,14 @@ struct HeldLine {
     return {p, v.held, v.storage, false, drains};
   }
 
-  /// Rounds in which pores may be found to drain again. Pores that are taken for full and are not are an error that the
-  /// next step corrects; water for which there is no room is not let in.
+  /// Number of rounds in which full pores may be found to drain again. Pores wrongly taken for full are an error that
+  /// the next step corrects; water that has no room is not let in.
   static constexpr int draining_rounds = 4;
-  /// A line is near enough that gives this share of the pores right.
+  /// Error of the line, as a fraction of the pore volume, below which it fits.
   static constexpr double tolerance = 1e-11;
 
-  /// Bends the line after a solution with the pressure `next`. `content`: of the pores, at the start [m³]. Returns
-  /// whether it was right.
+  /// Updates the line after a solution with the pressure `next`. `content`: water of the pores at the start of the step
+  /// [m³]. Returns whether the line fitted before.
   template <class Held>
   TALUS_PORTABLE bool bend(const Held& water, double content, double next, int round) {
     if (!drains) return true;

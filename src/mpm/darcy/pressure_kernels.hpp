@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The equation of the nodal pressures (T22.5) element by element and node by node, for a body B here or on a GPU.
+// Kernels of the equation of the nodal pressures (T22.5), element by element and node by node, for a body B here or on
+// a GPU.
 
 #include <algorithm>
 #include <cmath>
@@ -15,34 +16,34 @@
 
 namespace talus::mpm {
 
-inline constexpr int most_rounds = 12;           ///< solutions in a step, until lines and surface fit
+inline constexpr int most_rounds = 12;           ///< nonlinear rounds in a step, until lines and surface state fit
 inline constexpr int most_iterations = 5000;     ///< of the linear solver
-inline constexpr double smallest_change = 1e-3;  ///< a change of the pressures that is none [Pa]
+inline constexpr double smallest_change = 1e-3;  ///< change of the pressures that counts as zero [Pa]
 
-/// What the surface does with the water of a node.
+/// Hydraulic condition of the surface at a node in one step.
 struct SurfaceWater {
-  bool is_given = false;  ///< the pressure is
-  bool may_pond = false;  ///< water may stand or leave at zero pressure
+  bool is_given = false;  ///< the pressure is prescribed
+  bool may_pond = false;  ///< ponding or outflow at zero pressure is possible
   bool is_rain = false;
   double pressure = 0;  ///< [Pa]
   double inflow = 0;    ///< offered [m³/s]
 };
 
-/// What the pressure at node j does to the water of node i.
+/// Coupling of node i to the pressure or the displacement of node j.
 template <int D>
 struct PressureEntry {
-  double through = 0;  ///< flow [m³/Pa]
-  Vec<D> growth{};     ///< of the pores at i with the displacement of j [m²]
+  double through = 0;  ///< flow out of i per pressure at j [m³/Pa]
+  Vec<D> growth{};     ///< growth of the pores at i per displacement of j [m²]
 };
 
-/// One step's equation: matrix, sources, and its solution. Array: a list here, a view on a GPU.
+/// Equation of one step: matrix, sources and solution. Array: a list here, a view on a GPU.
 template <int D, template <class> class Array>
 struct PressureArrays {
-  // As the graph's columns, in two lists: the products read one after the other.
+  // One entry per column of the graph, in two lists that the products read one after the other.
   Array<PressureEntry<D>> entries;
   Array<Vec<D>> push;  ///< force of the pressure at node j on node i [m²]
   Array<double> source, storage, diagonal, grown, drained, pores;
-  Array<double> r, z, d, q;  ///< of the conjugate gradients
+  Array<double> r, z, d, q;  ///< vectors of the conjugate gradients
   Array<Vec<D>> pushed;
   Array<std::uint8_t> fixed;
   Array<SurfaceWater> surface;
@@ -54,7 +55,7 @@ struct PressureArrays {
 template <class T>
 using ArrayHere = std::vector<T>;
 
-/// The lines of the equation. S: PressureArrays.
+/// Kernels of the equation. S: PressureArrays.
 template <class B, class S>
 struct PressureLines {
   static constexpr int D = B::dimension;
@@ -62,7 +63,7 @@ struct PressureLines {
   S& s;
   const StepOptions<D>& o;
 
-  /// Returns whether node `i` is wet; a dry one takes no part.
+  /// Sums the pores of node `i` over the materials. Returns whether the node is wet; dry nodes take no part.
   TALUS_PORTABLE bool sum_pores(int i) const {
     auto& m = body.water.darcy;
     s.pores[i] = 0;
@@ -72,7 +73,7 @@ struct PressureLines {
     return false;
   }
 
-  /// What the surface at node `i`, whose area is known, does with its water.
+  /// Evaluates the hydraulic condition at node `i`, whose area must be known.
   TALUS_PORTABLE void find_surface(int i) const {
     const auto& water = body.water;
     const auto& m = water.darcy;
@@ -95,7 +96,7 @@ struct PressureLines {
     of_node.inflow = -area * find_offered_flux<D>(condition, normal, m.pressure[i], outer.up, body.time);
   }
 
-  /// What element `e` gives to its nodes.
+  /// Divergence of the predicted velocity and Darcy flux of element `e` at p^n (T22.4).
   TALUS_PORTABLE void assemble_element(int e) const {
     const auto& m = body.water.darcy;
     const auto& mesh = body.mesh();
@@ -118,7 +119,7 @@ struct PressureLines {
     }
   }
 
-  /// Row and source of node `i`; both are zero before.
+  /// Adds row and source of node `i` (T22.5); both must be zero before.
   TALUS_PORTABLE void assemble_node(int i) const {
     const auto& m = body.water.darcy;
     const auto& mesh = body.mesh();
@@ -162,13 +163,14 @@ struct PressureLines {
     s.storage[i] = s.lines[i].storage;
     s.source[i] += s.lines[i].at(m.pressure[i]) - m.node_water[i];
   }
-  /// Bends the line of node `i` after a solution; returns whether it was right.
+  /// Updates the line of the water content of node `i` to the solution (Newton's method); returns whether it fitted
+  /// before.
   TALUS_PORTABLE bool bend_line(int i, int round) const {
     const auto& m = body.water.darcy;
     return s.lines[i].bend(held(i), m.node_water[i], m.pressure[i] + m.change[i], round);
   }
 
-  /// By how much the pressures x push node `j`.
+  /// Displacement of node `j` by the pressures x.
   template <class X>
   TALUS_PORTABLE void push(const X& x, int j) const {
     const auto& m = body.water.darcy;
@@ -179,7 +181,8 @@ struct PressureLines {
     push = hold(j, push);
     for (int d = 0; d < D; ++d) s.pushed[j][d] = m.mobility[j] * push[d];
   }
-  /// Row `i` of (flow [+ storage + growth by the push of the pressures]) x, into q.
+  /// Row `i` of the product with x, into q: flow only, or with `whole` also storage and pore growth by the motion that
+  /// x causes.
   template <class X>
   TALUS_PORTABLE void multiply(const X& x, bool whole, int i) const {
     const auto& graph = *body.water.darcy.graph;
@@ -192,7 +195,7 @@ struct PressureLines {
     s.q[i] = sum;
   }
 
-  /// Which pressures a round takes as given.
+  /// Sets which pressures are prescribed in this round.
   TALUS_PORTABLE void fix_node(int i) const {
     auto& m = body.water.darcy;
     const SurfaceWater& of_node = s.surface[i];
@@ -201,13 +204,13 @@ struct PressureLines {
   }
   TALUS_PORTABLE double find_stiffness(int i) const { return s.diagonal[i] + s.storage[i]; }
   TALUS_PORTABLE double find_drive(int i) const { return s.source[i] - o.dt * s.surface[i].inflow; }
-  /// The gradients start, with q = A x.
+  /// Initialises the conjugate gradients; q must be A x.
   TALUS_PORTABLE void start_gradients(int i) const {
     s.r[i] = s.fixed[i] ? 0.0 : find_drive(i) - s.q[i];
     s.z[i] = s.r[i] / find_stiffness(i);
     s.d[i] = s.z[i];
   }
-  /// What node `i` adds to the square that the residual is measured by.
+  /// Contribution of node `i` to the square that the residual is compared with.
   TALUS_PORTABLE double find_scale(int i) const {
     const double stiffness = find_stiffness(i), b = find_drive(i), x = body.water.darcy.change[i];
     const double known = s.fixed[i] ? x * x * stiffness : b * b / stiffness;
@@ -222,12 +225,12 @@ struct PressureLines {
     s.z[i] = s.r[i] / find_stiffness(i);
   }
   TALUS_PORTABLE void turn(double share, int i) const { s.d[i] = s.fixed[i] ? 0.0 : s.z[i] + share * s.d[i]; }
-  /// What passes the surface, with q = A x.
+  /// Water that passes the surface at node `i`; q must be A x [m³].
   TALUS_PORTABLE void find_passed(int i) const {
     body.water.darcy.passed[i] = s.fixed[i] ? s.q[i] - s.source[i] : -o.dt * s.surface[i].inflow;
   }
-  /// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
-  /// that is so already.
+  /// Ponding: the pressure is zero where it would become positive, until more water would have to enter than is
+  /// offered. Returns whether the state of node `i` was already right.
   TALUS_PORTABLE bool settle_surface(int i) const {
     auto& m = body.water.darcy;
     if (!s.surface[i].may_pond) return true;
@@ -238,20 +241,20 @@ struct PressureLines {
     return settled;
   }
 
-  /// What leaves node `i`, with q = what flows between the nodes.
+  /// Water that leaves node `i` [m³]; q must be the flow between the nodes.
   TALUS_PORTABLE void find_out(int i) const {
     auto& m = body.water.darcy;
     m.out[i] = s.drained[i] - s.q[i] + m.passed[i];
   }
-  /// What every pore of an element loses (T22.6).
+  /// Water lost per pore volume of element `e` (T22.6).
   TALUS_PORTABLE void share_water(int e) const {
     auto& m = body.water.darcy;
     m.share[e] = 0;
     if (!(body.water.volume[e] > 0)) return;
     for (int node : body.mesh().elements[e]) m.share[e] += m.out[node] / s.pores[node] / (D + 1);
   }
-  /// What the nodes do not see of that: it stays with them as their own, until the soil has moved over the size of an
-  /// element (T22.7).
+  /// Water that the elements of node `i` do not represent: it stays with the node, and decreases as the soil moves over
+  /// the size of an element (T22.7).
   TALUS_PORTABLE void keep_own(int i) const {
     auto& m = body.water.darcy;
     const auto& graph = *m.graph;
@@ -262,7 +265,7 @@ struct PressureLines {
     }
     if (o.moving) m.own[i] *= std::max(0.0, 1 - o.dt * norm(m.velocity[i]) / graph.size[i]);
   }
-  /// Water [kg] that has passed the surface at node `i`.
+  /// Water [kg] that has passed the surface at node `i` in this step.
   TALUS_PORTABLE SurfaceBudget count_water(int i) const {
     SurfaceBudget budget;
     const double out = body.water.density * body.water.darcy.passed[i];
@@ -273,7 +276,7 @@ struct PressureLines {
     budget.runoff = offered - std::max(0.0, -out);
     return budget;
   }
-  /// Darcy's flow at the end of the step, and the pressure of element `e`.
+  /// Darcy flux at the end of the step, and pressure, of element `e`.
   TALUS_PORTABLE void find_end(int e) const {
     auto& water = body.water;
     auto& m = water.darcy;
@@ -297,7 +300,7 @@ struct PressureLines {
  private:
   TALUS_PORTABLE auto held(int i) const { return HeldWater(body.water.laws, body.water.darcy.node_pores, i); }
 
-  /// What holds node `i` taken from a vector.
+  /// Projection Π of a vector at node `i` onto its free directions.
   TALUS_PORTABLE Vec<D> hold(int i, Vec<D> v) const {
     const int c = body.conditions.constraint_of_node[i];
     if (c < 0) return v;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The equation of the nodal pressures (T22.5), with the conditions of the surface, and the water that it moves.
+// Assembly and solution of the equation of the nodal pressures (T22.5) with the conditions of the surface, and the
+// redistribution of water that follows (T22.6, T22.7).
 #include "mpm/darcy/pressures.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ NodeGraph<D> make_node_graph(const mesh::Mesh<D>& mesh) {
       graph.element[t] = e;
       graph.local[t] = k;
     }
-  constexpr double simplices = D == 2 ? 2 : 6;  // of a square, a cube
+  constexpr double simplices = D == 2 ? 2 : 6;  // in a square, in a cube
   for (std::size_t i = 0; i < nodes; ++i) {
     double volume = 0;
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) volume += mesh.volumes[graph.element[t]];
@@ -64,7 +65,7 @@ template NodeGraph<3> make_node_graph<3>(const mesh::Mesh<3>&);
 
 namespace {
 
-/// One step's equation, chunk by chunk.
+/// The equation of one step, chunk by chunk.
 template <int D>
 class PressureEquation {
  public:
@@ -111,7 +112,7 @@ class PressureEquation {
     for_nodes([&](int i) { lines_.find_out(i); });
   }
 
-  /// What every pore of an element loses, and what stays with the nodes.
+  /// Water lost per pore volume of the elements (T22.6), and the part that stays with the nodes (T22.7).
   void share_water() {
     update_nodes(body_, m_.out);
     for_elements([&](int e) { lines_.share_water(e); });
@@ -159,7 +160,7 @@ class PressureEquation {
     }
   }
 
-  /// q = (flow [+ storage + growth by the push of the pressures]) x.
+  /// q = A x: flow only, or with `whole` also storage and pore growth by the motion that x causes.
   void apply(std::vector<double>& x, bool whole) {
     update_nodes(body_, x);
     if (whole) {
@@ -169,7 +170,7 @@ class PressureEquation {
     for_nodes([&](int i) { lines_.multiply(x, whole, i); });
   }
 
-  /// Solves for m_.change, and for what passes the surface.
+  /// Solves one round for m_.change by conjugate gradients, and computes the water that passes the surface.
   void solve_round() {
     for_nodes([&](int i) { lines_.fix_node(i); });
     apply(m_.change, true);
@@ -185,7 +186,7 @@ class PressureEquation {
       rz = sum([&](int i) { return lines_.find_residual(i); });
       for_nodes([&](int i) { lines_.turn(rz / last, i); });
     }
-    if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // or no number
+    if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // also if rz is NaN
     apply(m_.change, true);
     for_nodes([&](int i) { lines_.find_passed(i); });
   }

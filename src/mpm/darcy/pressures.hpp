@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which elements touch a node, and the rows of a matrix between nodes that share an element. From the mesh alone, in
-// the order of its elements: sums over it do not depend on threads.
+// Graph of the mesh for the pressure equation: the elements around each node, and the matrix rows of nodes that share
+// an element. It follows from the mesh alone, in the order of its elements, so sums over it do not depend on threads.
 
 #include <vector>
 
@@ -11,11 +11,12 @@ namespace talus::mpm {
 
 template <int D>
 struct NodeGraph {
-  // Touch t is element `element[t]`, of which the node is local node `local[t]`; those of node i: touch_start[i] …
+  // Touch t is element `element[t]`, in which the node is local node `local[t]`; the touches of node i start at
+  // touch_start[i].
   std::vector<int> touch_start, element, local;
-  std::vector<double> size;            ///< of the elements round a node [m]
+  std::vector<double> size;            ///< h_i, size of the elements around a node (T22.7) [m]
   std::vector<int> row_start, column;  ///< entries of row i: row_start[i] … row_end(i); the first is the diagonal
-  std::vector<int> place;              ///< [touch][D+1]: the entry of the row that is the column of the element's node
+  std::vector<int> place;              ///< [touch][D+1]: entry of the row whose column is that node of the element
 
   static constexpr int row_stride = 1;
   int row_end(int i) const { return row_start[i + 1]; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Loops over the elements and nodes of a body, chunk by chunk in parallel. Each rank has its own of both; what it finds
-// is completed with what others find (update_elements, update_nodes) before it is read across.
+// Loops over elements and nodes of a body, chunk by chunk in parallel. Each rank covers its own ones; a halo exchange
+// (update_elements, update_nodes) must precede reads of values of other ranks.
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace talus::mpm {
 
 namespace detail {
 
-// Compiled once for any number of threads: a copy that is inlined elsewhere may be contracted to other fused
-// operations.
+// Never inlined, so that it is compiled once for any number of threads: an inlined copy might be contracted to
+// different fused operations.
 template <class Work>
 [[gnu::noinline]] void run_each(int begin, int end, const Work& work) {
   for (int i = begin; i < end; ++i) work(i);
@@ -27,7 +27,7 @@ template <class Value>
 
 }  // namespace detail
 
-/// Some nodes of a body, chunk by chunk in their order.
+/// Selected nodes of a rank, by chunk and in the order of the chunks.
 struct NodeList {
   std::vector<int> node, chunk_start;
 
@@ -36,13 +36,13 @@ struct NodeList {
     const auto at = [&](int k) { work(node[static_cast<std::size_t>(k)]); };
     parallel_for(chunks(), threads, [&](int c) { detail::run_each(first(c), first(c + 1), at); });
   }
-  /// Calls work(i, chunk), one after the other.
+  /// Calls work(i, chunk) for each node in order, on one thread.
   template <class Work>
   void for_each_in_chunk(const Work& work) const {
     for (int c = 0; c < chunks(); ++c)
       for (int k = first(c); k < first(c + 1); ++k) work(node[static_cast<std::size_t>(k)], c);
   }
-  /// Sum of value(i) over all ranks, the same bits for any number of them and of threads.
+  /// Sum of value(i) over all ranks, bitwise identical for any number of ranks and threads.
   template <int D, class Value>
   double sum(const Body<D>& body, int threads, const Value& value) const {
     std::vector<double> pieces(static_cast<std::size_t>(chunks()), 0.0);
@@ -60,7 +60,7 @@ struct NodeList {
   int first(int chunk) const { return chunk_start[static_cast<std::size_t>(chunk)]; }
 };
 
-/// The nodes of this rank for which belongs(i).
+/// List of the nodes of this rank for which belongs(i) is true.
 template <int D, class Belongs>
 NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
   NodeList list;
