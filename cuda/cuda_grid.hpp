@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A GPU as a grid (mpm/device/emulated.hpp tells what that is). All goes through one stream, in its order.
+// A GPU as a grid (interface: HostGrid in mpm/device/emulated.hpp). All operations run in order in one stream.
 
 #include <thrust/iterator/counting_iterator.h>
 #include <cub/cub.cuh>
@@ -14,10 +14,10 @@
 
 namespace talus::mpm::device {
 
-/// Throws where a call of CUDA failed: std::bad_alloc when it found no memory.
+/// Throws if a CUDA call failed: std::bad_alloc when memory ran out.
 inline void require(cudaError_t code) {
   if (code == cudaSuccess) return;
-  cudaGetLastError();  // or the next launch would report it again
+  cudaGetLastError();  // otherwise the next launch would report it again
   if (code == cudaErrorMemoryAllocation) throw std::bad_alloc();
   throw_lost(cudaGetErrorString(code));
 }
@@ -28,7 +28,7 @@ __global__ void run_kernel(Kernel kernel, int n) {
   if (i < n) kernel(i);
 }
 
-/// Sums of what has add().
+/// Sum of two objects by their add().
 template <class S>
 struct Add {
   __host__ __device__ S operator()(const S& a, const S& b) const {
@@ -70,7 +70,7 @@ class CudaGrid {
     run_kernel<<<(n + block_threads - 1) / block_threads, block_threads>>>(kernel, n);
     require(cudaGetLastError());
   }
-  /// CUB promises the same order from run to run on one kind of device.
+  /// CUB guarantees the same order of summation from run to run on one kind of device.
   template <class S, class Summand>
   void sum(int n, const Summand& summand, S* sum) {
     const thrust::counting_iterator<int> first(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The module that --device gpu loads: the engine's kernels (src/mpm/device/) on a GPU.
+// The module that --device gpu loads: the kernels of the MPM engine (src/mpm/device/) on a GPU.
 
 #include "cuda_grid.hpp"
 #include "mpm/device/device_body.hpp"
@@ -24,7 +24,7 @@ class CudaMaker : public DeviceMaker {
     cudaDeviceProp properties{};
     cudaError_t code = cudaGetDeviceCount(&count);
     if (code == cudaSuccess && count > 0) code = cudaGetDeviceProperties(&properties, 0);
-    // The first kernel says whether this module was compiled for such a device.
+    // The first kernel fails if this module was not compiled for the architecture of the device.
     if (code == cudaSuccess && count > 0) {
       device::run_kernel<<<1, 1>>>(device::Nothing{}, 1);
       code = cudaGetLastError();
@@ -45,7 +45,7 @@ class CudaMaker : public DeviceMaker {
 }  // namespace
 }  // namespace talus::mpm
 
-/// nullptr where the program has another layout of what goes between it and this module.
+/// Returns nullptr if the program was built with another layout of the exchanged data.
 extern "C" talus::mpm::DeviceMaker* talus_make_devices(std::size_t layout) {
   return layout == talus::mpm::device_layout ? new talus::mpm::CudaMaker : nullptr;
 }

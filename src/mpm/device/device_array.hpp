@@ -34,7 +34,7 @@ class DeviceArray {
 
   std::size_t size() const { return size_; }
   std::size_t room() const { return room_; }
-  /// Room for `size`; what is in it is lost where there was less.
+  /// Allocates room for `size` items; the contents are lost if it grows.
   void reserve(std::size_t size) {
     if (size <= room_) return;
     if (start_ != nullptr) Grid::release(std::exchange(start_, nullptr));
@@ -42,14 +42,14 @@ class DeviceArray {
     start_ = static_cast<T*>(Grid::allocate(size * sizeof(T)));
     room_ = size;
   }
-  /// What is in it is lost, and what is there then may be anything.
+  /// Sets the size; the contents are lost and undefined.
   void resize(std::size_t size) {
     reserve(size);
     size_ = size;
   }
-  /// What is in it stays; there must be room.
+  /// Sets the size and keeps the contents; there must be room.
   void extend(std::size_t size) { size_ = size; }
-  /// All bytes zero.
+  /// Sets the size and zeroes all bytes.
   void assign_zeros(std::size_t size) {
     resize(size);
     if (size > 0) Grid::clear(start_, size * sizeof(T));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A body in the memory of a device, and its steps: which kernels run, one after the other. Grid: TimedGrid of a
-// HostGrid or a CudaGrid.
+// A body in the memory of a device, and its steps as a sequence of kernels. Grid: TimedGrid of a HostGrid or a
+// CudaGrid.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ class DeviceBody : public Device<D> {
     water_.take(image.water, image.mesh.nodes.size(), lanes);
     make_room(image);
     change_.assign_zeros(lanes);
-    leaving_.assign_zeros(lanes + 1);  // the last one is nobody's: a scan puts the sum there
+    leaving_.assign_zeros(lanes + 1);  // the last entry belongs to no element: a scan writes the total there
     first_.resize(lanes + 1);
     arrivals_.assign_zeros(lanes);
     average_.resize(2 * lanes);
@@ -144,17 +144,17 @@ class DeviceBody : public Device<D> {
     if (n > 0) grid_.launch(n, kernel);
   }
 
-  /// What a step did.
+  /// Sums of a step over nodes and elements.
   struct StepAccount {
     NodeAccount nodes;
     ElementAccount elements;
   };
-  /// The sum of an array, into its place in account_.
+  /// Sums an array into its member of account_.
   template <class S>
   void add_up(const Array<S>& list, S StepAccount::*sum) {
     grid_.sum(static_cast<int>(list.size()), Listed<S>{list.read()}, &(account_.view().start->*sum));
   }
-  /// A sum over the elements, fetched.
+  /// Sum over the elements, copied to the host.
   template <class S, class Summand>
   S sum_elements(const Summand& summand) {
     sum_.resize(sizeof(S));
@@ -164,7 +164,7 @@ class DeviceBody : public Device<D> {
     return sum;
   }
 
-  /// The arrays of elements that change, in the image and here.
+  /// Arrays of elements that change in a step, in the image and on the device.
   using Field = std::pair<std::vector<double> DeviceImage<D>::*, DeviceArray<Grid, double> DeviceBody::*>;
   static std::array<Field, 8> list_fields() {
     using I = DeviceImage<D>;
@@ -279,10 +279,10 @@ class DeviceBody : public Device<D> {
     launch(body_.node_count, SolveNode<D>{body_, o, node_accounts_.view()});
   }
 
-  /// The pass over the points: a kernel for each kind of law, and one for elements with several soils.
+  /// G2P and P2G: the pass over the points, one kernel for each kind of law and one for elements with several soils.
   template <bool Wet>
   void advance(const StepOptions<D>& o) {
-    std::uint64_t done = 0;  // kinds, as bits
+    std::uint64_t done = 0;  // bit set of kinds
     for (const StoredLaw& law : host_laws_) {
       const std::uint64_t kind = std::uint64_t{1} << law.kind;
       if ((done & kind) == 0) law.visit([&]<class L>(const L&) { advance_kind<L, Wet>(o, done == 0); });
@@ -299,7 +299,7 @@ class DeviceBody : public Device<D> {
     o.mixed ? run(std::true_type()) : run(std::false_type());
   }
 
-  /// What the steps need beside the body, so that memory that is too little is found before them.
+  /// Allocates what the steps need beside the body, so that a lack of memory is detected before the first step.
   void make_room(const DeviceImage<D>& image) {
     const auto nodes = static_cast<std::size_t>(body_.node_count);
     velocity_.resize(nodes * fade_stride);
@@ -349,7 +349,7 @@ class DeviceBody : public Device<D> {
             mover_to_.view(),     mover_order_.view(), mover_sorted_.view()};
   }
 
-  /// Points that left the grid, in the order in which they were taken out.
+  /// The points that left the grid, in the order of their removal.
   void list_departed(int count, std::vector<Departed<D>>& departed) {
     const std::vector<unsigned> to = mover_to_.fetch();
     const std::vector<int> id = mover_id_.fetch(), from = mover_from_.fetch();
@@ -372,7 +372,7 @@ class DeviceBody : public Device<D> {
     }
   }
 
-  /// Room for the points that come: blocks that have too little get a new place behind the others.
+  /// Makes room for arriving points: blocks with too few slots move behind the others.
   void grow() {
     room_.resize(capacity_.size());
     launch(static_cast<int>(capacity_.size()), CountRoom<D>{body_, arrivals_.read(), room_.view()});
@@ -394,7 +394,7 @@ class DeviceBody : public Device<D> {
     move_blocks(full, body_.points);
   }
 
-  /// All blocks behind each other in new arrays: the old places of those that moved are given up.
+  /// Packs all blocks one after another into new arrays, which frees the old places of moved blocks.
   void pack() {
     std::vector<MovedBlock> all;
     std::int64_t end = 0;
@@ -406,7 +406,7 @@ class DeviceBody : public Device<D> {
     Array<int> id;
     const auto slots = static_cast<std::size_t>(end), fields = static_cast<std::size_t>(body_.points.fields);
     data.reserve(find_room(slots) * fields * device_width);
-    data.extend(slots * fields * device_width);  // none reads behind `count`
+    data.extend(slots * fields * device_width);  // no kernel reads beyond `count`
     id.reserve(find_room(slots) * device_width);
     id.extend(slots * device_width);
     DevicePoints<D> packed = body_.points;
@@ -430,7 +430,7 @@ class DeviceBody : public Device<D> {
   DeviceLoads<Grid, D> loads_{grid_};
   DeviceWaterBody<Grid, D> water_{grid_, body_};
   std::vector<StoredLaw> host_laws_;
-  std::vector<int> capacity_;  ///< of block_capacity_
+  std::vector<int> capacity_;  ///< host copy of block_capacity_
   SofteningList reach_;
 
   // The mesh.
@@ -459,15 +459,15 @@ class DeviceBody : public Device<D> {
   Array<Constraint<D>> constraints_;
   Array<std::uint8_t> pressed_;
   Array<GivenFactor> factors_;
-  // Of a step.
+  // Work arrays of a step.
   Array<int> leaving_, first_, arrivals_, change_, room_;
   Array<MovedBlock> moved_;
-  Array<double> velocity_, direction_, product_;  // of fading
+  Array<double> velocity_, direction_, product_;  // of the null-mode filter
   Array<NodeAccount> node_accounts_;
   Array<ElementAccount> element_accounts_;
   Array<StepAccount> account_;
   Array<unsigned char> sum_;
-  // Of points that are asked for.
+  // Of observed points.
   Array<int> wanted_;
   Array<PointView<D>> views_;
   Array<Vec<D>> reference_;

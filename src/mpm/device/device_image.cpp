@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Conversion between a body and the arrays of a device: blocks of lane_width elements here, of device_width elements
+// there.
 #include "mpm/device/device_image.hpp"
 
 #include <algorithm>
@@ -19,14 +21,14 @@ View<const T> look_at(const std::vector<T>& list) {
   return {list.data(), list.size()};
 }
 
-/// Numbers by element stand in the same order here and there; blocks there are longer.
+/// Extends an array by element to whole blocks of a device. The order of elements is the same; blocks are longer there.
 std::vector<double> lengthen(const AlignedVector<double>& field, int elements) {
   std::vector<double> longer(field.begin(), field.begin() + elements);
   longer.resize(static_cast<std::size_t>((elements + device_width - 1) / device_width) * device_width, 0.0);
   return longer;
 }
 
-/// The fields of elements that stay from step to step.
+/// Calls work(array of the body, array of the image) for the fields of elements that persist from step to step.
 template <int D, class Work>
 void for_fields(Water<D>& water, WaterImage<D>& image, Work&& work) {
   work(water.volume, image.volume);
@@ -35,7 +37,7 @@ void for_fields(Water<D>& water, WaterImage<D>& image, Work&& work) {
   work(water.mean_pressure, image.mean_pressure);
 }
 
-/// The graph's rows in slices: entry k of each row, then entry k + 1 of each. Short rows leave gaps.
+/// Stores the graph's rows in slices: entry k of each row, then entry k + 1 of each. Short rows leave gaps.
 template <int D>
 void slice_rows(const NodeGraph<D>& graph, WaterImage<D>& image) {
   const int nodes = static_cast<int>(graph.size.size());
@@ -147,7 +149,7 @@ std::size_t find_place(int e, int size, int i, int width) {
          static_cast<std::size_t>(e % width);
 }
 
-/// An array [block][size][lane] of the body, in the blocks of a device; empty where it is.
+/// Converts an array [block][size][lane] of the body to the blocks of a device; empty if it is empty.
 std::vector<double> widen(const AlignedVector<double>& field, int elements, int size) {
   if (field.empty()) return {};
   const int blocks = (elements + device_width - 1) / device_width;
@@ -228,7 +230,7 @@ void copy_points(const Body<D>& body, int threads, DeviceImage<D>& image) {
   image.strain_offset.assign(points.strain_offset.begin(), points.strain_offset.end());
 }
 
-/// The fields of elements that change, [block][size][lane].
+/// Calls work(array of the body, array of the image, size) for the fields of elements that change, [block][size][lane].
 template <int D, class Work>
 void for_fields(Elements<D>& elements, DeviceImage<D>& image, Work&& work) {
   work(elements.strain, image.strain, PointFields<D>::stress_size);
@@ -241,7 +243,7 @@ void for_fields(Elements<D>& elements, DeviceImage<D>& image, Work&& work) {
   work(elements.lent, image.lent, 1);
 }
 
-/// The k-th point of element `e`, which is in block `b`, from fields with the stride of a device.
+/// Writes the k-th point of element `e`, which is in block `b`, from fields with the stride of a device.
 template <int D>
 void put_point(Points<D>& points, int b, int e, int k, int id, const double* from) {
   const std::int64_t slot = points.block_start[b] + k, place = slot * lane_width + e % lane_width;
@@ -278,7 +280,7 @@ void read_points(const DeviceImage<D>& image, int threads, Body<D>& body) {
   std::copy(image.strain_offset.begin(), image.strain_offset.end(), points.strain_offset.begin());
 }
 
-/// The sums of a node go into its first row: the others are added to it.
+/// The sums of a node are written to its first row; a node's rows are summed wherever they are read.
 template <int D>
 void read_nodes(const DeviceImage<D>& image, Body<D>& body) {
   const Layout<D>& layout = *body.layout;
@@ -295,7 +297,7 @@ void read_nodes(const DeviceImage<D>& image, Body<D>& body) {
   nodes.motion_step = image.motion_step;
 }
 
-/// Those on nodes by node, in the order of the loads.
+/// Lists the loads on nodes by node, in the order of the loads.
 template <int D>
 void list_loads(const Body<D>& body, DeviceImage<D>& image) {
   const std::vector<Load<D>>& loads = body.conditions.loads;

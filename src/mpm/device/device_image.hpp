@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Between a body and the arrays that a device has.
+// Conversion between a body and the arrays of a device (DeviceImage, WaterImage).
 
 #include "mpm/body/body.hpp"
 #include "mpm/device/device.hpp"
@@ -10,31 +10,31 @@ namespace talus::mpm {
 
 // The pore water of a body in the layout of a device, and back.
 
-/// Of water that seeps; the node graph of the mixture must be there. Views of the body's lists; nothing for a body
-/// without water.
+/// Image of the pore water (Darcy formulation); the node graph must exist. It contains views of the body's lists. Empty
+/// for a body without water.
 template <int D>
 WaterImage<D> make_water_image(const Body<D>& body);
 
-/// What has changed, into the body.
+/// Copies the changed data into the body.
 template <int D>
 void read_water_image(const WaterImage<D>& image, Body<D>& body);
 
-/// What the water takes on a device [bytes].
+/// Device memory for the water [bytes].
 template <int D>
 std::size_t count_bytes(const WaterImage<D>& image);
 
-/// The conditions at the start of a step.
+/// Hydraulic conditions at body.time.
 template <int D>
 std::vector<DeviceSurface> find_device_surfaces(const Body<D>& body);
 
 template <int D>
 DeviceImage<D> make_device_image(const Body<D>& body, int threads);
 
-/// Memory that a device needs for it, with what its steps work on [bytes].
+/// Device memory for the body, with the work arrays of its steps [bytes].
 template <int D>
 std::size_t count_bytes(const DeviceImage<D>& image);
 
-/// What changed on the device, into the body that the image was made of. Its work, time and losses are the caller's.
+/// Copies the changed data into the body from which the image was made. The caller updates work, time and lost points.
 template <int D>
 void read_device_image(const DeviceImage<D>& image, int threads, Body<D>& body);
 

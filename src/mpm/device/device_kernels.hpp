@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The lines of a step, thread by thread: what a GPU runs, and the CPU in its place. A kernel is a plain struct whose
-// operator() is the work of one thread; which threads run together, and in which order, must not matter to it.
+// Kernels of a step (grid solve, remap, averages, G2P and P2G, observation) that run on a GPU or, emulated, on the CPU.
+// A kernel is a plain struct whose operator() is the work of one thread; its result must not depend on which threads
+// run together or in which order.
 
 #include "mpm/body/observe_kernels.hpp"
 #include "mpm/darcy/darcy_block.hpp"
@@ -14,11 +15,11 @@
 
 namespace talus::mpm::device {
 
-/// What the nodes sum up in a step.
+/// Sums of a step over the nodes.
 struct NodeAccount {
   PieceSums piece;
   double external = 0;    ///< work of gravity and tractions [J]
-  double pore_water = 0;  ///< and of the pore pressures, see Work [J]
+  double pore_water = 0;  ///< work of the pore pressures, see Work [J]
 
   TALUS_PORTABLE void add(const NodeAccount& next) {
     piece.add(next.piece);
@@ -27,12 +28,12 @@ struct NodeAccount {
   }
 };
 
-/// What the elements do.
+/// Sums of a step over the elements.
 struct ElementAccount {
   double dissipated = 0;  ///< plastic work [J]
   double shared = 0;      ///< elastic energy lost where points share their stress [J]
-  double pressed_in = 0;  ///< see Water [kg]
-  double transpired = 0;  ///< by roots [kg]
+  double pressed_in = 0;  ///< added to Water::pressed_in [kg]
+  double transpired = 0;  ///< root uptake [kg]
 
   TALUS_PORTABLE void add(const ElementAccount& next) {
     dissipated += next.dissipated;
@@ -42,7 +43,7 @@ struct ElementAccount {
   }
 };
 
-/// solve_momentum() of a node.
+/// Grid solve: solve_momentum() of a node.
 template <int D>
 struct SolveNode {
   ThreadBody<D> body;
@@ -57,7 +58,7 @@ struct SolveNode {
   }
 };
 
-/// The remap's share of an element.
+/// Remap: Δt Σ_j M_ij a_j of an element.
 template <int D>
 struct RemapElement {
   ThreadBody<D> body;
@@ -69,7 +70,7 @@ struct RemapElement {
   }
 };
 
-/// remap_momentum() of a node.
+/// Grid solve, second mapping: remap_momentum() of a node.
 template <int D>
 struct RemapNode {
   ThreadBody<D> body;
@@ -86,7 +87,7 @@ struct RemapNode {
   }
 };
 
-/// What an element gives to the averages of its nodes: `parts` [element][2].
+/// Contribution of an element to the averages of its nodes: `parts` [element][2].
 template <int D>
 struct AverageElement {
   ThreadBody<D> body;
@@ -117,7 +118,7 @@ struct AverageNode {
   }
 };
 
-/// The pass over the points of a thread's element. Wet: with water that seeps.
+/// The pass over the points of a thread's element. Wet: with pore water (Darcy formulation).
 template <int D, bool Wet>
 struct ThreadPass {
   static constexpr int dimension = D;
@@ -127,14 +128,14 @@ struct ThreadPass {
   B& body;
   const StepOptions<D>& options;
   double dissipated = 0;  ///< plastic work [J]
-  double pressed_in = 0;  ///< see Water [kg]
+  double pressed_in = 0;  ///< added to Water::pressed_in [kg]
   int leaving = 0;        ///< points that left the element
 
   TALUS_PORTABLE ThreadPass(B& b, const StepOptions<D>& o) : body(b), options(o) {}
   TALUS_KERNEL bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
   TALUS_KERNEL void note_full(const BlockPlace<B>&, bool) {}
   TALUS_KERNEL void note_movers(const BlockPlace<B>&, int, bool) { ++leaving; }
-  /// What the element gives to its nodes, in the place of the last step's.
+  /// P2G: writes the element's sums to its rows, in place of those of the last step.
   TALUS_KERNEL void give_rows(const BlockPlace<B>& at, const double out[D + 1][1 + 2 * D]) const {
     TALUS_UNROLL
     for (int k = 0; k <= D; ++k) {
@@ -145,11 +146,11 @@ struct ThreadPass {
   }
 };
 
-/// Elements whose points follow laws of several kinds, or of one with several sets of parameters.
+/// Tag for elements whose points follow laws of several kinds, or one kind with several parameter sets.
 struct AnyLaw {};
 
-/// advance_points() of the elements in whose points all follow one law of the kind `L`, or AnyLaw. The first kernel of
-/// a step also notes of elements without points that nothing has happened.
+/// G2P and P2G: advance_points() of the elements whose points all follow one law of kind `L`, or AnyLaw. The first
+/// kernel of a step also zeroes the accounts of elements without points.
 template <int D, class L, bool Mixed, bool Wet>
 struct AdvanceElement {
   ThreadBody<D> body;
@@ -171,7 +172,7 @@ struct AdvanceElement {
         advance(pass, OneLaw<L, const L&>{mine.laws[soil].template get<L>()}, b);
     }
     leaving[static_cast<std::size_t>(e)] = pass.leaving;
-    ElementAccount& account = accounts[static_cast<std::size_t>(e)];  // what roots drew stays
+    ElementAccount& account = accounts[static_cast<std::size_t>(e)];  // keeps the root uptake
     account.dissipated = pass.dissipated;
     account.shared = 0;
     account.pressed_in = pass.pressed_in;
@@ -193,7 +194,7 @@ struct AdvanceElement {
   }
 };
 
-/// lend_softening() of an element, and then the end of what softened.
+/// lend_softening() of an element: nonlocal correction, then reset of the softening sums.
 template <int D>
 struct LendSoftening {
   ThreadBody<D> body;
@@ -211,7 +212,7 @@ struct ClearSoftening {
   }
 };
 
-// Summands: what the i-th one adds to a sum over all (`sum` of a grid).
+// Summands: operator()(i) returns the i-th term of a sum (`sum` of a grid).
 
 template <class S>
 struct Listed {
@@ -224,12 +225,12 @@ struct Listed {
 template <int D>
 struct StepOfElement {
   ThreadBody<D> body;
-  int more_mass;  ///< field of mass that moves with the points; -1: none
+  int more_mass;  ///< field of a mass that moves with the points (pore water); -1: none
 
   TALUS_PORTABLE StepSquare operator()(int e) const { return find_step_square(body, e, more_mass); }
 };
 
-/// The largest displacement of the points of an element, squared; what is no number is larger than all.
+/// Largest squared displacement of the points of an element; NaN wins over any number.
 struct Farthest {
   double square = 0;  ///< [m²]
   TALUS_PORTABLE void add(const Farthest& other) {
@@ -237,7 +238,7 @@ struct Farthest {
   }
 };
 
-/// What histories tell of the points, as they are added up.
+/// Sums over the points for histories.
 template <int D>
 struct Seen {
   Totals<D> totals;
@@ -289,7 +290,7 @@ struct SeenInElement {
   }
 };
 
-/// Points by number; those that left the grid have no element.
+/// Reads points by number; those that left the grid have no element.
 template <int D>
 struct SeePoint {
   ThreadBody<D> body;
@@ -303,7 +304,7 @@ struct SeePoint {
   }
 };
 
-/// The sums of a node, for the host.
+/// Sums the rows of a node, for the host.
 template <int D>
 struct SumNode {
   ThreadBody<D> body;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The laws of a body as a GPU has them: plain bytes with the number of their kind, for what std::visit does not do
-// there.
+// Constitutive laws on a GPU: stored as bytes with the index of their kind, because std::visit does not work there.
 
 #include <cstring>
 #include <type_traits>
@@ -11,18 +10,18 @@
 
 namespace talus::mpm {
 
-/// Laws that call a library of the user's stay on the CPU.
+/// Laws that call a user's library run on the CPU only.
 template <class L>
 inline constexpr bool runs_on_device = !std::is_same_v<L, material::External>;
 
-/// By material number, as the bit sets of laws.hpp have them.
+/// Limit of the bit sets of materials in laws.hpp.
 inline constexpr int most_laws = 32;
 
-/// A law as bytes.
+/// A law stored as bytes.
 struct StoredLaw {
   static constexpr std::size_t room = sizeof(material::Law);
   alignas(material::Law) unsigned char bytes[room];
-  int kind;  ///< place in material::Law
+  int kind;  ///< index in material::Law
   int states;
   bool softens;
 
@@ -30,7 +29,7 @@ struct StoredLaw {
   TALUS_PORTABLE const L& get() const {
     return *reinterpret_cast<const L*>(bytes);
   }
-  /// Calls work(law).
+  /// Calls work(law) with the stored law.
   template <class Work>
   TALUS_PORTABLE void visit(Work&& work) const {
     visit_kinds(work, std::make_index_sequence<std::variant_size_v<material::Law>>());
@@ -48,7 +47,7 @@ struct StoredLaw {
   }
 };
 
-/// The kind of `L`, as StoredLaw has it.
+/// Index of `L` in material::Law.
 template <class L, std::size_t Kind = 0>
 constexpr int find_kind() {
   if constexpr (std::is_same_v<L, std::variant_alternative_t<Kind, material::Law>>)
@@ -60,13 +59,13 @@ constexpr int find_kind() {
 struct DeviceLaws {
   const StoredLaw* laws = nullptr;
   std::uint32_t count = 0;
-  int states = 0;  ///< most of one
+  int states = 0;  ///< largest number of state variables of a law
 
   TALUS_PORTABLE std::uint32_t size() const { return count; }
   TALUS_PORTABLE const StoredLaw& operator[](int m) const { return laws[m]; }
 };
 
-/// Of a law that runs on a device.
+/// Stores a law, which must run on a device.
 inline StoredLaw store_law(const material::Law& law) {
   StoredLaw stored{};
   stored.kind = static_cast<int>(law.index());
@@ -83,7 +82,7 @@ inline StoredLaw store_law(const material::Law& law) {
   return stored;
 }
 
-// What the step asks of a list of laws (laws.hpp).
+// Functions of a law in a list (see laws.hpp).
 
 template <class Work>
 TALUS_PORTABLE void visit_law(const DeviceLaws& laws, std::uint32_t m, Work&& work) {

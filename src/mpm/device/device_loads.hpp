@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Tractions as nodal forces on a device: those on nodes, and those on points, wherever they are. Grid: TimedGrid of a
-// HostGrid or a CudaGrid.
+// Tractions as nodal forces on a device, from loads on nodes and loads on points. Grid: TimedGrid of a HostGrid or a
+// CudaGrid.
 
 #include "mpm/device/device.hpp"
 #include "mpm/device/device_array.hpp"
 
 namespace talus::mpm::device {
 
-/// The share of each node of its element in the load of a point; loads are sorted by element.
+/// Distributes the load of a point over the nodes of its element, for a later sort of the loads by element.
 template <int D>
 struct ShareCarried {
   ThreadBody<D> body;
   View<const DeviceLoad<D>> loads;
   View<const double> factors;
-  View<unsigned> element;  ///< the number of elements: the point has left the grid
+  View<unsigned> element;  ///< the number of elements if the point has left the grid
   View<int> order;
   View<std::array<Vec<D>, D + 1>> shares;
 
@@ -38,14 +38,14 @@ struct ShareCarried {
   }
 };
 
-/// The force at a node.
+/// Sum of the tractions at a node.
 template <int D>
 struct SumTractions {
   ThreadBody<D> body;
-  View<const int> start;  ///< of the node's own among `loads`
+  View<const int> start;  ///< start of the node's own entries in `loads`
   View<const DeviceLoad<D>> loads;
   View<const double> factors;
-  View<const unsigned> element;  ///< of the loads of points, sorted
+  View<const unsigned> element;  ///< of the loads on points, sorted
   View<const int> order;
   View<const std::array<Vec<D>, D + 1>> shares;
   View<Vec<D>> sums;
@@ -68,7 +68,7 @@ struct SumTractions {
   }
 
  private:
-  /// The first load that is not in an element before `e`.
+  /// The first load in element `e` or a later one (binary search).
   TALUS_PORTABLE std::size_t find_first(unsigned e) const {
     std::size_t begin = 0, end = element.size();
     while (begin < end) {
@@ -100,7 +100,7 @@ class DeviceLoads {
     last_.clear();
   }
 
-  /// The forces at the nodes; empty: there are no tractions. `factors`: of the loads now.
+  /// Nodal forces; empty: there are no tractions. `factors`: current factors of the loads.
   View<const Vec<D>> find(const ThreadBody<D>& body, const std::vector<double>& factors) {
     if (sums_.size() == 0 || (on_points_.size() == 0 && factors == last_)) return sums_.read();
     last_ = factors;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Choice of the device for MPM, and the stepper that runs the steps of a body on it and synchronises the host's copy.
 #include "mpm/device/device_stepper.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +78,7 @@ std::unique_ptr<Device<3>> make_device<3>() {
 
 namespace {
 
-/// What a step did to the water's budget.
+/// Adds the water that a device step counted to the budgets.
 template <int D>
 void add_water(const DeviceOutput<D>& output, Water<D>& water) {
   water.budgets.resize(water.surfaces.size());
@@ -88,7 +89,8 @@ void add_water(const DeviceOutput<D>& output, Water<D>& water) {
   water.darcy.iterations = output.iterations;
 }
 
-/// What the device does, in words where its memory runs out on the way: blocks that grow need room beside them.
+/// Runs work on the device; if its memory runs out there, because growing blocks need additional memory, throws an
+/// error with a message for the user.
 template <class Work>
 auto run_there(const Work& work) {
   try {

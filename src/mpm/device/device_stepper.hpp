@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A body of the engine whose steps a device takes.
+// Choice of the device for MPM, and the stepper that runs the steps of a body on it.
 
 #include <memory>
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace talus::mpm {
 
-// Which device takes the bodies of this process through their steps.
+// Device for the bodies of this process.
 
-/// From now on a GPU does. Throws Error (wrong_input) where there is none.
+/// Selects the GPU. Throws Error (wrong_input) if there is none.
 void use_gpu();
-/// The kernels of a GPU run on this processor.
+/// Selects the emulated device: GPU kernels on the CPU.
 void use_emulated_device(const Emulation& how = {});
-/// This processor does again.
+/// Selects the CPU.
 void use_no_device();
 
 /// "NVIDIA H100", "emulated"; empty where no device is used.
 const std::string& get_device_name();
 
-/// A new device of the chosen kind, nullptr where none is.
+/// A new device of the selected kind; nullptr for the CPU.
 template <int D>
 std::unique_ptr<Device<D>> make_device();
 
@@ -32,24 +32,22 @@ class DeviceStepper {
  public:
   explicit DeviceStepper(std::unique_ptr<Device<D>> device) : device_(std::move(device)) {}
 
-  /// As step() does: of the body only time, step_count, lost, work and monitor go on. Takes the body over first where
-  /// the host has changed it.
+  /// Like mpm::step(), but updates only time, step_count, lost, work and monitor of the host's body. First copies the
+  /// body to the device if the host has changed it.
   void step(Body<D>& body, const StepOptions<D>& options);
   void fade_unseen(Body<D>& body);
-  /// Brings all of the body up to date. The device still has it.
+  /// Copies the whole state back to the host's body. The device keeps its copy.
   void bring_back(Body<D>& body);
-  /// The body was changed on the host, or put in the place of another.
+  /// Must be called after the body was changed on the host or replaced.
   void note_change() {
     device_has_body_ = false;
     host_is_up_to_date_ = true;
   }
-  /// find_critical_step().
   CriticalStep find_critical_step(Body<D>& body, const StepOptions<D>& options);
-  /// mpm::observe().
   Observation<D> observe(const Body<D>& body, const Vec<D>& gravity, const std::vector<int>& points);
-  /// Of a point that is on the grid, from its reference [m].
+  /// Largest displacement from the reference of a point on the grid [m].
   double find_largest_displacement(const Body<D>& body);
-  /// From now on kernels are timed.
+  /// Starts to time kernels.
   void time_kernels() { device_->time_kernels(); }
   std::vector<KernelTime> list_times() { return device_->list_times(); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water of a body in the memory of a device, and its part of a step. Grid: HostGrid or CudaGrid.
+// Pore water of a body in the memory of a device, and its part of the Darcy step. Grid: HostGrid or CudaGrid.
 
 #include "mpm/device/device.hpp"
 #include "mpm/device/device_array.hpp"
@@ -14,10 +14,10 @@ class DeviceWaterBody {
   DeviceWaterBody(Grid& grid, ThreadBody<D>& body) : grid_(grid), body_(body) {}
 
   bool is_there() const { return body_.water.is_wet(); }
-  /// Of what seeps; -1: none.
+  /// Field of the water's mass in a slot; -1: no water.
   int mass_field() const { return is_there() ? body_.water.first_field + WaterFields<D>::mass : -1; }
 
-  /// `nodes`, `lanes`: how many.
+  /// Copies the water to the device. `nodes`, `lanes`: numbers of nodes and of lanes.
   void take(const WaterImage<D>& image, std::size_t nodes, std::size_t lanes) {
     body_.water = {};
     laws_.bring(image.laws);
@@ -36,8 +36,8 @@ class DeviceWaterBody {
     ponded_.fetch(image.ponded);
   }
 
-  /// Everything before the momentum of the step: contents, surface, flow, and the pressures as they are. `tractions`:
-  /// those of the step; the nodes' load becomes theirs with what the water outside presses.
+  /// Phases of the step before the grid solve: contents, surface, flow, and forces of the pressures at the start.
+  /// `tractions`: those of the step; nodes.load becomes their sum with the forces of outside water.
   void begin(const DeviceInput<D>& input, const StepOptions<D>& o, View<const Vec<D>> tractions) {
     of_step_.bring(input.surfaces);
     body_.water.surfaces = of_step_.read();
@@ -57,8 +57,8 @@ class DeviceWaterBody {
     launch(nodes(), PressNode<D>{body_});
   }
 
-  /// The pressures of the end of the step from the momentum that was found with those of its start. False: they were
-  /// not found.
+  /// Solves for the pressures at the end of the step, after the grid solve with those of its start. Returns false
+  /// without convergence.
   bool solve(const StepOptions<D>& o, View<ElementAccount> accounts, DeviceOutput<D>& output) {
     launch(elements(), FindOwnMass<D>{body_, own_mass_.view()});
     launch(nodes(), PredictNode<D>{body_, o, own_mass_.read()});
@@ -70,11 +70,11 @@ class DeviceWaterBody {
     for (output.rounds = 1; output.rounds <= most_rounds && !settled; ++output.rounds) {
       for_nodes<NodeLine::find_source>(system);
       const Gradients found = solve_round(system, output.rounds - 1);
-      if (!found.are_there()) return false;  // or no number
+      if (!found.are_there()) return false;  // no convergence, or NaN
       output.iterations += found.iterations;
       settled = found.unsettled == 0;
     }
-    if (settled) --output.rounds;  // the last one
+    if (settled) --output.rounds;  // the last round changed nothing
     launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::share_water>{system});
@@ -86,7 +86,7 @@ class DeviceWaterBody {
     return true;
   }
 
-  /// What passed the surfaces in the step.
+  /// Water that passed the surfaces in the step, by condition.
   std::vector<SurfaceBudget> fetch_budgets() const { return budgets_.fetch(); }
 
   void count_power(double seconds, View<NodeAccount> accounts) {
@@ -97,10 +97,10 @@ class DeviceWaterBody {
   template <class T>
   using Array = DeviceArray<Grid, T>;
   using Field = std::pair<std::vector<double> WaterImage<D>::*, Array<double> DeviceWaterBody::*>;
-  /// The fewest iterations between two looks at how far the gradients have come.
+  /// Smallest number of iterations between two checks of convergence on the host.
   static constexpr int iterations_ahead = 2;
 
-  /// The arrays that change and come back.
+  /// Arrays that change and are copied back.
   static std::array<Field, 7> list_fields() {
     using I = WaterImage<D>;
     return {{{&I::volume, &DeviceWaterBody::volume_},
@@ -224,7 +224,7 @@ class DeviceWaterBody {
     budgets_.resize(static_cast<std::size_t>(surfaces_));
   }
 
-  /// Only the outside's way round what it does not reach at once takes further launches.
+  /// Finds the open sides. Only the spread of the outside around obstacles takes further launches.
   void find_open_sides() {
     surface_is_stale_ = false;
     launch(nodes(), MarkWetNode<D>{body_, touches_.view()});
@@ -270,7 +270,7 @@ class DeviceWaterBody {
     launch(nodes(), MultiplyNode<D>{system, x, true, when});
   }
 
-  /// Solves for the change of the pressures, and has surface and lines fit it.
+  /// Solves one round for the change of the pressures, then updates the surface and the lines of the water content.
   Gradients solve_round(const PressureSystem<D>& system, int round) {
     const View<double> x = body_.water.darcy.change;
     for_nodes<NodeLine::fix>(system);
@@ -281,7 +281,8 @@ class DeviceWaterBody {
     Gradients g;
     int& expected = iterations_of_round_[static_cast<std::size_t>(round)];
     do {
-      // Most of what the last step took, and then a few; those that are not needed do nothing.
+      // Three quarters of the iterations of the last step at once, then a few at a time; launches after convergence
+      // return at once.
       for (int n = 0; n < std::max(3 * expected / 4 - g.iterations, iterations_ahead); ++n) {
         multiply(system, d_.view(), When::on_the_way);
         sum<Scalar::curvature>(system, &Gradients::curvature);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The device that is none: the kernels of a GPU on this processor, for tests.
+// Emulated device: GPU kernels on the CPU, for tests.
 #include "mpm/device/emulated.hpp"
 
 #include "mpm/device/device_body.hpp"

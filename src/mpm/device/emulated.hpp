@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The kernels of a GPU on this processor: slow, and the same numbers.
+// Emulation of a GPU on the CPU, for tests: HostGrid runs the same kernels in loops, slowly and with the same results.
 
 #include <algorithm>
 #include <atomic>
@@ -18,11 +18,11 @@
 namespace talus::mpm {
 
 struct Emulation {
-  bool backwards = false;  ///< threads run in the opposite order, which must change nothing
-  int threads = 1;         ///< of the processor, which take the blocks of a launch in turns
-  int block = 128;         ///< threads of a launch that run one after the other; 1: neighbours never do
-  std::size_t memory = 0;  ///< that the device has [bytes]; 0: all there is
-  int launches = 0;        ///< after so many kernels the device is lost; 0: never
+  bool backwards = false;  ///< run threads in reverse order, which must not change the result
+  int threads = 1;         ///< CPU threads, over which the blocks of a launch are distributed
+  int block = 128;         ///< threads of a launch that run consecutively; 1: neighbouring threads never do
+  std::size_t memory = 0;  ///< of the emulated device [bytes]; 0: no limit
+  int launches = 0;        ///< the device is lost after this number of launches; 0: never
 };
 
 template <int D>
@@ -32,8 +32,8 @@ std::unique_ptr<Device<D>> make_emulated_device(const Emulation& how = {});
 
 namespace talus::mpm::device {
 
-// The CPU in the place of a GPU: the grid and its blocks are loops. With it the kernels are tested where no GPU is. A
-// grid has memory, launches kernels, and knows three algorithms; cuda/cuda_grid.hpp is the other one.
+// HostGrid, the emulated grid. A grid allocates memory, launches kernels, and has three algorithms: sum, scan and sort.
+// cuda/cuda_grid.hpp has the grid of a GPU.
 
 /// Threads of a block.
 inline constexpr int block_threads = 128;
@@ -66,7 +66,7 @@ class HostGrid {
   static void bring(void* device, const void* host, std::size_t bytes) { std::memcpy(device, host, bytes); }
   static void fetch(void* host, const void* device, std::size_t bytes) { std::memcpy(host, device, bytes); }
 
-  static void wait() {}  ///< until all that was launched is done
+  static void wait() {}  ///< until all launches have finished
 
   /// Runs kernel(i) for all i below n.
   template <class Kernel>
@@ -83,8 +83,7 @@ class HostGrid {
       }
     });
   }
-  /// Adds summand(i) up for all i below n, in an order that is the same every time; the sum goes into the device's
-  /// memory at `sum`.
+  /// Sums summand(i) for all i below n in a fixed order, and writes the sum to device memory at `sum`.
   template <class S, class Summand>
   void sum(int n, const Summand& summand, S* sum) {
     count_launch();
@@ -99,7 +98,7 @@ class HostGrid {
   }
   /// starts[i] = counts[0] + … + counts[i - 1] for all i below n.
   static void scan(const int* counts, int* starts, int n) { std::exclusive_scan(counts, counts + n, starts, 0); }
-  /// Sorts the n `order`s by their keys, those of equal ones as they were; `sorted`: the keys.
+  /// Stable sort of the n `order`s by their keys; `sorted` receives the keys.
   static void sort(const unsigned* keys, unsigned* sorted, int* order, int n) {
     std::vector<int> by(static_cast<std::size_t>(n));
     std::iota(by.begin(), by.end(), 0);
@@ -110,18 +109,18 @@ class HostGrid {
   }
 
  private:
-  /// Few blocks are not worth waiting for other threads.
+  /// For few blocks, waiting for other threads costs more than it saves.
   int count_workers(int blocks) const { return blocks < 64 ? 1 : threads_; }
   void count_launch() {
     if (launches_ > 0 && --launches_ == 0) throw_lost("as it was told to");
   }
   static std::size_t find_free() { return room_ - std::min<std::size_t>(room_, used_); }
 
-  /// Blocks and threads run from the last to the first: the results must be the same bits.
+  /// Blocks and threads run from the last to the first; results must be bitwise identical.
   bool backwards_;
   int threads_, block_;
-  int launches_;  ///< until the device is lost
-  // Of the device that there is only one of [bytes].
+  int launches_;  ///< left until the device is lost
+  // Memory of the one emulated device [bytes].
   static inline std::atomic<std::size_t> room_ = SIZE_MAX, used_ = 0;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Relocation thread by thread. Points that left their element are taken out of it in the order of the elements, find
-// their new one each for itself, and are put in sorted by it, so that where a point stands depends on nothing but the
-// body. Elements that changed have their sums taken anew.
+// Kernels of relocation and of the null-mode filter, one thread per element, node or point. Points that left their
+// element are removed in the order of the elements, search their new element independently, and are inserted sorted by
+// it, so that the place of a point depends on the body only. The sums of changed elements are recomputed.
 
 #include "base/portable.hpp"
 #include "mpm/device/device_kernels.hpp"
@@ -13,17 +13,17 @@
 
 namespace talus::mpm::device {
 
-// fade_unseen() thread by thread.
+// fade_unseen(), the filter of null modes.
 
-/// What the iteration for the nodes' velocities works on.
+/// Work arrays of the iteration for the nodal velocities (T2.5).
 template <int D>
 struct FadeRows {
   View<double> u;          ///< [node][fade_stride] velocities [m/s]
   View<double> direction;  ///< [node][D] last change of u
-  View<double> product;    ///< [element][D+1][D] what an element adds to M u
+  View<double> product;    ///< [element][D+1][D] contribution of an element to M u
 };
 
-/// Momentum and mass of a node, over its elements.
+/// Sums momentum and mass of a node over its elements.
 template <int D>
 TALUS_PORTABLE void sum_momentum(const ThreadBody<D>& body, int i, double* t) {
   const int first = body.layout->row_start[i], count = body.layout->row_start[i + 1] - first;
@@ -86,12 +86,13 @@ struct ImproveVelocity {
   }
 };
 
-/// Puts the points of an element onto the nodes' velocities. `accounts`: what they lose, as `shared`.
+/// G2P of the filter: replaces the velocities of an element's points by those of its nodes. The energy lost is added to
+/// `shared` of `accounts`.
 template <int D>
 struct FadeElement {
   ThreadBody<D> body;
   FadeRows<D> rows;
-  int more_mass;  ///< field of mass that moves with the points; -1: none
+  int more_mass;  ///< field of a mass that moves with the points (pore water); -1: none
   View<ElementAccount> accounts;
 
   TALUS_PORTABLE void operator()(int e) const {
@@ -108,30 +109,30 @@ struct FadeElement {
   }
 };
 
-/// Points on their way, [mover].
+/// Points that migrate between elements, [mover].
 struct Movers {
   View<double> fields;  ///< [field][mover]
   View<int> id, from;
-  View<unsigned> to;      ///< new element; the number of elements: none, outside the grid
-  View<int> order;        ///< movers sorted by `to`
+  View<unsigned> to;      ///< new element; the number of elements: outside the grid
+  View<int> order;        ///< permutation that sorts movers by `to`
   View<unsigned> sorted;  ///< `to` in that order
 };
 
-/// Why an element's sums are taken anew, as bits.
+/// Why the sums of an element are recomputed, as bits.
 enum Change : int { lost_points = 1, got_points = 2, changed_surface = 4 };
 
-/// What the host is told.
+/// Flags that the host reads.
 struct Signals {
-  int leave_grid = 0;  ///< some points do
-  int overflow = 0;    ///< some block has no room for those that come
+  int leave_grid = 0;  ///< some points left the grid
+  int overflow = 0;    ///< some block has too few slots for arriving points
 };
 
-/// Takes the points that left an element out of it.
+/// Removes the points that left an element from its slots.
 template <int D>
 struct TakeOut {
   using P = PointFields<D>;
   ThreadBody<D> body;
-  View<const int> leaving, first;  ///< [element] how many, and the number of the first
+  View<const int> leaving, first;  ///< [element] number of movers, and index of the first one
   Movers movers;
   View<int> change;
 
@@ -143,7 +144,7 @@ struct TakeOut {
     const int lane = e % device_width;
     double& count = body.points.count[static_cast<std::size_t>(e)];
     int to = first[static_cast<std::size_t>(e)];
-    // Backwards, so that the last point, which fills a gap, is never one that still has to go.
+    // Backwards, so that the last point, which fills the vacated slot, never is one that is still to be removed.
     for (int k = static_cast<int>(count) - 1; k >= 0; --k) {
       const double* p = body.points.slot(begin + k) + lane;
       double xi[D];
@@ -176,7 +177,7 @@ struct TakeOut {
   }
 };
 
-/// Finds the new element of a mover.
+/// Searches the new element of a mover.
 template <int D>
 struct Walk {
   ThreadBody<D> body;
@@ -199,14 +200,14 @@ struct Walk {
       hand_over(id, movers.from[at], element);
       return;
     }
-    movers.from[at] = element;  // where it left the grid
+    movers.from[at] = element;  // the element where it left the grid
     body.points.element[id] = -1;
     body.points.place[id] = -1;
     raise_flag(signals[0].leave_grid);
   }
 
  private:
-  /// Strain is summed in the elements.
+  /// Sets the strain offset of a point so that its total strain is unchanged: strain is stored by element.
   TALUS_PORTABLE void hand_over(std::size_t id, int from, int to) const {
     constexpr int NS = PointFields<D>::stress_size;
     const auto begin = [this](int e) {
@@ -219,8 +220,8 @@ struct Walk {
   }
 };
 
-/// The movers that come to one element: the run of equal ones that begins with the sorted mover `m`; nothing (0) where
-/// none begins there.
+/// Number of movers into one element: length of the run of equal entries that starts at the sorted mover `m`; 0 if no
+/// run starts there.
 TALUS_PORTABLE inline int count_run(const View<const unsigned>& sorted, int m, unsigned elements) {
   const unsigned* here = sorted.start + m;
   const unsigned* end = sorted.start + sorted.count;
@@ -230,7 +231,7 @@ TALUS_PORTABLE inline int count_run(const View<const unsigned>& sorted, int m, u
   return length;
 }
 
-/// Whether there is room for those that come; `room` [block] is how many slots a block needs.
+/// Checks that blocks have enough slots for arriving points; `room` [block] receives the number needed.
 template <int D>
 struct AskForRoom {
   ThreadBody<D> body;
@@ -248,7 +249,7 @@ struct AskForRoom {
   }
 };
 
-/// Slots that a block needs.
+/// Number of slots that a block needs.
 template <int D>
 struct CountRoom {
   ThreadBody<D> body;
@@ -266,16 +267,16 @@ struct CountRoom {
   }
 };
 
-/// A block and the place that it gets.
+/// A block and its new place.
 struct MovedBlock {
   int block, capacity;
   std::int64_t start;
 };
 
-/// Copies the points of the lanes of blocks to where these begin now: thread t takes a lane of one.
+/// Copies the slots of blocks to their new places; one thread per lane of a block.
 template <int D>
 struct MoveSlots {
-  ThreadBody<D> body;  ///< as it was
+  ThreadBody<D> body;  ///< before the move
   View<const MovedBlock> blocks;
   DevicePoints<D> to;
 
@@ -296,7 +297,7 @@ struct MoveSlots {
   }
 };
 
-/// What the blocks themselves say of it then.
+/// Updates start and capacity of the moved blocks.
 struct NoteMoved {
   View<const MovedBlock> blocks;
   View<std::int64_t> block_start;
@@ -309,7 +310,7 @@ struct NoteMoved {
   }
 };
 
-/// Puts the movers of an element behind its points.
+/// Appends the movers of an element to its points.
 template <int D>
 struct PutIn {
   ThreadBody<D> body;
@@ -340,7 +341,7 @@ struct PutIn {
   }
 };
 
-/// With mixed integration: which elements count as full at the surface.
+/// Mixed integration: updates the fill limit of an element.
 template <int D>
 struct UpdateSurface {
   ThreadBody<D> body;
@@ -352,7 +353,7 @@ struct UpdateSurface {
   }
 };
 
-/// What DevicePoints::soil says of an element.
+/// Value of DevicePoints::soil for an element.
 template <int D>
 TALUS_PORTABLE int find_soil(const ThreadBody<D>& body, int e) {
   int soil = no_soil;
@@ -365,13 +366,14 @@ TALUS_PORTABLE int find_soil(const ThreadBody<D>& body, int e) {
   return soil;
 }
 
-/// The sums of an element that changed, from its points. `all`: of every element, after the body was brought here.
+/// Recomputes the sums of an element that changed, from its points. `all`: of every element, after the transfer of the
+/// body.
 template <int D>
 struct SumAnew {
   ThreadBody<D> body;
   StepOptions<D> options;
   bool all;
-  int more_mass;  ///< field of mass that moves with the points; -1: none
+  int more_mass;  ///< field of a mass that moves with the points (pore water); -1: none
   View<int> change;
   View<ElementAccount> accounts;
 

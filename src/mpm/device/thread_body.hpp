@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The body on a GPU as its threads see it: pointers into the memory of the device, under the names that Body gives its
-// arrays, so that the lines of the step are the same source for both. A thread takes one element: with the arrays
-// [block][…][lane] shifted to its lane it reads and writes single doubles where the CPU has packs. Blocks have 32
-// lanes, so that neighbouring threads reach neighbouring numbers. Each element has a row of its own for the sums of
-// each of its nodes, and a node adds the rows of its elements up in their order: no two threads ever write to one
-// place.
+// The body in the form that GPU threads use: pointers to device memory under the names of Body's arrays, so that the
+// kernels of the step are the same source for both. One thread takes one element: the arrays [block][…][lane] are
+// shifted to its lane, and it reads and writes single doubles where the CPU has packs. Blocks have 32 lanes, so
+// neighbouring threads access neighbouring addresses (coalescing). Each element has its own row for the sums of each of
+// its nodes, and a node sums the rows of its elements in their order (gather), so no two threads write to one address.
 
 #include <cstddef>
 
@@ -19,12 +18,12 @@
 
 namespace talus::mpm {
 
-// How the threads of a GPU see arrays.
+// Array types of GPU threads.
 
-/// Elements of a block on a device, and rows of a slice of a matrix: the threads of a warp.
+/// Elements in a block on a device, and rows in a slice of a matrix: the threads of a warp.
 inline constexpr int device_width = 32;
 
-/// Where something is stored, and for how many; the memory is someone else's.
+/// Pointer and size of an array; non-owning.
 template <class T>
 struct View {
   T* start = nullptr;
@@ -34,20 +33,20 @@ struct View {
   TALUS_PORTABLE std::size_t size() const { return count; }
   TALUS_PORTABLE bool empty() const { return count == 0; }
   TALUS_PORTABLE T& operator[](std::size_t i) const { return start[i]; }
-  /// From the lane on that is a thread's.
+  /// Moves the start to the lane of a thread.
   TALUS_PORTABLE void shift(int lane) { start += lane; }
 };
 
-/// A pointer that is its own target.
+/// A pointer-like object that contains its target.
 template <class T>
 struct Inside : T {
   TALUS_PORTABLE const T* operator->() const { return this; }
   TALUS_PORTABLE const T& operator*() const { return *this; }
 };
 
-// Pore water of the mixture on a GPU as its threads see it, under the names that Water and DarcyWater give it.
+// Pore water of the Darcy formulation on a GPU, under the names of Water and DarcyWater.
 
-/// Numbers [row][column], the columns by element or node.
+/// Numbers [row][column]; columns are elements or nodes.
 struct TableView {
   double* start = nullptr;
   std::size_t rows = 0, columns = 0;
@@ -57,7 +56,7 @@ struct TableView {
   TALUS_PORTABLE void shift(int lane) { start += lane; }
 };
 
-/// A hydraulic condition at the start of a step.
+/// A hydraulic condition, evaluated at the start of a step.
 struct DeviceSurface {
   SurfaceKind kind = SurfaceKind::seepage;
   bool vertical = true, is_skin = false;
@@ -70,8 +69,8 @@ TALUS_PORTABLE inline bool lets_nothing_through(const DeviceSurface& s) {
   return s.is_skin;
 }
 
-/// NodeGraph. The touches of a node are the rows of its sums. The entries of a row stand a stride apart, beside those
-/// of the other rows of their slice, so that neighbouring threads read neighbours.
+/// NodeGraph on a device. The touches of a node are the rows of its sums. The entries of a row are a stride apart,
+/// interleaved with those of the other rows of their slice (sliced ELL), so that accesses coalesce.
 template <int D>
 struct DeviceGraph {
   struct Element {
@@ -94,9 +93,9 @@ struct DeviceGraph {
 
 template <int D>
 struct DeviceDarcy {
-  static constexpr bool is_used = true;  ///< water that seeps is all that a device knows
+  static constexpr bool is_used = true;  ///< a device supports the Darcy formulation only
   Inside<DeviceGraph<D>> graph;
-  // By node, from step to step.
+  // By node, kept from step to step.
   View<double> pressure, own, change;
   View<std::uint8_t> ponded;
   // By element.
@@ -120,7 +119,7 @@ struct DeviceWater {
   DeviceDarcy<D> darcy;
 
   TALUS_PORTABLE bool is_wet() const { return !laws.empty(); }
-  /// To the lane of an element, what the pass over the points reads.
+  /// Shifts the arrays that the pass over the points reads to the lane of an element.
   TALUS_PORTABLE void shift(int lane) {
     for (View<double>* field : {&volume, &stretch, &mean_saturation, &mean_pressure, &darcy.water, &darcy.share})
       field->shift(lane);
@@ -129,31 +128,31 @@ struct DeviceWater {
   }
 };
 
-/// What roots draw from the pores.
+/// Root uptake by one plant condition.
 struct DeviceUptake {
   material::Feddes reduction;
   View<const double> weight;  ///< by point number
 };
 
-/// Water of a body for a device, and what comes back of it.
+/// Water of a body in the layout of a device, and the arrays that are copied back.
 template <int D>
 struct WaterImage {
-  std::vector<WaterLaw> laws;  ///< by material number; empty: there is none
+  std::vector<WaterLaw> laws;  ///< by material number; empty: no water
   double density = 0;
   int first_field = 0, surfaces = 0;
   View<const int> surface_of_node, constraint_of_node;
   View<const WaterConstraint<D>> constraints;
-  bool loads = false;            ///< water stands outside, or presses
-  View<const double> node_size;  ///< NodeGraph
+  bool loads = false;            ///< outside water or a given pressure loads the soil
+  View<const double> node_size;  ///< NodeGraph::size
   std::vector<int> row_start, row_ends, column, place;
   std::vector<DeviceUptake> uptakes;
-  // What changes.
+  // Arrays that change.
   std::vector<double> volume, stretch, mean_saturation, mean_pressure;  ///< [lane]
   std::vector<double> pressure, own, change;                            ///< [node]; may be empty at the start
   std::vector<std::uint8_t> ponded;
 };
 
-/// What mesh::Mesh has, as far as a step needs it.
+/// The part of mesh::Mesh that a step needs.
 template <int D>
 struct DeviceMesh {
   View<const Vec<D>> nodes;
@@ -168,12 +167,12 @@ struct DeviceLayout {
   View<const double> gradients, volumes;  ///< as in Layout
   View<const int> row_start, node_rows;   ///< rows of the sums of node i: node_rows[row_start[i] … row_start[i+1])
 
-  /// Motion and averages have one row per node.
+  /// Motion and averages have one row per node on a device.
   TALUS_PORTABLE int count_motion_rows(int /*node*/) const { return 1; }
   TALUS_PORTABLE int motion_row(int node, int /*k*/) const { return node; }
 };
 
-/// Of an element without points; of one with points of more materials than one.
+/// Values of DevicePoints::soil for an element without points and for one with points of several materials.
 inline constexpr int no_soil = 254, many_soils = 255;
 static_assert(most_laws <= no_soil);
 
@@ -190,13 +189,13 @@ struct DevicePoints : PointFields<D> {
   View<std::int64_t> place;
   View<const std::uint8_t> material;
   View<const Vec<D>> reference;
-  View<std::uint8_t> soil;  ///< by element: the material of all its points, or no_soil, or many_soils
+  View<std::uint8_t> soil;  ///< by element: material of all its points, no_soil or many_soils
   View<std::array<double, PointFields<D>::stress_size>> strain_offset;
 
   TALUS_PORTABLE double* slot(std::int64_t s) const { return data.start + s * fields * device_width; }
 };
 
-/// A thread has no slots but those with points of its element.
+/// A thread covers only the slots with points of its element.
 template <int D>
 TALUS_KERNEL int count_slots(const DevicePoints<D>& points, int b) {
   return static_cast<int>(points.count[static_cast<std::size_t>(b) * device_width]);
@@ -217,14 +216,14 @@ struct DeviceNodes {
   double motion_step = 0;
 };
 
-/// SofteningReach.
+/// SofteningReach on a device.
 struct SofteningList {
   View<const std::int64_t> start;
   View<const int> element;
   View<const double> weight;
 };
 
-/// The value at the end of the step of what moves nodes.
+/// Factor of a moving support at the end of the step.
 struct GivenFactor {
   double value;
   TALUS_PORTABLE double at(double /*time*/) const { return value; }
@@ -254,11 +253,11 @@ struct ThreadBody {
   DeviceWater<D> water;
   double time = 0, smallest_mass = 0;
   int element_count = 0, node_count = 0;
-  int lane = 0;  ///< that the arrays [block][…][lane] are shifted to
+  int lane = 0;  ///< lane that the arrays [block][…][lane] are shifted to
 
   TALUS_PORTABLE const DeviceMesh<D>& mesh() const { return grid; }
 
-  /// The body for the thread of element `e`, which is in lane 0 of its block there.
+  /// The body for the thread of element `e`, shifted so that the element is in lane 0 of its block.
   TALUS_PORTABLE ThreadBody for_element(int e) const {
     ThreadBody mine = *this;
     mine.lane = e % width;
@@ -277,14 +276,14 @@ struct ThreadBody {
   }
 };
 
-/// The row of the sums of the k-th node of element `e`.
+/// Row in the sums for the k-th node of element `e`.
 template <int D>
 TALUS_PORTABLE double* sums_row(ThreadBody<D>& body, int e, int k) {
   return &body.nodes.sums[(static_cast<std::size_t>(e) * (D + 1) + static_cast<std::size_t>(k)) * sums_stride];
 }
 
-/// The row of the sums of node `i` that carries the forces of the pressures: the first one of an element with points,
-/// which the pass writes anew. nullptr: none.
+/// Row of the sums of node `i` that receives the pressure forces: the first one of an element with points, which the
+/// pass overwrites; nullptr: none.
 template <int D>
 TALUS_PORTABLE double* find_row_to_press(const ThreadBody<D>& body, int i) {
   for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r) {
@@ -294,7 +293,7 @@ TALUS_PORTABLE double* find_row_to_press(const ThreadBody<D>& body, int i) {
   return nullptr;
 }
 
-/// The water laws of a thread's element.
+/// Water laws of a thread's element.
 template <class Law, int D>
 TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int b, double conductivity_factor) {
   if constexpr (Law::is_single)
@@ -306,7 +305,7 @@ TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int b, double condu
     return ManyWaters<View<const WaterLaw>>{&body.water.laws, ~std::uint32_t{0}, conductivity_factor};
 }
 
-/// Adds N values from column First on to the sums of the k-th node of the thread's element in block `b`.
+/// Adds N values from column First on to the row of the k-th node of the thread's element in block `b`.
 template <int N, int First, int D>
 TALUS_KERNEL void add_to_sums(ThreadBody<D>& body, int b, int k, const double* values) {
   double* row = sums_row(body, b * device_width + body.lane, k) + First;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A grid that can tell how long its kernels take, by their names.
+// A grid that can time its kernels by name.
 
 #include <cxxabi.h>
 
@@ -17,11 +17,11 @@
 
 namespace talus::mpm::device {
 
-// What no kernel of ours is.
+// Names for operations that are no kernels of Talus.
 struct Scan {};
 struct Sort {};
 
-/// The name of a kernel without its template arguments and name spaces.
+/// Name of a kernel without template arguments and name spaces.
 template <class Kernel>
 std::string find_kernel_name() {
   int status = 0;
@@ -32,7 +32,7 @@ std::string find_kernel_name() {
   return name.substr(name.rfind(':') + 1);
 }
 
-/// Each kernel is waited for while they are timed, so that together they take longer than otherwise.
+/// While kernels are timed, the host waits for each of them, so the total is longer than without timing.
 template <class Grid>
 class TimedGrid : public Grid {
  public:

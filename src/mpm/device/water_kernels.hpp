@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water of the mixture thread by thread, but for the equation of the pressures: contents, surface, coefficients
-// of the flow, and forces.
+// Kernels of pore water in the Darcy formulation, one thread per element or node: contents, surface, coefficients of
+// the flow and forces, and the conjugate gradients of the pressure equation.
 
 #include "base/portable.hpp"
 #include "mpm/darcy/flow_kernels.hpp"
@@ -12,10 +12,10 @@
 
 namespace talus::mpm::device {
 
-/// What the host is told.
+/// Flags that the host reads.
 struct WaterSignals {
-  int turned = 0;  ///< an element has lost its last wet point or received its first one
-  int spread = 0;  ///< the outside has reached a further element
+  int turned = 0;  ///< an element lost its last wet point or received its first one
+  int spread = 0;  ///< the outside reached a further element
 };
 
 template <int D>
@@ -40,7 +40,7 @@ struct StartNode {
 
 // The surface.
 
-/// Of each node whether it touches a wet element.
+/// Marks nodes that touch a wet element.
 template <int D>
 struct MarkWetNode {
   ThreadBody<D> body;
@@ -55,7 +55,7 @@ struct MarkWetNode {
   }
 };
 
-/// Elements that are outside by themselves.
+/// Marks elements that are outside regardless of their neighbours.
 template <int D>
 struct StartOutside {
   ThreadBody<D> body;
@@ -69,8 +69,8 @@ struct StartOutside {
   }
 };
 
-/// Elements without wet soil beside one that is outside. What is outside in the end does not depend on how far each
-/// launch comes.
+/// Marks elements without wet soil beside one that is outside. The final set does not depend on how far each launch
+/// reaches.
 template <int D>
 struct SpreadOutside {
   ThreadBody<D> body;
@@ -88,7 +88,7 @@ struct SpreadOutside {
   }
 };
 
-/// Bit k of an element: its side opposite node k is open.
+/// Sets bit k of an element if its side opposite node k is open.
 template <int D>
 struct FindOpenSides {
   ThreadBody<D> body;
@@ -103,7 +103,7 @@ struct FindOpenSides {
   }
 };
 
-/// Area of the open sides that touch a node, outwards.
+/// Area vector of the open sides that touch a node, outwards [m²].
 template <int D>
 struct FindArea {
   ThreadBody<D> body;
@@ -124,7 +124,7 @@ struct FindArea {
   }
 };
 
-/// Forces of the water outside on the mixture at the nodes of an element: `rows` [element][D+1].
+/// Forces of outside water on the mixture at the nodes of an element: `rows` [element][D+1].
 template <int D>
 struct LoadElement {
   ThreadBody<D> body;
@@ -154,12 +154,12 @@ struct LoadElement {
   }
 };
 
-/// Forces of tractions and of the water outside.
+/// Sum of the forces of tractions and of outside water at a node.
 template <int D>
 struct LoadNode {
   ThreadBody<D> body;
   View<const Vec<D>> tractions;  ///< [node]; empty: none
-  View<const Vec<D>> rows;       ///< of LoadElement; empty: there is no water outside
+  View<const Vec<D>> rows;       ///< of LoadElement; empty: there is no outside water
   View<Vec<D>> load;
 
   TALUS_PORTABLE void operator()(int i) const {
@@ -200,7 +200,7 @@ struct PressNode {
   TALUS_PORTABLE void operator()(int i) const { press_node(body, i); }
 };
 
-/// What the forces of the pressures take in `seconds`, as the mapping counts it.
+/// Work of the pressure forces over `seconds`, counted as for the mapping loss [J].
 template <int D>
 struct CountPorePower {
   ThreadBody<D> body;
@@ -229,7 +229,7 @@ struct PredictNode {
   TALUS_PORTABLE void operator()(int i) const { predict_node(body, options, own_mass, i); }
 };
 
-/// What roots draw.
+/// Root uptake of an element.
 template <int D>
 struct DrawElement {
   ThreadBody<D> body;
@@ -246,8 +246,8 @@ struct DrawElement {
   }
 };
 
-// The equation of the nodal pressures thread by thread. What the conjugate gradients need of sums stays on the device:
-// once they have come near enough, the launches that follow do nothing, and the host looks now and then.
+// The equation of the nodal pressures (T22.5). The sums of the conjugate gradients stay on the device: after
+// convergence the launches that follow return at once, and the host checks only now and then.
 
 /// A number to be summed.
 struct Total {
@@ -255,22 +255,22 @@ struct Total {
   TALUS_PORTABLE void add(const Total& other) { value += other.value; }
 };
 
-/// Where the gradients stand.
+/// State of the conjugate gradients.
 struct Gradients {
-  Total scale, residual, curvature;  ///< as they were summed last
-  double wanted = 0;                 ///< square of the residual that is near enough
-  double rz = 0, last = 0;           ///< that of now, and that of the iteration before
+  Total scale, residual, curvature;  ///< latest sums
+  double wanted = 0;                 ///< square of the residual at convergence
+  double rz = 0, last = 0;           ///< r·z now, and in the iteration before
   int iterations = 0;
-  int unsettled = 0;  ///< a line or the surface does not fit the solution
+  int unsettled = 0;  ///< 1 if the line or the surface state of a node does not fit the solution
 
   TALUS_PORTABLE bool go_on() const { return rz > wanted && iterations < most_iterations; }
   TALUS_PORTABLE bool are_there() const { return rz <= wanted; }
 };
 
-/// When a launch does what it is for.
+/// State of the iteration in which a launch does its work.
 enum class When { always, on_the_way, there };
 
-/// What the kernels of the equation work on.
+/// Arguments of the kernels of the equation.
 template <int D>
 struct PressureSystem {
   using Arrays = PressureArrays<D, View>;
@@ -287,7 +287,7 @@ struct PressureSystem {
   }
 };
 
-// The lines by their names: the stubs of nvcc do not know pointers to members.
+// Kernels by name, because the stubs of nvcc do not support pointers to members.
 enum class NodeLine {
   find_surface,
   assemble,
@@ -301,7 +301,7 @@ enum class NodeLine {
 };
 enum class ElementLine { assemble, share_water, find_end };
 
-/// A line of the equation for each wet node.
+/// Runs a kernel of PressureLines for each wet node.
 template <int D, NodeLine Line>
 struct ForWetNodes {
   PressureSystem<D> system;
@@ -320,7 +320,7 @@ struct ForWetNodes {
     if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
   }
 };
-/// For each element.
+/// Runs a kernel of PressureLines for each element.
 template <int D, ElementLine Line>
 struct ForElements {
   PressureSystem<D> system;
@@ -340,7 +340,7 @@ struct SumPores {
   TALUS_PORTABLE void operator()(int i) const { system.lines().sum_pores(i); }
 };
 
-/// The products with the matrix: of `x`, the change of the pressures or the direction of the gradients.
+/// Products with the matrix, for `x` the change of the pressures or the search direction.
 template <int D>
 struct PushNode {
   PressureSystem<D> system;
@@ -363,7 +363,7 @@ struct MultiplyNode {
   }
 };
 
-/// Sums over the wet nodes that the gradients need.
+/// Sums over the wet nodes in the conjugate gradients.
 enum class Scalar { scale, residual, curvature };
 
 template <int D, Scalar Meaning>
@@ -379,7 +379,7 @@ struct OfNode {
   }
 };
 
-/// Takes the residual as that of now; one thread. First: before the first iteration.
+/// Updates r·z and checks convergence; one thread. `first`: before the first iteration.
 struct TakeResidual {
   View<Gradients> gradients;
   bool first;
@@ -419,7 +419,7 @@ struct Turn {
   }
 };
 
-/// What passes the surface, and surface and lines after a solution, once it is there.
+/// After convergence: water that passes the surface, and update of surface state and line of a node.
 template <int D>
 struct SettleNode {
   PressureSystem<D> system;
@@ -445,7 +445,7 @@ struct EndNode {
   }
 };
 
-/// Water that passes the surface with the condition `surface` at a node, a summand.
+/// Summand: water that passes the surface with the condition `surface` at a node.
 template <int D>
 struct WaterOfNode {
   PressureSystem<D> system;
