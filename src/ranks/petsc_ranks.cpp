@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranks by MPI, and their halos by PETSc's star forests (PetscSF): the module libtalus_ranks.so.
+// Ranks by MPI, and their halo exchanges by PETSc's star forests (PetscSF): the module libtalus_ranks.so.
 
 #include <petscsf.h>
 #include <petscsys.h>
@@ -22,7 +22,7 @@ void check(PetscErrorCode code, const char* what) {
   if (code != 0) throw std::runtime_error(std::string("PETSc could not ") + what);
 }
 
-/// Counts the bytes that are sent, and the seconds until it goes.
+/// Adds the bytes sent, and the seconds of its own lifetime, to the traffic.
 class Watch {
  public:
   Watch(Traffic& traffic, double bytes) : traffic_(traffic) { traffic.bytes += bytes; }
@@ -63,8 +63,8 @@ class PetscHalo : public Halo {
     under_way_ = std::move(arrays);
     double columns = 0;
     for (const HaloArray& a : under_way_) columns += a.stride;
-    const Watch watch(traffic_, guests_ * columns * sizeof(double));  // as much as comes goes, over all ranks
-    // Roots and leaves stand in one array and have no item in common.
+    const Watch watch(traffic_, guests_ * columns * sizeof(double));  // over all ranks, as much is received as is sent
+    // Roots and leaves are in one array and have no item in common.
     for (const auto& [data, stride] : under_way_)
       check(PetscSFBcastBegin(forest_, find_type(stride), data, data, MPI_REPLACE), "begin an exchange");
   }
@@ -103,8 +103,8 @@ class PetscRanks : public Ranks {
   int rank() const override { return rank_; }
   int size() const override { return size_; }
 
-  /// Short lists, which most are, take one message with their lengths; very long ones go rank by rank, as MPI counts
-  /// in integers.
+  /// Short lists, which most are, take one message with their lengths; very long ones are sent rank by rank, because
+  /// MPI counts in integers.
   std::vector<Bytes> gather(const Bytes& mine, bool to_all) override {
     const Watch watch(*traffic_, static_cast<double>(mine.size()));
     Envelope own{static_cast<std::int64_t>(mine.size()), {}};
@@ -196,7 +196,7 @@ class PetscRanks : public Ranks {
     std::int64_t count;
     std::array<std::byte, room> bytes;
   };
-  static constexpr std::int64_t piece = std::int64_t{1} << 28;  ///< what goes in one message at most [bytes]
+  static constexpr std::int64_t piece = std::int64_t{1} << 28;  ///< largest message [bytes]
 
   std::vector<Bytes> gather_at_once(const Bytes& mine, const std::vector<Envelope>& envelopes, bool to_all) {
     std::vector<int> counts, starts{0};
@@ -241,7 +241,7 @@ class PetscRanks : public Ranks {
     pieces.take(i, std::move(bytes));
   }
 
-  /// From one rank to another, of whatever length.
+  /// Sends `bytes` of any length to one rank.
   void send(const Bytes& bytes, int rank) {
     const auto count = static_cast<std::int64_t>(bytes.size());
     MPI_Send(&count, 1, MPI_INT64_T, rank, 0, ranks_);
@@ -261,7 +261,7 @@ class PetscRanks : public Ranks {
     for (std::size_t at = 0; at < bytes.size(); at += piece)
       visit(bytes.data() + at, static_cast<int>(std::min<std::size_t>(piece, bytes.size() - at)));
   }
-  /// From rank `root` to all.
+  /// Broadcasts `bytes` of any length from rank `root`.
   void send_pieces(Bytes& bytes, int root) {
     visit_pieces(bytes, [&](std::byte* data, int count) { MPI_Bcast(data, count, MPI_BYTE, root, ranks_); });
   }
@@ -271,7 +271,7 @@ class PetscRanks : public Ranks {
   std::shared_ptr<Traffic> traffic_;
 };
 
-/// All ranks that were started. MPI and PETSc begin and end with them.
+/// All ranks of the process group. MPI and PETSc are initialised and finalised with this object.
 class AllRanks : public PetscRanks {
  public:
   AllRanks() : PetscRanks(start(), std::make_shared<Traffic>()) {}
@@ -281,7 +281,7 @@ class AllRanks : public PetscRanks {
 
  private:
   static MPI_Comm start() {
-    // Signals are the program's own: Ctrl-C saves a checkpoint.
+    // The program handles signals itself: Ctrl-C saves a checkpoint.
     check(PetscInitializeNoArguments(), "start");
     check(PetscPopSignalHandler(), "leave signals alone");
     return PETSC_COMM_WORLD;
@@ -308,7 +308,7 @@ std::unique_ptr<Ranks> PetscRanks::split(int group) {
 }  // namespace
 }  // namespace talus
 
-/// nullptr where the program knows other functions of them.
+/// Returns nullptr if the program was built with another version of the interface.
 extern "C" talus::Ranks* talus_make_ranks(int interface) {
   return interface == talus::ranks_interface ? new talus::AllRanks : nullptr;
 }
