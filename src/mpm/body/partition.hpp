@@ -190,7 +190,7 @@ std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
   return all;
 }
 
-/// Whether `here` is true on any rank.
+/// Returns whether `here` is true on any rank.
 template <int D>
 bool is_any(const Body<D>& body, bool here) {
   if (!body.share) return here;

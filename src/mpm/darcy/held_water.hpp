@@ -48,7 +48,7 @@ class HeldWater {
     return sum;
   }
 
-  /// Whether a soil releases water under suction; otherwise the compressibility of water is the only storage.
+  /// Returns whether a soil releases water under suction; otherwise the compressibility of water is the only storage.
   TALUS_PORTABLE bool drains() const {
     bool any = false;
     visit([&](const WaterLaw& law, double) { any = any || law.drains; });

@@ -467,7 +467,7 @@ class DeviceBody : public Device<D> {
   Array<ElementAccount> element_accounts_;
   Array<StepAccount> account_;
   Array<unsigned char> sum_;
-  // Of observed points.
+  // Observed points.
   Array<int> wanted_;
   Array<PointView<D>> views_;
   Array<Vec<D>> reference_;

@@ -35,7 +35,7 @@ struct ChunkSums {
   double pore_work = 0;   ///< added to Work::pore_water [J]
 };
 
-/// What is constant over the blocks of a chunk, and the sums over the chunk.
+/// Data that are constant over the blocks of a chunk, and the sums over the chunk.
 template <int D>
 struct ChunkPass {
   static constexpr int dimension = D;

@@ -171,8 +171,8 @@ void monitor_node(const Body<D>& body, int i, const TwoVelocityNode<D>& node, Pi
   sums.note_speed(speed2, i);
 }
 
-/// Whether a surface with outside water takes in less water than is available. Such a surface is wet and conducts like
-/// saturated soil, however dry the element behind it is on average.
+/// Returns whether a surface with outside water takes in less water than is available. Such a surface is wet and
+/// conducts like saturated soil, however dry the element behind it is on average.
 template <int D>
 bool drinks(const SurfaceNode<D>& surface, const TwoVelocityNode<D>& node, const PhaseVectors<D>& a, double dt) {
   if (!surface.supplies || !(node.water_mass > 0)) return false;

@@ -21,14 +21,15 @@ TALUS_PORTABLE Content find_content(const B& body, int e) {
   return body.points.count[e] > 0 ? Content::dry_soil : Content::nothing;
 }
 
-/// Whether the water of node `i` is fixed along the unit vector `n`.
+/// Returns whether the water of node `i` is fixed along the unit vector `n`.
 template <class W, std::size_t D>
 TALUS_PORTABLE bool is_held(const W& water, int i, const std::array<double, D>& n) {
   const int c = water.constraint_of_node[i];
   return c >= 0 && norm(remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, n)) < 1e-9;
 }
 
-/// Whether the water of all nodes of the side opposite node `k` of element `e` is fixed along the side's normal.
+/// Returns whether the water of all nodes of the side opposite node `k` of element `e` is fixed along the side's
+/// normal.
 template <class B>
 TALUS_PORTABLE bool is_closed(const B& body, int e, int k) {
   constexpr int D = B::dimension;
@@ -41,8 +42,8 @@ TALUS_PORTABLE bool is_closed(const B& body, int e, int k) {
   return closed;
 }
 
-/// Whether an element without wet soil is outside regardless of its neighbours. Elements of a thin shear band inside
-/// the soil may lose their points; such a gap is no surface, and no water leaves there. A group of neighbours is
+/// Returns whether an element without wet soil is outside regardless of its neighbours. Elements of a thin shear band
+/// inside the soil may lose their points; such a gap is no surface, and no water leaves there. A group of neighbours is
 /// outside when one of them touches no wet soil, holds dry soil, or has a side of the mesh that is open to water.
 /// `touches`: by node, whether it belongs to a wet element.
 template <class B, class Touches>
@@ -56,8 +57,8 @@ TALUS_PORTABLE bool is_outside_by_itself(const B& body, int e, Content content, 
   return is_far || lets_through || content == Content::dry_soil;
 }
 
-/// Whether the side opposite node `k` of the wet element `e` is open: the outside is behind it, and its nodes do not
-/// all fix the water along its normal.
+/// Returns whether the side opposite node `k` of the wet element `e` is open: the outside is behind it, and its nodes
+/// do not all fix the water along its normal.
 template <class B, class Outside>
 TALUS_PORTABLE bool is_open(const B& body, int e, int k, const Outside& outside) {
   const int behind = body.mesh().neighbours[e][k];
@@ -72,8 +73,8 @@ TALUS_PORTABLE Vec<D> find_side_share(const M<D>& mesh, int e, int k) {
   return share;
 }
 
-/// Whether node `k` of element `e` has a part of the open side opposite node `opposite`. A side with a node under an
-/// impervious skin belongs to the skin and to no other surface.
+/// Returns whether node `k` of element `e` has a part of the open side opposite node `opposite`. A side with a node
+/// under an impervious skin belongs to the skin and to no other surface.
 template <class B>
 TALUS_PORTABLE bool has_share(const B& body, int e, int opposite, int k) {
   if (k == opposite) return false;

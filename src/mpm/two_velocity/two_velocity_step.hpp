@@ -9,7 +9,7 @@
 
 namespace talus::mpm {
 
-/// What is constant over the nodes of a step.
+/// Data that are constant over the nodes of a step.
 template <int D>
 struct NodePass {
   Body<D>& body;
@@ -45,7 +45,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& options);
 /// Number of steps between exchanges of water, and between root uptakes.
 inline constexpr int exchange_interval = 4;
 
-/// Whether the surplus is nonzero in this step.
+/// Returns whether the surplus is nonzero in this step.
 template <int D>
 bool has_surplus(const Body<D>& body, const StepOptions<D>& o) {
   const bool moves_water = o.exchange_water || !body.water.uptakes.empty();

@@ -64,7 +64,7 @@ inline double find_value(const SurfaceCondition& s, double t) {
   return s.value.time.empty() ? 0.0 : s.value.at(t);
 }
 
-/// Whether the condition is an impervious skin: a flux that is zero at all times.
+/// Returns whether the condition is an impervious skin: a flux that is zero at all times.
 inline bool lets_nothing_through(const SurfaceCondition& s) {
   const std::vector<double>& flux = s.value.value;
   return s.kind == SurfaceKind::flux && std::all_of(flux.begin(), flux.end(), [](double q) { return q == 0; });
