@@ -153,11 +153,11 @@ TEST(Program, EndsMeshingSoonAfterASignal) {
 }
 
 TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
-  // So many circles take a minute and more on a fast machine.
+  // So many circles take half a minute and more on a fast machine.
   const std::string folder = testing::TempDir() + "talus_search", said = testing::TempDir() + "talus_search.txt";
   std::filesystem::remove_all(folder);
   const pid_t child = start_program({"run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "--set",
-                                     "lem.entry_exit={ exits = 400, entries = 400, depths = 60 }", "-o", folder.c_str(),
+                                     "lem.entry_exit={ exits = 200, entries = 200, depths = 20 }", "-o", folder.c_str(),
                                      TALUS_SOURCE_DIR "/tests/data/misleading/clay_over_rock.toml"},
                                     said);
   constexpr double work = 1;
