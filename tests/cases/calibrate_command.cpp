@@ -128,7 +128,7 @@ TEST_F(CalibrateCommand, FindsTheStrengthAndWritesTablesTestsAndReport) {
   const std::string page = read(out / "report.html");
   EXPECT_NE(page.find("\"calibration\":{"), std::string::npos);
   EXPECT_NE(page.find("\"point_tests\""), std::string::npos);
-  // What it says to use is what it found.
+  // The parameters that it recommends are those that it found.
   EXPECT_NE(outcome.text.find("--set materials.sand.cohesion=" + found["parameters"][0]["text"].get<std::string>()),
             std::string::npos)
       << outcome.text;

@@ -154,7 +154,7 @@ TEST(DesignValues, WarnOfFactoredActionsBesideAnEarthquake) {
   EXPECT_EQ(describe("DA2", ""), "");
 }
 
-/// What the report's table of design values says is what the case has.
+/// The report's table of design values has the values of the case.
 TEST(DesignValues, StatementSaysWhatWasChanged) {
   const DesignValues d = apply_partial_factors(read("[partial_factors]\nset = \"DA3\"\n"));
   std::map<std::string, std::pair<double, double>> result;

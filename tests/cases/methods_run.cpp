@@ -74,7 +74,7 @@ TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
   kept["summary"]["seconds"] = 12345.0;
   leave("lem.json", kept);
   EXPECT_EQ(run(text, {}, true).at("lem").at("seconds"), 12345.0);
-  // Of another input nothing is kept.
+  // Nothing is kept of another input.
   leave("lem.json", kept);
   EXPECT_NE(run(text, {{"materials.sand.cohesion", "\"3 kPa\""}}, true).at("lem").at("seconds"), 12345.0);
 }

@@ -27,7 +27,7 @@ class Misleading : public MethodsTest {
     return run(text, all);
   }
 
-  /// Whether a warning holds all of the words.
+  /// Returns true if a warning holds all of the words.
   static bool warns(const json& summary, const std::vector<std::string>& words) {
     for (const std::string warning : summary.at("warnings")) {
       const auto is_in = [&](const std::string& word) { return warning.find(word) != std::string::npos; };
@@ -245,7 +245,7 @@ TEST_F(Misleading, TheWaterAfterADrawdownIsToldApartFromThatBefore) {
   EXPECT_LT(find_table(after, 30), find_table(before, 28) + 0.1);
   ASSERT_EQ(after.at("exits").size(), 1u);
   EXPECT_GT(after.at("exits")[0].at("highest")[1].get<double>(), 9.5);
-  // What leaves the face was stored: little of it comes in.
+  // The water that leaves the face was stored: little of it comes in.
   EXPECT_GT(after.at("outflow").get<double>(), 5 * after.at("inflow").get<double>());
   const double open =
       after.at("inflow").get<double>() - after.at("outflow").get<double>() - after.at("storage_rate").get<double>();

@@ -61,7 +61,7 @@ TEST_F(BoundsTest, HoldSpencerAndStandBesideSlices) {
 TEST_F(BoundsTest, AloneTheLowerOneGoverns) {
   const json summary = run(write_case("\"bounds\"", rough));
   EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("lower"));
-  // What is done is not done again.
+  // A finished part is not repeated.
   const json again = run(write_case("\"bounds\"", rough), {}, true);
   EXPECT_EQ(again.at("bounds"), summary.at("bounds"));
 }

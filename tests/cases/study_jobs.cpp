@@ -375,7 +375,7 @@ TEST(StudyJobsProgram, MistakesAreASentenceEach) {
   refuse(jobs + " --job 1", 2, "is not as it was when the jobs were prepared");
 }
 
-/// What Slurm does: the script with the number of the task, in the folder of the jobs.
+/// Runs the script as Slurm does, with the number of the task, in the folder of the jobs.
 TEST(StudyJobsProgram, TheScriptCalculatesTheJobOfItsTask) {
   const fs::path folder = make_test_folder();
   fs::create_directories(folder);

@@ -51,7 +51,7 @@ TEST_F(Timeline, DrawdownOfADamIsThePublishedOne) {
   for (std::size_t i = 0; i < published.size(); ++i)
     EXPECT_NEAR(factors[i + 1].at("factor").get<double>() / published[i], 1, 0.02) << factors[i + 1].at("time");
   EXPECT_LT(std::abs(summary.at("timeline").at("weather").at("error").get<double>()), 1e-10);
-  // What slices found by themselves is the first of them, and the least in time governs.
+  // The first one is that of LEM alone, and the least in time governs.
   EXPECT_EQ(factors[0].at("factor"), summary.at("lem").at("critical")[0].at("factor"));
   EXPECT_EQ(summary.at("main_factor"), summary.at("timeline").at("least"));
   EXPECT_EQ(summary.at("main_factor"), factors[1].at("factor"));

@@ -52,7 +52,7 @@ class Chance {
   std::mt19937_64 engine_;
 };
 
-/// What readers of text and of numbers trip over.
+/// Texts and numbers that readers often fail on.
 const std::vector<std::string> words{"-1",
                                      "1e999",
                                      "nan",

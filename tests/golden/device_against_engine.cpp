@@ -43,7 +43,7 @@ void compare(const reference::Body<D>& plain, const PlainVariant& v, int steps) 
   compare_on_device(body, options, v.name, steps, v.fade_interval);
 }
 
-/// What the device has after `steps`, brought back.
+/// Returns the body of the device after `steps`, copied back.
 template <int D>
 mpm::Body<D> run_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, int steps,
                            const mpm::Emulation& how) {

@@ -23,7 +23,7 @@ struct Largest {
   }
 };
 
-/// What the water has, to 1e-10 of the largest: of the points, of the nodes, and its budgets.
+/// Expects equal water of points and nodes, and equal budgets, to 1e-10 of the largest value.
 template <int D>
 void expect_same_water(const mpm::Body<D>& engine, const mpm::Body<D>& device, const std::string& name) {
   constexpr double tolerance = 1e-10;
@@ -96,7 +96,7 @@ void expect_same(const mpm::Body<D>& engine, const mpm::Body<D>& device, const s
   EXPECT_NEAR(engine.monitor.speed, device.monitor.speed, tolerance * engine.monitor.speed) << name;
 }
 
-/// What a row of a history tells.
+/// The quantities of a row of a history.
 template <int D>
 void expect_same_observation(const mpm::Observation<D>& engine, const mpm::Observation<D>& device,
                              const std::string& name) {
@@ -156,7 +156,7 @@ void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, co
                           name);
   device.bring_back(there);
   expect_same(body, there, name);
-  // What came back goes on here as if it had never been away.
+  // The body that was copied back continues on the processor as if it had never left.
   for (int s = 0; s < 10; ++s) {
     mpm::step(body, options);
     mpm::step(there, options);

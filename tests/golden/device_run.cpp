@@ -167,7 +167,7 @@ class DeviceRun : public testing::Test {
   fs::path folder_;
 };
 
-/// What the program says, and its exit code.
+/// Returns the program's output and its exit code.
 std::pair<std::string, int> tell(const std::string& arguments) {
   FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
   std::string said;

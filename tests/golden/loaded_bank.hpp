@@ -50,7 +50,7 @@ relative_conductivity = "mualem"
   return text;
 }
 
-/// What stands behind the materials: rain on the crest when anything is wet, rest, and the stages.
+/// The part of the case after the materials: rain on the crest when anything is wet, rest, and the stages.
 inline std::string write_rest(const Bank& bank) {
   std::string text = "[rest]\nhold = 0.05\n";
   if (bank.wet_base || bank.wet_bank) text += "[water]\nbulk_modulus = 50000\n";

@@ -191,8 +191,8 @@ TEST_F(Resume, AnExistingFolderIsNeverOverwrittenUnasked) {
   EXPECT_EQ(read("taken/notes.txt"), "mine");
 }
 
-/// What a run goes on from was lost or swapped: it is named, nothing is changed, and put back it leads to the same
-/// bits.
+/// A lost or swapped file that a run resumes from is named, and nothing is changed; after it is put back, the result is
+/// bitwise identical.
 TEST_F(Resume, FromFilesThatAreLostOrChangedIsRefused) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
   const pid_t child = start("parts", "");

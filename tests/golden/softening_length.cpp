@@ -23,7 +23,7 @@ std::vector<double> copy(const AlignedVector<double>& values, std::size_t count)
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// What softened in a step, from the law itself: points of their own, whose strain is that of their element.
+/// Softening of a step, from the law itself: points of their own, whose strain is that of their element.
 template <int D>
 struct PlainStep {
   static constexpr int NS = material::stress_size<D>;

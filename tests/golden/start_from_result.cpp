@@ -115,7 +115,7 @@ TEST_F(StartFromResult, IsBitForBitTheNextStage) {
 }
 
 TEST_F(StartFromResult, IsBitForBitTheNextStageOfWetSoil) {
-  // Where water seeps, a node adds the pores of its soils up in their order.
+  // In the Darcy formulation a node sums the pores of its soils in their order.
   const std::string flows = "water = \"flows\"\n";
   expect_same_bits<2>({.wet_base = true, .wet_bank = true}, flows);
   expect_same_bits<2>({.wet_bank = true}, flows);

@@ -26,7 +26,7 @@ TEST(Methods, MaterialPointsAnswerWhereNobodyIsNamed) {
 }
 
 TEST(Methods, WhatOneOfThemNeedsIsAskedFor) {
-  // Of the same file finite elements ask for stiffness, flow and element size, material points for more.
+  // FEM needs stiffness, flow and element size of the same file, and MPM needs more.
   const auto list = [](const std::string& methods) {
     std::string all;
     for (const Diagnostic& fault : find_faults(change(slices_alone, "[\"lem\"]", methods)))

@@ -26,7 +26,7 @@ soil = "soil"
 methods = ["lem"]
 )";
 
-/// What finite elements need besides.
+/// Further keys that FEM needs.
 inline const std::string stiffness =
     "young_modulus = 1e5\npoisson_ratio = 0.3\ndilatancy_angle = 0\ntensile_strength = 0\n";
 

@@ -53,7 +53,7 @@ TEST(PointTestInput, TestsAloneNeedNoSlopeButARunDoes) {
   EXPECT_FALSE(loaded.echo.get().contains("geometry"));
   EXPECT_TRUE(loaded.echo.get().contains("materials"));
   EXPECT_THROW(read_case_text(soil_alone + triaxial, "case.toml"), InputError) << "a run needs the slope";
-  // What is given of a slope makes the file one of a slope.
+  // Any key of a slope makes the file one of a slope.
   EXPECT_NE(find_test_faults(soil_alone + "[mesh]\nsize = 1\n" + triaxial).find("missing key 'box'"),
             std::string::npos);
   EXPECT_NE(find_test_faults(soil_alone).find("missing key 'box'"), std::string::npos) << "no slope and no tests";

@@ -129,7 +129,7 @@ struct Spin {
   double courant = 0.5;
 };
 
-/// What has changed after the turns, relative to what it was. `shear`: 2ε_xy of the block on its own axes.
+/// Relative changes after the turns. `shear`: 2ε_xy of the block on its own axes.
 struct Changes {
   double energy = 0, spin = 0, shear = 0;
 };

@@ -254,7 +254,7 @@ TYPED_TEST(EngineWalls, SmoothPlateHoldsNothingAlongIt) {
   EXPECT_NEAR(stress[0], 0, 2e-4 * std::abs(exact));
 }
 
-/// Where two plates meet, their node moves with both.
+/// The node where two plates meet moves with both.
 TYPED_TEST(EngineWalls, TwoSmoothPlatesPressFromTwoSides) {
   constexpr int D = TypeParam::value;
   PressedBlock<D> block;

@@ -114,7 +114,7 @@ TEST(GroundLoads, StandingWaterPressesOnTheGroundAndChangesNoEffectiveStress) {
   }
 }
 
-/// Of a cliff of 1 m that yields, after half a second.
+/// Returns the fall of a cliff of 1 m that yields, after half a second.
 double find_fall(const input::Material& soil) {
   input::Case data = make_box_case<2>(soil);
   auto body = run::prepare<2>(data, make_step_mesh<2>());

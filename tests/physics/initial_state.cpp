@@ -172,7 +172,7 @@ TEST(InitialState, FollowsTheEquilibriumStageOfTheCase) {
   EXPECT_TRUE(run::is_equilibrium_stage(data, 1));
 }
 
-/// What another run left: stress, plastic strain and state of its own.
+/// The end of another run, with stress, plastic strain and state of its own.
 mpm::Body<2> leave(const input::Case& data) {
   mpm::Body<2> body = fill<2>(data);
   for (int id = 0; id < body.points.size(); ++id) {

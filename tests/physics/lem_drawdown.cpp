@@ -158,7 +158,7 @@ TEST(LemDrawdownUsace, TwoStagesOf1970GiveThePublishedFactorWithTheForcesOfTheSo
     driving += weight * std::sin(alpha * degree);
   }
   EXPECT_NEAR(resisting / driving, 1.273, 0.001);
-  // What complete equilibrium gives, 8 % below.
+  // Complete equilibrium gives a factor that is 8 % lower.
   EXPECT_NEAR(solve_usace(DrawdownMethod::corps_1970, Method::spencer).factor, 1.240, 0.002);
   EXPECT_NEAR(solve_usace(DrawdownMethod::corps_1970, Method::bishop).factor, 1.233, 0.002);
   EXPECT_NEAR(solve_usace(DrawdownMethod::corps_1970, Method::spencer, 110).factor, 1.211, 0.002);

@@ -124,7 +124,7 @@ TEST(LemSliceTable, GeometryAndWeightAreExact) {
   }
 }
 
-// What a method is to balance is balanced; a factor 1 % off leaves a thousandth of the weight and more.
+// Each method balances what it should; a factor that is 1 % off leaves a thousandth of the weight and more.
 TEST(LemForces, EveryFactorClosesItsEquations) {
   const Slope slope{make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(2, 30, 15.5979), 0)};
   const Surface arc = make_arc({35.044455, 38.147107}, 33.286625, 11.123526, 32);

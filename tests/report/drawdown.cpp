@@ -30,7 +30,7 @@ TEST(DrawdownReport, HasTheFactorAfterItBesideThatBefore) {
   EXPECT_TRUE(given.at("yield_acceleration").is_null());
   const auto& slices = given.at("slices");
   ASSERT_EQ(drawn.at("counts").size(), slices.at("left").size());
-  // Where the undrained strength counts it stands in the table of slices; each base is in one of both states.
+  // The table of slices has the undrained strength where it counts; each base is in one of both states.
   for (std::size_t i = 0; i < drawn.at("counts").size(); ++i) {
     const bool is_undrained = drawn.at("counts")[i] == "undrained";
     EXPECT_EQ(slices.at("tan_friction")[i] == 0.0, is_undrained);

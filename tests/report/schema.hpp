@@ -7,7 +7,7 @@
 
 namespace talus::report {
 
-/// What is wrong with `document`, a line each; empty when it keeps the contract.
+/// Returns the faults of `document`, a line each; empty if it keeps the contract.
 std::string find_schema_faults(const nlohmann::json& document);
 
 }  // namespace talus::report

@@ -52,7 +52,7 @@ class WetReport : public testing::Test {
       if (f.at("name") == name) return page_->values(f.at("values"));
     throw std::runtime_error("there is no field " + name);
   }
-  /// What a report would say had the run had this summary.
+  /// Returns the text that a report would have with this summary.
   static json collect_with(const json& summary) {
     const fs::path folder = make_test_folder("wet_changed");
     std::ofstream(folder / "summary.json") << summary;

@@ -18,7 +18,7 @@ namespace {
 
 using material::Law;
 
-/// What a point starts from.
+/// The state that a point starts from.
 struct Start {
   std::array<double, 6> stress{};
   std::array<double, material::max_state_size> state{};

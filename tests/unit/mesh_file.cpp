@@ -170,7 +170,7 @@ TEST(MeshFile, WithNumbersThatDoNotFitNamesTheLine) {
   EXPECT_NE(damage("$Nodes", 2, 4, "999999999999").find("the size of a block cannot be 999999999999"),
             std::string::npos);
   EXPECT_NE(damage("$Nodes", 3, 1, "-5").find("a node has the number -5; they count from 1"), std::string::npos);
-  // What is not looked at before may be as it likes: Gmsh refuses it, or crashes in its own process.
+  // Faults that are not checked before make Gmsh refuse the file, or crash in its own process.
   for (const char* by : {"-7", "1e300", "nan", "99999999999999999999"})
     for (int word = 1; word <= 4; ++word) EXPECT_NE(damage("$Entities", 1, word, by), "");
 }

@@ -81,7 +81,7 @@ TEST(MovedLimit, OfEachSideIsItsOwnAndTheMirrorOfTheOther) {
 TEST(MovedLimit, OfOneSlideIsThatOfTheSlideAlone) {
   const MovedLimit both = find_moved_limit(make_slides(), 0.5), one = find_moved_limit(make_slides(false), 0.5);
   EXPECT_TRUE(one.sides.empty());
-  // Where the other slide begins the line goes on to the ground.
+  // The line continues to the ground where the other slide begins.
   const auto& left = both.sides[0].points;
   ASSERT_GE(left.size(), one.line.size());
   EXPECT_TRUE(std::equal(one.line.begin(), one.line.end(), left.begin()));
@@ -205,7 +205,7 @@ TEST(Runout, OfOneSideIsThatOfThisSideAlone) {
         &results::RunoutSide::crest_retreat, &results::RunoutSide::crest, &results::RunoutSide::centre_advance,
         &results::RunoutSide::centre_drop, &results::RunoutSide::largest_displacement})
     EXPECT_EQ(left.*number, b.*number);
-  // What is said of the whole is of the side whose front is farther beyond its toe; the volume is that of both.
+  // The result of the whole is that of the side whose front is farther beyond its toe; the volume is that of both.
   const results::RunoutSide& right = (*a.sides)[1];
   const results::RunoutSide& farther = left.toe_distance > right.toe_distance ? left : right;
   EXPECT_NE(left.toe_distance, right.toe_distance);

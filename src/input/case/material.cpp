@@ -69,7 +69,7 @@ void check_materials(const Case& data, Findings& findings) {
     for (const mesh::Polygon& polygon : data.mesh.polygons) regions.insert(polygon.name);
     check_regions(data, regions, findings);
   }
-  // Where a region has a wrong material or none, the intended material is unused; that is not reported again.
+  // A region with a wrong material or none leaves the intended material unused; that is not reported again.
   if (!findings.is_sound("regions")) return;
   // An unused material is also no fault if --set or a study assigns another one to a region, to compare soils.
   for (const auto& [region, material] : data.regions)

@@ -84,7 +84,7 @@ std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circl
             for (int t = circles.first[cell_of(a, b, c)]; t < circles.first[cell_of(a, b, c) + 1]; ++t) {
               const Surface& other = circles.surfaces[static_cast<std::size_t>(t)];
               if (other.to <= surface.from || other.from >= surface.to) continue;  // on another slope face
-              // Of equal factors the first one counts.
+              // The first one of equal factors counts.
               if (factor_of(t) < own || (factor_of(t) == own && t < s)) smallest = false;
             }
           }

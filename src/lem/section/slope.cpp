@@ -180,7 +180,7 @@ void check_cover(const Slope::Strips& strips, double size, std::vector<std::stri
   Gap bare{"under the ground"}, hole{"in a hole of the regions"};
   for (const Strip& strip : strips.strips) {
     const double half = 0.5 * (strip.right - strip.left);
-    // Where the ground meets the base there is nothing to cover.
+    // There is nothing to cover where the ground meets the base.
     if (half < 1e-6 * size || strip.ground.at(half) - strips.section.base < 1e-6 * size) continue;
     bool is_bare = strip.first == strip.last, is_hole = false;
     for (int i = strip.first; i < strip.last; ++i) {

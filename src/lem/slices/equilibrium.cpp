@@ -222,7 +222,7 @@ Complete solve_bracket(const Mass& mass, double start) {
   zero.q = close_forces(mass, 0, start > 0 ? 1 / start : 1, end, found.iterations);
   if (!(zero.q > 0)) return found;
   zero.moment = end.moment;
-  // Where there are two roots, the one with λ > 0 is the physical one: the lower slices support the upper ones.
+  // If there are two roots, the one with λ > 0 is the physical one: the lower slices support the upper ones.
   constexpr double largest = 2, smallest = -1, first = 0.1, finest = 1e-3;
   for (const double way : {1.0, -1.0}) {
     Try at = zero;

@@ -76,8 +76,8 @@ void find_open_sides(Body<D>& body) {
       if (!body.share || body.share->is_near[e]) water.open_sides.push_back(side);
     }
   }
-  // Where the open sides of a node's elements close around it, as those of an isolated element do, the sum of their
-  // area vectors is round-off, and the sum over the sides that touch the node defines the outward direction.
+  // If the open sides of a node's elements close around it, as those of an isolated element do, the sum of their area
+  // vectors is round-off, and the sum over the sides that touch the node defines the outward direction.
   for (std::size_t i = 0; i < size.size(); ++i) {
     if (norm(water.facing[i]) <= closed_share * size[i]) water.facing[i] = touching[i];
   }

@@ -133,7 +133,7 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
   return s;
 }
 
-/// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, corrects the
+/// If more water would enter than is offered, an impulse along the normal, opposite on the two phases, corrects the
 /// relative velocity (T14.11). Fixed directions take no impulse; supports bear it. Updates `v` and `w` [m/s] and
 /// returns whether they changed.
 template <int D>
