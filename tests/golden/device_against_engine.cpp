@@ -48,7 +48,7 @@ template <int D>
 mpm::Body<D> run_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, int steps,
                            const mpm::Emulation& how) {
   mpm::gather_nodal_sums(body, options);
-  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>(how));
+  mpm::DeviceStepper<D> device(make_tested_device<D>(how));
   for (int s = 0; s < steps; ++s) device.step(body, options);
   device.fade_unseen(body);
   device.bring_back(body);
@@ -189,7 +189,7 @@ TEST(DeviceAgainstEngine, KernelsThatAreTimedSayWhatTheyAre) {
   mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
   const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});
   mpm::gather_nodal_sums(body, options);
-  mpm::DeviceStepper<2> device(mpm::make_emulated_device<2>());
+  mpm::DeviceStepper<2> device(make_tested_device<2>({}));
   device.step(body, options);
   EXPECT_TRUE(device.list_times().empty());
   device.time_kernels();

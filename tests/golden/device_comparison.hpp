@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Runs a body on the processor and on an emulated device, and compares them.
+// Runs a body on the processor and on a device, and compares them.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "golden/tested_device.hpp"
 #include "mpm/body/observe.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "mpm/device/emulated.hpp"
@@ -140,7 +141,7 @@ void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, co
                        int fade_interval = 0) {
   mpm::gather_nodal_sums(body, options);
   mpm::Body<D> there = body;
-  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>(choose_emulation()));
+  mpm::DeviceStepper<D> device(make_tested_device<D>(choose_emulation()));
   for (int s = 0; s < steps; ++s) {
     mpm::step(body, options);
     device.step(there, options);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run on a device gives the results of one on the processor, and resumes from its checkpoints. The device is
-// emulated: the GPU kernels run on the processor.
+// A run on a device gives the results of one on the processor, and resumes from its checkpoints.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "golden/tested_device.hpp"
 #include "input/read.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "output/files/frames_reader.hpp"
@@ -139,7 +139,7 @@ class DeviceRun : public testing::Test {
     int end = 0;
     for (int attempt = 0; attempt < 20 && end == 0; ++attempt) {
       fs::remove_all(folder_ / "there");
-      const pid_t child = start("there", {"--device", "emulated"});
+      const pid_t child = start("there", {"--device", golden::find_tested_device()});
       support::wait_for_file(folder_ / "there" / "checkpoint.h5", child);
       kill(child, SIGKILL);
       end = wait_for(child);
@@ -177,9 +177,10 @@ std::pair<std::string, int> tell(const std::string& arguments) {
 
 TEST_F(DeviceRun, GivesTheResultsOfTheProcessor) {
   ASSERT_EQ(wait_for(start("here", {"--threads", "1"})), 0);
-  ASSERT_EQ(wait_for(start("there", {"--device", "emulated"})), 0);
+  ASSERT_EQ(wait_for(start("there", {"--device", golden::find_tested_device()})), 0);
   expect_close("here", "there", 1e-7);
-  EXPECT_EQ(read_summary("there")["provenance"]["device"], "emulated");
+  const std::string name = read_summary("there")["provenance"]["device"];
+  EXPECT_TRUE(golden::tests_gpu() ? !name.empty() && name != "emulated" : name == "emulated") << name;
   EXPECT_EQ(read_summary("here")["provenance"]["device"], "");
   const auto work = [this](const char* result) {
     return read_summary(result)["budgets"]["external_work"].get<double>();
@@ -191,7 +192,7 @@ TEST_F(DeviceRun, WaterAndRootsGiveTheResultsOfTheProcessor) {
   std::ofstream(folder_ / "case.toml") << wet_bank;
   ASSERT_EQ(wait_for(start("here", {"--threads", "1"})), 0);
   ASSERT_TRUE(kill_on_the_device()) << "the case must be long enough to be killed";
-  ASSERT_EQ(wait_for(start("there", {"--resume", "--device", "emulated"})), 0);
+  ASSERT_EQ(wait_for(start("there", {"--resume", "--device", golden::find_tested_device()})), 0);
   expect_close("here", "there", 1e-7);
   EXPECT_EQ(read_summary("there")["messages"], read_summary("here")["messages"]);
   const nlohmann::json here = read_summary("here")["water"], there = read_summary("there")["water"];
@@ -206,8 +207,8 @@ TEST_F(DeviceRun, WaterAndRootsGiveTheResultsOfTheProcessor) {
 TEST_F(DeviceRun, LeavesWaterWithItsOwnVelocityToTheProcessorAndSaysSo) {
   std::ofstream(folder_ / "case.toml") << wet_bank;
   const auto [said, code] = tell("run '" + (folder_ / "case.toml").string() + "' -o '" + (folder_ / "there").string() +
-                                 "' --device emulated --set stage.0.duration=0.5 --set stage.1.duration=0.01 "
-                                 "--set stage.1.water=flows");
+                                 "' --device " + golden::find_tested_device() +
+                                 " --set stage.0.duration=0.5 --set stage.1.duration=0.01 --set stage.1.water=flows");
   EXPECT_EQ(code, 0) << said;
   EXPECT_NE(said.find("velocity of its own"), std::string::npos) << said;
 }

@@ -112,7 +112,7 @@ TEST(DeviceWater, WaterThatRootsDrawIsTheSame) {
 template <int D>
 mpm::Body<D> run_on_device(WetCase<D> made, int steps, const mpm::Emulation& how) {
   mpm::gather_nodal_sums(made.body, made.options);
-  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>(how));
+  mpm::DeviceStepper<D> device(make_tested_device<D>(how));
   for (int s = 0; s < steps; ++s) device.step(made.body, made.options);
   device.bring_back(made.body);
   return made.body;
