@@ -29,14 +29,13 @@ struct PartialFactors {
 template <>
 inline constexpr auto choices<DesignApproach> = std::array{
     Choice{DesignApproach::none, "none", "characteristic values"},
-    Choice{DesignApproach::da1_1, "DA1-1", "A1 + M1 + R1: γ_G 1.35, γ_Q 1.5; also the UK National Annex (BS 6031)"},
-    Choice{DesignApproach::da1_2, "DA1-2",
-           "A2 + M2 + R1: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; also the UK National Annex (BS 6031)"},
+    Choice{DesignApproach::da1_1, "DA1-1", "A1 + M1 + R1: γ_G 1.35, γ_Q 1.5"},
+    Choice{DesignApproach::da1_2, "DA1-2", "A2 + M2 + R1: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4"},
     Choice{DesignApproach::da2, "DA2", "A1 + M1 + R2: γ_G 1.35, γ_Q 1.5, γ_R;e 1.1"},
     Choice{DesignApproach::da3, "DA3",
            "A2 + M2 + R3: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; loads on a slope count as geotechnical actions"},
     Choice{DesignApproach::en_1998_5, "EN1998-5",
-           "earthquake, EN 1998-5:2004, 3.1(3): γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; actions without factors"},
+           "earthquake, EN 1998-5:2004, 3.1(3): γ_φ' 1.25, γ_cu 1.4, and γ_c' 1.25 as γ_φ'; actions without factors"},
     Choice{DesignApproach::aashto_75, "AASHTO-0.75",
            "AASHTO LRFD, 9th edition, overall stability: resistance factor 0.75, load factors 1; well defined soil, no "
            "structure on the slope"},
