@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 
 namespace talus::bench {
 

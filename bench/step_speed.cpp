@@ -22,9 +22,9 @@
 #include <string>
 #include <utility>
 
-#include "mpm/body/observe.hpp"
-#include "mpm/device/device_image.hpp"
-#include "mpm/device/device_stepper.hpp"
+#include "mpm/backend/device_image.hpp"
+#include "mpm/solver/device_stepper.hpp"
+#include "mpm/solver/observe.hpp"
 #include "wet_yardstick.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 #include "rooted_soil.hpp"
 #include "yardstick_mesh.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A GPU as a grid (interface: HostGrid in mpm/device/emulated.hpp). All operations run in order in one stream.
+// A GPU as a grid (interface: HostGrid in mpm/backend/emulated.hpp). All operations run in order in one stream.
 
 #include <thrust/iterator/counting_iterator.h>
 #include <cub/cub.cuh>
@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "mpm/device/device.hpp"
-#include "mpm/device/emulated.hpp"
+#include "mpm/backend/device.hpp"
+#include "mpm/backend/emulated.hpp"
 
 namespace talus::mpm::device {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The module that --device gpu loads: the kernels of the MPM engine (src/mpm/device/) on a GPU.
+// The module that --device gpu loads: the kernels of the MPM engine (src/mpm/backend/) on a GPU.
 
 #include "cuda_grid.hpp"
-#include "mpm/device/device_body.hpp"
-#include "mpm/device/timed_grid.hpp"
+#include "mpm/backend/device_body.hpp"
+#include "mpm/backend/timed_grid.hpp"
 
 namespace talus::mpm {
 namespace device {

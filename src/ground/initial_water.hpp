@@ -14,7 +14,7 @@
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 
 namespace talus::ground {
 

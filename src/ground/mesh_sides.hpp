@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::ground {
 

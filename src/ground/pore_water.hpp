@@ -10,7 +10,7 @@
 #include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/two_velocity/water.hpp"
+#include "mpm/state/water.hpp"
 
 namespace talus::ground {
 

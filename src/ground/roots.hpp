@@ -10,7 +10,7 @@
 #include "fem/seepage/hydraulic_boundary.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::ground {
 

@@ -9,7 +9,7 @@
 
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/two_velocity/water.hpp"
+#include "mpm/state/water.hpp"
 
 namespace talus::ground {
 

@@ -11,7 +11,7 @@
 
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 

@@ -10,8 +10,8 @@
 #include "base/error.hpp"
 #include "golden/device_comparison.hpp"
 #include "golden/plain_translation.hpp"
-#include "mpm/body/node_rows.hpp"
-#include "mpm/step/element_kernels.hpp"
+#include "mpm/kernels/element_kernels.hpp"
+#include "mpm/state/node_rows.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "golden/tested_device.hpp"
-#include "mpm/body/observe.hpp"
-#include "mpm/device/device_stepper.hpp"
-#include "mpm/device/emulated.hpp"
+#include "mpm/solver/observe.hpp"
+#include "mpm/solver/device_stepper.hpp"
+#include "mpm/backend/emulated.hpp"
 
 namespace talus::golden {
 

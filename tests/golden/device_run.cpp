@@ -18,7 +18,7 @@
 #include "base/error.hpp"
 #include "golden/tested_device.hpp"
 #include "input/read.hpp"
-#include "mpm/device/device_stepper.hpp"
+#include "mpm/solver/device_stepper.hpp"
 #include "output/files/frames_reader.hpp"
 #include "run/run_case.hpp"
 #include "support/child.hpp"

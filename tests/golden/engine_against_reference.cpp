@@ -7,7 +7,7 @@
 #include <string>
 
 #include "golden/plain_translation.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "reference/plain_mpm.hpp"
 
 namespace talus {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/ranks.hpp"
-#include "mpm/body/build.hpp"
-#include "mpm/body/partition.hpp"
+#include "mpm/solver/build.hpp"
+#include "mpm/state/partition.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

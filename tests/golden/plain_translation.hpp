@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 #include "reference/bodies.hpp"
 #include "reference/plain_mpm.hpp"
 

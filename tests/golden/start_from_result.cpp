@@ -13,7 +13,7 @@
 #include "base/progress.hpp"
 #include "golden/loaded_bank.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/stage.hpp"

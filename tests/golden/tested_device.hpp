@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "mpm/device/device_stepper.hpp"
+#include "mpm/solver/device_stepper.hpp"
 
 namespace talus::golden {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "reference/plain_two_phase.hpp"
 
 namespace talus::golden {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::golden {

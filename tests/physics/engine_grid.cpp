@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "base/error.hpp"
-#include "mpm/step/element_kernels.hpp"
+#include "mpm/kernels/element_kernels.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/recorder.hpp"
 #include "run/mpm/stage.hpp"

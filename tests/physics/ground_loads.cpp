@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

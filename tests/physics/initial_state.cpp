@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/wet_case.hpp"
 

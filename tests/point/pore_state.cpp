@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "mpm/two_velocity/pore_state.hpp"
+#include "mpm/kernels/pore_state.hpp"
 
 namespace talus {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mpm/step/softening.hpp"
+#include "mpm/kernels/softening.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus::support {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mesh/points.hpp"
-#include "mpm/body/build.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/build.hpp"
+#include "mpm/solver/observe.hpp"
 #include "reference/bodies.hpp"
 
 namespace talus::support {

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "mpm/body/node_rows.hpp"
-#include "mpm/darcy/darcy_block.hpp"
-#include "mpm/darcy/flow_kernels.hpp"
+#include "mpm/backend/chunk_pass.hpp"
 #include "mpm/darcy/sweep.hpp"
-#include "mpm/step/chunk_pass.hpp"
+#include "mpm/kernels/darcy_block.hpp"
+#include "mpm/kernels/flow_kernels.hpp"
+#include "mpm/state/node_rows.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {

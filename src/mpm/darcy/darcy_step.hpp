@@ -4,7 +4,7 @@
 // and nodal pressures solved for implicitly. Grid solve, remap, G2P and P2G are those of one phase, with the mass of
 // soil and water; step() of step.hpp runs the step for bodies with water when StepOptions::darcy is set.
 
-#include "mpm/step/step.hpp"
+#include "mpm/solver/step.hpp"
 
 namespace talus::mpm {
 

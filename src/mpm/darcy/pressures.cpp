@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assembly and solution of the equation of the nodal pressures (T22.5) with the conditions of the surface, and the
 // redistribution of water that follows (T22.6, T22.7).
-#include "mpm/darcy/pressures.hpp"
+#include "mpm/state/node_graph.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 
 #include "base/error.hpp"
 #include "mpm/darcy/darcy_step.hpp"
-#include "mpm/darcy/pressure_kernels.hpp"
 #include "mpm/darcy/sweep.hpp"
-#include "mpm/two_velocity/root_uptake.hpp"
-#include "mpm/two_velocity/surface_kernels.hpp"
+#include "mpm/kernels/pressure_kernels.hpp"
+#include "mpm/kernels/surface_kernels.hpp"
+#include "mpm/pore_water/root_uptake.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
-#include "mpm/body/node_rows.hpp"
+#include "mpm/state/node_rows.hpp"
 
 namespace talus::mpm {
 

@@ -2,10 +2,10 @@
 // G2P and P2G of the two-velocity formulation: the hooks by which the pass over the points updates velocity, mass and
 // pressure of the pore water, and adds it to the nodal sums.
 
-#include "mpm/step/chunk_pass.hpp"
+#include "mpm/backend/chunk_pass.hpp"
+#include "mpm/kernels/water_lanes.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
-#include "mpm/two_velocity/water_lanes.hpp"
 
 namespace talus::mpm {
 namespace {

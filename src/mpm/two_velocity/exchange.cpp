@@ -6,11 +6,11 @@
 
 #include "base/rows.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/body/averages.hpp"
-#include "mpm/body/partition.hpp"
-#include "mpm/step/element_kernels.hpp"
+#include "mpm/kernels/averages.hpp"
+#include "mpm/kernels/element_kernels.hpp"
+#include "mpm/kernels/pore_state.hpp"
+#include "mpm/state/partition.hpp"
 #include "mpm/two_velocity/kernels.hpp"
-#include "mpm/two_velocity/pore_state.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {

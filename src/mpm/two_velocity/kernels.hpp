@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Kernels of the pore water of one element: motion (G2P) and sums (P2G), the counterpart of mpm/step/kernels.hpp. They
-// are templates on T.
+// Kernels of the pore water of one element: motion (G2P) and sums (P2G), the counterpart of
+// mpm/kernels/point_kernels.hpp. They are templates on T.
 
-#include "mpm/step/kernels.hpp"
+#include "mpm/kernels/point_kernels.hpp"
 
 namespace talus::mpm {
 

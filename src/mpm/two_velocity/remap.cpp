@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/rows.hpp"
-#include "mpm/body/node_rows.hpp"
+#include "mpm/state/node_rows.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "mpm/two_velocity/solve.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"

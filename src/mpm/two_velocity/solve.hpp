@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mpm/body/body.hpp"
-#include "mpm/two_velocity/water_surface.hpp"
+#include "mpm/kernels/water_surface.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::mpm {
 

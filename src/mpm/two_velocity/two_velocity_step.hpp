@@ -4,8 +4,8 @@
 // P2G) beside those of one phase, and the data that its node loops share. step() of step.hpp runs it for bodies with
 // water.
 
-#include "mpm/step/step.hpp"
-#include "mpm/two_velocity/water_surface.hpp"
+#include "mpm/kernels/water_surface.hpp"
+#include "mpm/solver/step.hpp"
 
 namespace talus::mpm {
 

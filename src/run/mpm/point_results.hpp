@@ -3,7 +3,7 @@
 // Results of an MPM body: mesh, budgets of energy, momentum and mass, wall-clock time by phase, and the water budget.
 
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "results/run.hpp"
 #include "results/water.hpp"
 

@@ -16,7 +16,7 @@
 #include "ground/seepage_results.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "results/json.hpp"
 #include "run/mpm/point_results.hpp"
 #include "run/mpm/record/checkpoint.hpp"

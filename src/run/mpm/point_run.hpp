@@ -11,7 +11,7 @@
 #include "base/ranks.hpp"
 #include "ground/seepage_results.hpp"
 #include "input/read.hpp"
-#include "mpm/step/step.hpp"
+#include "mpm/solver/step.hpp"
 #include "results/run.hpp"
 #include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/record/runout.hpp"

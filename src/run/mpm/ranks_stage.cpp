@@ -10,8 +10,8 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
-#include "mpm/body/build.hpp"
-#include "mpm/body/partition.hpp"
+#include "mpm/solver/build.hpp"
+#include "mpm/state/partition.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {

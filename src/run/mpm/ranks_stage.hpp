@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/error.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "run/mpm/stage.hpp"
 
 namespace talus::run {

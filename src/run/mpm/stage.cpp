@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "mpm/body/observe.hpp"
-#include "mpm/body/partition.hpp"
+#include "mpm/solver/observe.hpp"
+#include "mpm/state/partition.hpp"
 #include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/stage_warnings.hpp"
 #include "run/mpm/start/frozen_body.hpp"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/body/observe.hpp"
-#include "mpm/step/critical_step.hpp"
-#include "mpm/step/step.hpp"
+#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/observe.hpp"
+#include "mpm/solver/step.hpp"
 #include "results/trial.hpp"
 
 namespace talus::run {

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "mpm/body/observe.hpp"
-#include "mpm/body/partition.hpp"
+#include "mpm/solver/observe.hpp"
+#include "mpm/state/partition.hpp"
 
 namespace talus::run {
 

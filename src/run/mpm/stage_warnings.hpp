@@ -7,7 +7,7 @@
 #include <string>
 
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "results/trial.hpp"
 #include "run/mpm/stage.hpp"
 

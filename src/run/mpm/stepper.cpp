@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/ranks.hpp"
-#include "mpm/device/device_stepper.hpp"
+#include "mpm/solver/device_stepper.hpp"
 
 namespace talus::run {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/body/observe.hpp"
-#include "mpm/device/device_stepper.hpp"
+#include "mpm/solver/device_stepper.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/run_folder.hpp"
 

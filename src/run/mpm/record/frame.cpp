@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 
 namespace talus::run {

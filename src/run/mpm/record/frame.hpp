@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mpm/body/body.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
+#include "mpm/state/body.hpp"
 #include "output/files/frame.hpp"
 
 namespace talus::run {

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/units.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
 #include "run/mpm/stage.hpp"

@@ -12,7 +12,7 @@
 #include "base/atomic_file.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/planar.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/start/prepare.hpp"
 

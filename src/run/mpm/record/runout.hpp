@@ -6,7 +6,7 @@
 #include <string>
 
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "results/runout.hpp"
 
 namespace talus::run {

@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "base/user_file.hpp"
 #include "mesh/planar.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/motion.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "output/files/frame.hpp"
 #include "results/bounds.hpp"
 #include "results/runout.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::run {

@@ -11,7 +11,7 @@
 #include "base/user_file.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "results/json.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/runout.hpp"

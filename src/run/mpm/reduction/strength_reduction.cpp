@@ -11,7 +11,7 @@
 
 #include "base/atomic_file.hpp"
 #include "mesh/quality.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 #include "results/json.hpp"
 #include "run/mpm/record/motion.hpp"

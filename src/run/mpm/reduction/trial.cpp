@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {

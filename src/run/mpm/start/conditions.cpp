@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "ground/mesh_sides.hpp"
 #include "ground/seepage_model.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {

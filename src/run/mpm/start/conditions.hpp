@@ -5,7 +5,7 @@
 
 #include "ground/mesh_sides.hpp"
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::run {
 

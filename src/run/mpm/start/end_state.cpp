@@ -12,9 +12,9 @@
 #include "base/hash.hpp"
 #include "ground/roots.hpp"
 #include "input/echo.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/kernels/pore_state.hpp"
+#include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
-#include "mpm/two_velocity/pore_state.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/recorder.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "base/json_tree.hpp"
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 #include "output/files/archive.hpp"
 #include "results/run.hpp"
 

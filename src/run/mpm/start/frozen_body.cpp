@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
 

@@ -10,7 +10,7 @@
 #include "ground/mesh_sides.hpp"
 #include "ground/pore_water.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/body/observe.hpp"
+#include "mpm/solver/observe.hpp"
 #include "run/mpm/start/conditions.hpp"
 
 namespace talus::run {

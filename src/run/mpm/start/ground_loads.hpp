@@ -6,7 +6,7 @@
 
 #include "ground/pore_water.hpp"
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::run {
 

@@ -10,7 +10,7 @@
 #include "ground/season.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/body/build.hpp"
+#include "mpm/solver/build.hpp"
 #include "results/trial.hpp"
 
 namespace talus::run {

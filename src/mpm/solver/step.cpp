@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The step of MPM as the sequence of its phases: grid solve, remap, smoothing, G2P and P2G, relocation, loads.
+#include "mpm/solver/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rows.hpp"
+#include "mpm/backend/chunk_pass.hpp"
+#include "mpm/darcy/darcy_step.hpp"
+#include "mpm/kernels/averages.hpp"
+#include "mpm/kernels/element_kernels.hpp"
+#include "mpm/kernels/g2p_p2g_kernels.hpp"
+#include "mpm/kernels/grid_solve_kernels.hpp"
+#include "mpm/state/node_rows.hpp"
+#include "mpm/state/partition.hpp"
+#include "mpm/two_velocity/two_velocity_step.hpp"
+
+namespace talus::mpm {
+
+namespace {
+
+/// Runs the phases of the step in order and adds the time of each to its part of body.timing. MUSL's grid solve is
+/// solve_momentum and remap_momentum; advance_points is G2P and the P2G of the next step.
+template <class Phase, int D>
+void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch timed) {
+  using input::Smoothing;
+  constexpr bool wet = Phase::has_water;
+  const bool exchanges = wet && body.step_count % exchange_interval == 0;
+  Timing& t = body.timing;
+  MoverLists movers;
+  if (wet) timed(t.solve_momentum, [&] { load_surface(body, o); });
+  timed(t.solve_momentum, [&] { solve_momentum(phase, body, o); });
+  timed(t.remap_momentum, [&] { remap_momentum(phase, body, o); });
+  if (o.smoothing != Smoothing::none || (wet && o.smooth_pressure))
+    timed(t.smooth_strain, [&] { smooth_increments(phase, body, o); });
+  if (exchanges && o.exchange_water) timed(t.smooth_strain, [&] { exchange_water(body, o); });
+  if (exchanges && !body.water.uptakes.empty()) timed(t.smooth_strain, [&] { draw_root_water(body, o); });
+  timed(t.advance_points, [&] { movers = advance_points(phase, body, o); });
+  body.time += o.dt;
+  ++body.step_count;
+  timed(t.relocate, [&] { relocate(body, o, movers); });
+  timed(t.relocate, [&] { gather_loads(body); });
+}
+
+}  // namespace
+
+template <int D>
+void step(Body<D>& body, const StepOptions<D>& options) {
+  if (body.water.is_wet() && options.darcy)
+    step_darcy(body, options);
+  else if (body.water.is_wet())
+    run_lines(Wet{}, body, options, {});
+  else
+    run_lines(Dry{}, body, options, {});
+}
+
+template void step<2>(Body<2>&, const StepOptions<2>&);
+template void step<3>(Body<3>&, const StepOptions<3>&);
+
+// G2P and P2G for soil of one phase: the pass over the points with the hooks of DryBlock.
+
+namespace {
+
+template <int D>
+struct DryPass : OneVelocityPass<D> {
+  template <class Law>
+  using Block = DryBlock<DryPass, Law>;
+  using OneVelocityPass<D>::OneVelocityPass;
+
+  TALUS_KERNEL void note_full(const BlockPlace<Body<D>>&, Mask) {}
+};
+
+}  // namespace
+
+template <int D>
+MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options) {
+  return advance_blocks<DryPass<D>>(body, options);
+}
+
+template MoverLists advance_points<2>(Dry, Body<2>&, const StepOptions<2>&);
+template MoverLists advance_points<3>(Dry, Body<3>&, const StepOptions<3>&);
+
+// Nodal forces (2.37) of tractions on sides and on points, at body.time.
+
+namespace {
+
+/// Position of a point that carries a force.
+template <int D>
+struct Carrier {
+  std::size_t entry = 0;  ///< index in the load
+  int element = 0;
+  double shape[D + 1];
+};
+
+/// The carriers of a load whose points are on the grid, gathered from all ranks, in the order of the load's entries.
+template <int D>
+std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) {
+  const Points<D>& points = body.points;
+  std::vector<Carrier<D>> carriers;
+  for (std::size_t i = 0; i < load.entries.size(); ++i) {
+    const int point = load.entries[i].index;
+    Carrier<D> c{i, points.element[point], {}};
+    if (c.element < 0) continue;
+    const std::int64_t place = points.place[point];
+    const double* p = points.slot(place / lane_width) + place % lane_width;
+    c.shape[0] = 1;
+    for (int k = 0; k < D; ++k) {
+      c.shape[k + 1] = p[(Points<D>::xi + k) * lane_width];
+      c.shape[0] -= c.shape[k + 1];
+    }
+    carriers.push_back(c);
+  }
+  if (!body.share) return carriers;
+  carriers = join_lists(body, std::move(carriers));
+  std::sort(carriers.begin(), carriers.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
+  return carriers;
+}
+
+}  // namespace
+
+template <int D>
+void gather_loads(Body<D>& body) {
+  // nodes.load of the Darcy step includes the pressure of outside water, which another step would count twice.
+  body.nodes.load.clear();
+  if (body.conditions.loads.empty()) return;
+  body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
+  for (const Load<D>& load : body.conditions.loads) {
+    const double factor = load.factor.at(body.time);
+    if (!load.on_points) {
+      for (const auto& entry : load.entries)
+        for (int d = 0; d < D; ++d) body.nodes.load[entry.index][d] += factor * entry.force[d];
+      continue;
+    }
+    for (const Carrier<D>& c : find_carriers(body, load))
+      for (int k = 0; k <= D; ++k) {
+        Vec<D>& f = body.nodes.load[body.mesh().elements[c.element][k]];
+        for (int d = 0; d < D; ++d) f[d] += factor * c.shape[k] * load.entries[c.entry].force[d];
+      }
+  }
+}
+
+template void gather_loads<2>(Body<2>&);
+template void gather_loads<3>(Body<3>&);
+
+// Grid solve: nodal accelerations, then the nodal velocities of MUSL's second mapping (remap).
+
+template <int D>
+void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  solve_pieces(body, o.threads, body.nodes.sums, sums_stride, o.monitor,
+               [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
+}
+
+template <int D>
+void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const bool far = body.points.size() > 50000;  // beyond the second-level cache
+  for_chunks_and_update(body, o.threads, body.nodes.sums, sums_stride, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+      const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * lane_width];
+      if (far && b + 2 < layout.blocks) {
+        const int* ahead = rows + 2 * (D + 1) * lane_width;
+        for (int i = 0; i < (D + 1) * lane_width; ++i) {
+          __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(ahead[i]) * motion_stride<D>], 0, 3);
+          __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(ahead[i]) * sums_stride], 1, 3);
+        }
+        for (int i = 0; i < moment_size<D>; ++i)
+          __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
+      }
+      remap_block(body, b, o.dt);
+    }
+  });
+  std::vector<std::array<double, 2>> works(static_cast<std::size_t>(layout.chunks));  // external, lost in the mapping
+  for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
+    std::array<double, 2> lost{};
+    remap_nodes(body, o, begin, end, lost);
+    if (c < 0) return;
+    works[static_cast<std::size_t>(c)] = lost;
+  });
+  complete_chunks(body, works);
+  for (const auto& work : works) {
+    body.work.external += work[0];
+    body.work.mapping += work[1];
+  }
+  body.nodes.motion_step = o.dt;
+}
+
+template void solve_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
+
+// Nodal averages of the volumetric strain increment (2.94): nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the
+// elements at each node that take part.
+template <int D>
+void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& o) {
+  for_blocks_and_update(body, o.threads, body.nodes.average, 2, [&](int b, const int* rows) {
+    Pack values[2];
+    find_average_parts(body, b, o, values);
+    add_average<D>(body.nodes.average, rows, values);
+  });
+  divide_averages<2, 1>(body, o.threads, body.nodes.average, body.nodes.smoothed.data());
+}
+
+template void smooth_increments<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void smooth_increments<3>(Dry, Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

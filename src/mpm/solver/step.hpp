@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The computational cycle of MPM (MUSL, section 2.2.3 of the source; theory 2): grid solve, P2G and G2P, rearranged so
+// that the points are read and written once per step.
+//
+// On linear simplices the update of a point is affine in its local coordinates. The second mapping of MUSL, Σ_p N_i m_p
+// (v_p + Δt Σ_j N_j a_j) = p_i + Δt Σ_j M_ij a_j (T2.3), therefore needs no second pass over the points: M is the
+// element's consistent mass matrix, computed from the moments (T2.4) that the one pass sums. tests/reference has the
+// textbook order.
+
+#include "input/case/case.hpp"
+#include "mpm/state/body.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+struct StepOptions {
+  double dt = 0;            ///< [s]
+  Vec<D> gravity{};         ///< [m/s²]
+  double damping = 0;       ///< α of (2.89)
+  double mass_scaling = 1;  ///< β of (2.91)
+  bool mixed = false;       ///< mixed integration (2.92-2.93)
+  input::Smoothing smoothing = input::Smoothing::none;
+  bool moving = true;     ///< false: frozen geometry, small strain
+  bool objective = true;  ///< rotate stresses with the soil
+  bool monitor = false;   ///< fill Body::monitor in this step
+  int threads = 1;
+  // The options below are for soil with pore water.
+  bool darcy = false;                ///< Darcy (u-p) formulation: one velocity, pressures at the nodes (darcy_step.hpp)
+  double pressure_tolerance = 1e-5;  ///< residual of the pressure equation over its right-hand side [-]
+  bool implicit_drag = true;
+  double water_damping = 0;  ///< α of (2.89) for the water
+  bool net_damping = true;  ///< damp the net force, drag and skin included (T14.10); false: without drag, as the source
+  bool smooth_pressure = false;    ///< (2.96-2.97)
+  bool exchange_water = false;     ///< between elements, against spurious pressure modes (T14.9)
+  double conductivity_factor = 1;  ///< factor on k [-]
+};
+
+/// Advances the body by one step. Reads the nodal sums of the last pass over the points, writes those of the next step.
+template <int D>
+void step(Body<D>& body, const StepOptions<D>& options);
+
+/// Formulation that selects the phases of the step: soil of one phase, or soil and pore water with two velocities
+/// (two_velocity/two_velocity_step.hpp).
+struct Dry {
+  static constexpr bool has_water = false;
+};
+struct Wet {
+  static constexpr bool has_water = true;
+};
+
+// The phases of the step, in order.
+
+/// Grid solve: a_i = (f_ext - f_int + f_damp)_i / (β m_i) with constraints (2.39, 2.89). Reads sums; writes motion (a),
+/// work, monitor.
+template <int D>
+void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
+
+/// Grid solve, second mapping of MUSL: v_i = (p_i + Δt Σ_j M_ij a_j) / m_i with constraints (2.41). Reads motion (a)
+/// and moments; writes motion (v), zeroes sums.
+template <int D>
+void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
+
+/// Nodal averages of the volumetric strain increment (2.94); with smoothing "stable" the plastic dilation of the last
+/// step is subtracted before averaging (T4.4). Reads motion (v), plastic_dilation; writes smoothed.
+template <int D>
+void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& options);
+
+/// Points of one slot of a block that left their element in advance_points(); input of relocate().
+struct Mover {
+  int block, slot;
+  unsigned lanes;  ///< bit set of the lanes concerned
+};
+using MoverLists = std::vector<std::vector<Mover>>;  ///< by chunk
+
+/// G2P and the P2G of the next step in one pass: v_p, ξ_p, Δε_p, σ_p, V_p (2.40, 2.42-2.45), then the nodal sums (2.35,
+/// 2.38).
+template <int D>
+MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options);
+
+/// Moves the points that left their element, and their part of the nodal sums, to their new element. The order does not
+/// depend on the number of threads. Points that left the grid are recorded in `lost`.
+template <int D>
+void relocate(Body<D>& body, const StepOptions<D>& options, const MoverLists& movers);
+
+/// Filters null modes between steps (T2.5): removes the components of the point velocities that have no momentum at any
+/// node. Reads and writes the nodal sums of momentum. Conserves linear momentum exactly; the kinetic energy removed is
+/// added to work.mapping.
+template <int D>
+void fade_unseen(Body<D>& body, const StepOptions<D>& options);
+
+/// Nodal forces of the tractions (2.37) for the step that starts at body.time. Writes nodes.load.
+template <int D>
+void gather_loads(Body<D>& body);
+
+/// Computes the nodal sums from scratch (P2G), at the start of a stage, when the options of the internal force may have
+/// changed.
+template <int D>
+void gather_nodal_sums(Body<D>& body, const StepOptions<D>& options);
+
+}  // namespace talus::mpm

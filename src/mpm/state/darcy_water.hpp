@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Pore water of the Darcy (u-p) formulation (docs/theory/22-mixture.md) as plain data: nodal pressures, contents of
+// nodes and elements, and the coefficients of one step. Pressure is positive in tension.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "base/lane.hpp"
+#include "base/vec.hpp"
+#include "mpm/state/node_graph.hpp"
+
+namespace talus::mpm {
+
+/// Smallest pore volume of a wet point as a fraction of its volume [-]: with smoothing, a point's volume may fall below
+/// that of its grains, while its water stays.
+inline constexpr double smallest_porosity = 1e-3;
+template <class T>
+TALUS_KERNEL T find_pores(T volume, T grains) {
+  return lane_max(volume - grains, smallest_porosity * volume);
+}
+
+template <int D>
+struct DarcyWater {
+  std::shared_ptr<const NodeGraph<D>> graph;  ///< made by the first step
+
+  bool is_used = false;  ///< the nodal sums are those of one velocity
+
+  // By node, kept from step to step.
+  std::vector<double> pressure;      ///< [Pa]; NaN where there is no water
+  std::vector<std::uint8_t> ponded;  ///< ponding or outflow at zero pressure
+  std::vector<double> own;           ///< o_i, water beside the part of the elements (T22.2) [m³]
+
+  // By element. Pores and volume are stored by material, [material][element].
+  std::vector<AlignedVector<double>> pores;            ///< of wet points [m³]
+  std::vector<AlignedVector<double>> volume;           ///< V̄ of wet points [m³]
+  AlignedVector<double> water;                         ///< water of the points, at the density of zero pressure [m³]
+  AlignedVector<double> share;                         ///< water lost per pore volume in a step (T22.6) [-]
+  std::vector<double> saturated, effective, coupling;  ///< Σ V S, Σ V χ, Σ V √(Sχ) [m³]
+  std::vector<double> conductive;                      ///< Σ V k k_r/(ρ_w g) [m⁵/(N s)]
+  std::vector<double> soft;                            ///< τ Σ V [m³/Pa]
+  std::array<AlignedVector<double>, D> flux;  ///< Darcy flux relative to the grains, at the end of the step [m/s]
+  AlignedVector<double> drawn;                ///< root uptake of this step [m³]
+
+  // By node.
+  std::vector<std::vector<double>> node_pores;  ///< [material][node] [m³]
+  std::vector<double> node_water;               ///< [m³]
+  std::vector<double> change, out, passed;  ///< δ [Pa]; water that leaves the node, and of it through the surface [m³]
+  std::vector<Vec<D>> velocity, acceleration;  ///< predicted [m/s], [m/s²]
+  std::vector<double> mobility;                ///< Δt² s/(β M), see T22.3 [s²/kg]
+  std::vector<Vec<D>> pore_force;              ///< pressure forces that the nodal sums contain [N]
+  std::vector<Vec<D>> area;                    ///< of the open sides that touch the node, outwards [m²]
+
+  int rounds = 0, iterations = 0;  ///< of the last step: nonlinear rounds, and iterations of the linear solver in total
+};
+
+}  // namespace talus::mpm
