@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "mpm/backend/device_image.hpp"
+#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
 #include "wet_yardstick.hpp"

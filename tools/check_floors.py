@@ -35,6 +35,9 @@ ALLOWED = {
 APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots")]
 # One of them may use the other.
 MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
+# The folders of mpm/ from the bottom up: each may include those before it; the two formulations of pore water do not know each other.
+MPM_ORDER = ["state", "kernels", "pore_water", "backend", "two_velocity", "darcy", "solver"]
+MPM_APART = {"two_velocity", "darcy"}
 LONGEST = 500
 # file → why it may be longer
 MAY_BE_LONGER = {}
@@ -60,6 +63,16 @@ def find_neighbours(name, target):
     return None
 
 
+def find_mpm_fault(name, target):
+    """The fault of a folder of mpm/ that includes one above it; None without one."""
+    own, other = name.split("/")[2], target.split("/")[1]
+    if own not in MPM_ORDER or other not in MPM_ORDER:
+        return f"mpm/{other if own in MPM_ORDER else own}/ has no place in MPM_ORDER"
+    if {own, other} == MPM_APART or MPM_ORDER.index(other) > MPM_ORDER.index(own):
+        return f"mpm/{own}/ may not include mpm/{other}/"
+    return None
+
+
 def check_line(root, name, floor, line):
     """The faults of one line of a file in src/<floor>/."""
     include = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
@@ -72,6 +85,8 @@ def check_line(root, name, floor, line):
         elif other != floor and not any(target.startswith(room + "/") for room in ALLOWED[floor]):
             yield f"{floor}/ may not include {other}/"
         elif fault := find_neighbours(name, target):
+            yield fault
+        elif floor == other == "mpm" and (fault := find_mpm_fault(name, target)):
             yield fault
         elif not generated and not (root / "src" / target).is_file():
             yield f"there is no src/{target}"
@@ -108,6 +123,10 @@ def run_self_test():
         "src/base/low.hpp": '#include "mpm/high.hpp"\n',
         "src/mpm/high.hpp": '#include "base/low.hpp"\n#include "low.hpp"\n#include "base/missing.hpp"\n',
         "src/fem/neighbour.cpp": '#include "mpm/high.hpp"\n',
+        "src/mpm/state/body.hpp": '#include "mpm/solver/step.hpp"\n',
+        "src/mpm/solver/step.hpp": '#include "mpm/state/body.hpp"\n#include "mpm/darcy/flow.hpp"\n',
+        "src/mpm/darcy/flow.hpp": '#include "mpm/two_velocity/phases.hpp"\n',
+        "src/mpm/two_velocity/phases.hpp": "\n",
         "src/run/mpm/owner.cpp": '#include "run/lem/search.hpp"\n',
         "src/run/lem/search.hpp": "\n",
         "src/mesh/threads.cpp": "#include <omp.h>\n#ifdef __AVX__\n#endif\n",
@@ -115,7 +134,7 @@ def run_self_test():
         "tests/unit/long.cpp": "\n" * (LONGEST + 1),
     }
     expected = ["base/low.hpp:1", "mpm/high.hpp:2", "mpm/high.hpp:3", "mesh/threads.cpp:1", "mesh/threads.cpp:2",
-                "odd/file.cpp", "unit/long.cpp", "fem/neighbour.cpp:1", "run/mpm/owner.cpp:1"]
+                "odd/file.cpp", "unit/long.cpp", "fem/neighbour.cpp:1", "run/mpm/owner.cpp:1", "state/body.hpp:1", "darcy/flow.hpp:1"]
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():

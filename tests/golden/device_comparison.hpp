@@ -9,6 +9,10 @@
 #include <string>
 
 #include "golden/tested_device.hpp"
+#include "mpm/backend/emulated.hpp"
+#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/device_stepper.hpp"
+#include "mpm/solver/observe.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/backend/emulated.hpp"

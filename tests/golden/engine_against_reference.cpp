@@ -7,6 +7,7 @@
 #include <string>
 
 #include "golden/plain_translation.hpp"
+#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/observe.hpp"
 #include "reference/plain_mpm.hpp"
 

@@ -2,6 +2,7 @@
 // Equalised-mass bodies at frozen geometry: small elements no longer reduce the time step, and the state of rest is the
 // same.
 
+#include "mpm/state/loads.hpp"
 #include "run/mpm/start/frozen_body.hpp"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "mpm/kernels/softening.hpp"
+#include "mpm/solver/critical_step.hpp"
+#include "mpm/state/loads.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus::support {

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "mpm/backend/device_laws.hpp"
 #include "mpm/backend/thread_body.hpp"
-#include "mpm/solver/observe.hpp"
+#include "mpm/kernels/observation.hpp"
 
 namespace talus::mpm {
 

@@ -4,7 +4,8 @@
 // and nodal pressures solved for implicitly. Grid solve, remap, G2P and P2G are those of one phase, with the mass of
 // soil and water; step() of step.hpp runs the step for bodies with water when StepOptions::darcy is set.
 
-#include "mpm/solver/step.hpp"
+#include "mpm/state/body.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 
@@ -50,8 +51,5 @@ void solve_pressures(Body<D>& body, const StepOptions<D>& options);
 /// G2P, and the P2G of the next step, in one pass over the points.
 template <int D>
 MoverLists advance_points(Darcy, Body<D>& body, const StepOptions<D>& options);
-
-template <int D>
-void step_darcy(Body<D>& body, const StepOptions<D>& options);
 
 }  // namespace talus::mpm

@@ -7,7 +7,6 @@
 
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/water_lanes.hpp"
-#include "mpm/two_velocity/kernels.hpp"
 
 namespace talus::mpm {
 

@@ -11,10 +11,9 @@
 #include "mpm/kernels/laws.hpp"
 #include "mpm/kernels/point_kernels.hpp"
 #include "mpm/kernels/pore_state.hpp"
-#include "mpm/solver/step.hpp"
 #include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
-#include "mpm/two_velocity/kernels.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 

@@ -10,7 +10,7 @@
 #include "base/rows.hpp"
 #include "mpm/kernels/averages.hpp"
 #include "mpm/kernels/full_element.hpp"
-#include "mpm/solver/step.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 

@@ -4,9 +4,8 @@
 
 #include "mesh/mesh.hpp"
 #include "mpm/kernels/laws.hpp"
+#include "mpm/kernels/observation.hpp"
 #include "mpm/kernels/pore_state.hpp"
-#include "mpm/solver/observe.hpp"
-#include "mpm/two_velocity/kernels.hpp"
 
 namespace talus::mpm {
 

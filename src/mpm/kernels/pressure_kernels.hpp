@@ -11,8 +11,8 @@
 #include "mesh/mesh.hpp"
 #include "mpm/kernels/held_water.hpp"
 #include "mpm/kernels/water_surface.hpp"
-#include "mpm/solver/step.hpp"
 #include "mpm/state/node_rows.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 

@@ -10,13 +10,6 @@
 
 namespace talus::mpm {
 
-/// Neighbours of each element within the nonlocal reach, and their weights w_ef without volumes (T23.1).
-struct SofteningReach {
-  std::vector<std::int64_t> start;  ///< of element e: [start[e], start[e + 1])
-  std::vector<int> element;
-  std::vector<double> weight;
-};
-
 /// Nonlocal correction ε̄_e - ε_e of the dilation of element `e` (T23.1, T23.2). List: a SofteningReach, or the same on
 /// a GPU.
 template <class List, class E>

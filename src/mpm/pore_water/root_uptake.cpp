@@ -7,8 +7,6 @@
 #include <algorithm>
 
 #include "mpm/state/partition.hpp"
-#include "mpm/two_velocity/kernels.hpp"
-#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {
 namespace {

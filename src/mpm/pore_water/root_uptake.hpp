@@ -2,29 +2,13 @@
 #pragma once
 // Uptake of pore water by plant roots (docs/theory/16-season.md).
 
-#include <string>
-#include <vector>
-
-#include "base/lane.hpp"
-#include "input/language/time_table.hpp"
-#include "material/water/feddes.hpp"
+#include "mpm/state/body.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 
-template <int D>
-struct Body;
-template <int D>
-struct StepOptions;
-
-/// Plants that draw water through the points of their root zone. A point loses α(s) T(t) times its weight.
-struct RootUptake {
-  std::string name;
-  input::TimeTable rate;       ///< T, potential per horizontal area of ground [m/s]
-  material::Feddes reduction;  ///< α, of the element's mean suction
-  /// By point number: horizontal ground area whose transpiration is drawn from the point [m²] (2D: m). It moves with
-  /// the point and is lost with it.
-  std::vector<double> weight;
-};
+/// Number of steps between exchanges of water, and between root uptakes.
+inline constexpr int exchange_interval = 4;
 
 /// Adds the root uptake until the next call to the water's surplus, which the next pass removes from the points, and to
 /// Water::transpired. Does nothing while the geometry is frozen.

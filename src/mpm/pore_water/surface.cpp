@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Search of the open sides of wet soil, and the forces of outside water on them (T14.12).
+#include "mpm/pore_water/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mpm/kernels/surface_kernels.hpp"
 #include "mpm/state/partition.hpp"
-#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::mpm {
 namespace {

@@ -11,6 +11,7 @@
 #include "mpm/kernels/point_kernels.hpp"
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/kernels/softening.hpp"
+#include "mpm/state/loads.hpp"
 #include "mpm/state/partition.hpp"
 #include "mpm/state/slots.hpp"
 #include "mpm/two_velocity/kernels.hpp"

@@ -12,6 +12,7 @@
 #include "mpm/kernels/element_kernels.hpp"
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/grid_solve_kernels.hpp"
+#include "mpm/state/loads.hpp"
 #include "mpm/state/node_rows.hpp"
 #include "mpm/state/partition.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
@@ -23,7 +24,7 @@ namespace {
 /// Runs the phases of the step in order and adds the time of each to its part of body.timing. MUSL's grid solve is
 /// solve_momentum and remap_momentum; advance_points is G2P and the P2G of the next step.
 template <class Phase, int D>
-void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch timed) {
+void run_phases(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch timed) {
   using input::Smoothing;
   constexpr bool wet = Phase::has_water;
   const bool exchanges = wet && body.step_count % exchange_interval == 0;
@@ -43,16 +44,49 @@ void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch ti
   timed(t.relocate, [&] { gather_loads(body); });
 }
 
+/// The step of the Darcy formulation (theory 22): contents and coefficients, pressure solve between two grid solves,
+/// then the remap and the pass over the points of one phase.
+template <int D>
+void run_darcy_phases(Body<D>& body, const StepOptions<D>& o) {
+  Stopwatch timed;
+  Timing& t = body.timing;
+  MoverLists movers;
+  timed(t.solve_momentum, [&] {
+    find_contents(body, o);
+    load_surface(body, o);
+    find_flow(body, o);
+    load_darcy(body, o);
+    press_nodes(body, o);
+    const Work before = body.work;
+    solve_momentum(Dry{}, body, o);
+    body.work = before;  // work is counted with the pressures of the end of the step
+    predict_motion(body, o);
+    solve_pressures(body, o);
+    press_nodes(body, o);
+    solve_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * body.nodes.motion_step * find_pore_power(body, o);  // mean of the step (T9.1)
+  });
+  timed(t.remap_momentum, [&] {
+    remap_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * o.dt * find_pore_power(body, o);
+  });
+  if (o.smoothing != input::Smoothing::none) timed(t.smooth_strain, [&] { smooth_increments(Dry{}, body, o); });
+  timed(t.advance_points, [&] { movers = advance_points(Darcy{}, body, o); });
+  body.time += o.dt;
+  ++body.step_count;
+  timed(t.relocate, [&] { relocate(body, o, movers); });
+}
+
 }  // namespace
 
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
   if (body.water.is_wet() && options.darcy)
-    step_darcy(body, options);
+    run_darcy_phases(body, options);
   else if (body.water.is_wet())
-    run_lines(Wet{}, body, options, {});
+    run_phases(Wet{}, body, options, {});
   else
-    run_lines(Dry{}, body, options, {});
+    run_phases(Dry{}, body, options, {});
 }
 
 template void step<2>(Body<2>&, const StepOptions<2>&);
@@ -80,68 +114,6 @@ MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options) {
 
 template MoverLists advance_points<2>(Dry, Body<2>&, const StepOptions<2>&);
 template MoverLists advance_points<3>(Dry, Body<3>&, const StepOptions<3>&);
-
-// Nodal forces (2.37) of tractions on sides and on points, at body.time.
-
-namespace {
-
-/// Position of a point that carries a force.
-template <int D>
-struct Carrier {
-  std::size_t entry = 0;  ///< index in the load
-  int element = 0;
-  double shape[D + 1];
-};
-
-/// The carriers of a load whose points are on the grid, gathered from all ranks, in the order of the load's entries.
-template <int D>
-std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) {
-  const Points<D>& points = body.points;
-  std::vector<Carrier<D>> carriers;
-  for (std::size_t i = 0; i < load.entries.size(); ++i) {
-    const int point = load.entries[i].index;
-    Carrier<D> c{i, points.element[point], {}};
-    if (c.element < 0) continue;
-    const std::int64_t place = points.place[point];
-    const double* p = points.slot(place / lane_width) + place % lane_width;
-    c.shape[0] = 1;
-    for (int k = 0; k < D; ++k) {
-      c.shape[k + 1] = p[(Points<D>::xi + k) * lane_width];
-      c.shape[0] -= c.shape[k + 1];
-    }
-    carriers.push_back(c);
-  }
-  if (!body.share) return carriers;
-  carriers = join_lists(body, std::move(carriers));
-  std::sort(carriers.begin(), carriers.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
-  return carriers;
-}
-
-}  // namespace
-
-template <int D>
-void gather_loads(Body<D>& body) {
-  // nodes.load of the Darcy step includes the pressure of outside water, which another step would count twice.
-  body.nodes.load.clear();
-  if (body.conditions.loads.empty()) return;
-  body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
-  for (const Load<D>& load : body.conditions.loads) {
-    const double factor = load.factor.at(body.time);
-    if (!load.on_points) {
-      for (const auto& entry : load.entries)
-        for (int d = 0; d < D; ++d) body.nodes.load[entry.index][d] += factor * entry.force[d];
-      continue;
-    }
-    for (const Carrier<D>& c : find_carriers(body, load))
-      for (int k = 0; k <= D; ++k) {
-        Vec<D>& f = body.nodes.load[body.mesh().elements[c.element][k]];
-        for (int d = 0; d < D; ++d) f[d] += factor * c.shape[k] * load.entries[c.entry].force[d];
-      }
-  }
-}
-
-template void gather_loads<2>(Body<2>&);
-template void gather_loads<3>(Body<3>&);
 
 // Grid solve: nodal accelerations, then the nodal velocities of MUSL's second mapping (remap).
 

@@ -8,45 +8,19 @@
 // element's consistent mass matrix, computed from the moments (T2.4) that the one pass sums. tests/reference has the
 // textbook order.
 
-#include "input/case/case.hpp"
 #include "mpm/state/body.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
-
-template <int D>
-struct StepOptions {
-  double dt = 0;            ///< [s]
-  Vec<D> gravity{};         ///< [m/s²]
-  double damping = 0;       ///< α of (2.89)
-  double mass_scaling = 1;  ///< β of (2.91)
-  bool mixed = false;       ///< mixed integration (2.92-2.93)
-  input::Smoothing smoothing = input::Smoothing::none;
-  bool moving = true;     ///< false: frozen geometry, small strain
-  bool objective = true;  ///< rotate stresses with the soil
-  bool monitor = false;   ///< fill Body::monitor in this step
-  int threads = 1;
-  // The options below are for soil with pore water.
-  bool darcy = false;                ///< Darcy (u-p) formulation: one velocity, pressures at the nodes (darcy_step.hpp)
-  double pressure_tolerance = 1e-5;  ///< residual of the pressure equation over its right-hand side [-]
-  bool implicit_drag = true;
-  double water_damping = 0;  ///< α of (2.89) for the water
-  bool net_damping = true;  ///< damp the net force, drag and skin included (T14.10); false: without drag, as the source
-  bool smooth_pressure = false;    ///< (2.96-2.97)
-  bool exchange_water = false;     ///< between elements, against spurious pressure modes (T14.9)
-  double conductivity_factor = 1;  ///< factor on k [-]
-};
 
 /// Advances the body by one step. Reads the nodal sums of the last pass over the points, writes those of the next step.
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options);
 
-/// Formulation that selects the phases of the step: soil of one phase, or soil and pore water with two velocities
-/// (two_velocity/two_velocity_step.hpp).
+/// Tag of the phases of the step for soil of one phase. The others are Wet (two_velocity/two_velocity_step.hpp) and
+/// Darcy (darcy/darcy_step.hpp).
 struct Dry {
   static constexpr bool has_water = false;
-};
-struct Wet {
-  static constexpr bool has_water = true;
 };
 
 // The phases of the step, in order.
@@ -66,13 +40,6 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& options);
 
-/// Points of one slot of a block that left their element in advance_points(); input of relocate().
-struct Mover {
-  int block, slot;
-  unsigned lanes;  ///< bit set of the lanes concerned
-};
-using MoverLists = std::vector<std::vector<Mover>>;  ///< by chunk
-
 /// G2P and the P2G of the next step in one pass: v_p, ξ_p, Δε_p, σ_p, V_p (2.40, 2.42-2.45), then the nodal sums (2.35,
 /// 2.38).
 template <int D>
@@ -88,10 +55,6 @@ void relocate(Body<D>& body, const StepOptions<D>& options, const MoverLists& mo
 /// added to work.mapping.
 template <int D>
 void fade_unseen(Body<D>& body, const StepOptions<D>& options);
-
-/// Nodal forces of the tractions (2.37) for the step that starts at body.time. Writes nodes.load.
-template <int D>
-void gather_loads(Body<D>& body);
 
 /// Computes the nodal sums from scratch (P2G), at the start of a stage, when the options of the internal force may have
 /// changed.

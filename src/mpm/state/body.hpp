@@ -98,7 +98,7 @@ struct Elements {
   AlignedVector<double> apart;       ///< 1 where a point keeps a gap; such elements take no part in nodal averages
   AlignedVector<double> rough;  ///< r_e of (T4.5), elastic volume increment that averaging removed in the last step [-]
   AlignedVector<double> plastic_dilation;  ///< Δθ_e, V_p-weighted mean plastic dilation of the last step (T4.4) [-]
-  // With nonlocal averaging (step/softening.hpp), else empty; values of the last step.
+  // With nonlocal averaging (kernels/softening.hpp), else empty; values of the last step.
   AlignedVector<double> softened, softening_volume;  ///< Σ V_p Δε and Σ V_p of points of soil that softens [m³]
   AlignedVector<double> lent;                        ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2) [-]
   AlignedVector<double> held_saturation;  ///< S of hydrostatic pore water, one phase moving [-]; empty: no water
@@ -166,7 +166,13 @@ struct Lost {
   Vec<D> position{}, momentum{};  ///< [m], [kg m/s]
 };
 
-struct SofteningReach;  // step/softening.hpp
+/// Neighbours of each element within the nonlocal reach, and their weights w_ef without volumes (T23.1).
+struct SofteningReach {
+  std::vector<std::int64_t> start;  ///< of element e: [start[e], start[e + 1])
+  std::vector<int> element;
+  std::vector<double> weight;
+};
+
 template <int D>
 struct Share;  // partition.hpp
 

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "mpm/kernels/softening.hpp"
-#include "mpm/solver/step.hpp"
+#include "mpm/state/loads.hpp"
 #include "mpm/state/slots.hpp"
 
 namespace talus::mpm {

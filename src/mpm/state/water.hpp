@@ -12,8 +12,9 @@
 
 #include "base/aligned.hpp"
 #include "base/vec.hpp"
+#include "input/language/time_table.hpp"
 #include "material/water/conductivity.hpp"
-#include "mpm/pore_water/root_uptake.hpp"
+#include "material/water/feddes.hpp"
 #include "mpm/state/conditions.hpp"
 #include "mpm/state/darcy_water.hpp"
 
@@ -83,6 +84,16 @@ struct SurfaceBudget {
   }
 };
 
+/// Plants that draw water through the points of their root zone. A point loses α(s) T(t) times its weight.
+struct RootUptake {
+  std::string name;
+  input::TimeTable rate;       ///< T, potential per horizontal area of ground [m/s]
+  material::Feddes reduction;  ///< α, of the element's mean suction
+  /// By point number: horizontal ground area whose transpiration is drawn from the point [m²] (2D: m). It moves with
+  /// the point and is lost with it.
+  std::vector<double> weight;
+};
+
 /// Directions in which the water of a node is fixed in space.
 template <int D>
 struct WaterConstraint {
@@ -110,12 +121,18 @@ inline constexpr int wet_sums_stride = D == 2 ? 16 : 24;
 template <int D>
 inline constexpr int wet_motion_stride = D == 2 ? 8 : 16;
 
+/// Fields of a slot from Water::first_field on: w [m/s], p [Pa], m_w [kg], capacity of PoreState [1/Pa].
+template <int D>
+struct WaterFields {
+  static constexpr int velocity = 0, pressure = D, mass = D + 1, capacity = D + 2, count = D + 3;
+};
+
 template <int D>
 struct Water {
   std::vector<WaterLaw> laws;   ///< by material number; empty: the body has one phase
   double density = 1000;        ///< ρ_w at zero pressure, the same in all wet soils [kg/m³]
   double bulk_modulus = 2.2e9;  ///< K_w, likewise [Pa]
-  int first_field = 0;          ///< index of the point's water in a slot, see WaterFields in kernels.hpp
+  int first_field = 0;          ///< index of the point's water in a slot, see WaterFields
 
   // Conditions.
   std::vector<int> constraint_of_node;  ///< index into constraints, or -1
@@ -136,7 +153,7 @@ struct Water {
   AlignedVector<double> surplus;          ///< water per volume that smoothing, exchange and roots remove [-]
 
   // Nodes, by row.
-  AlignedVector<double> sums;      ///< [wet_sums_stride]: see kernels.hpp
+  AlignedVector<double> sums;      ///< [wet_sums_stride]: see WetColumns
   AlignedVector<double> motion;    ///< [wet_motion_stride]: a_s, a_w [m/s²], v, θ(w-v) [m/s]
   AlignedVector<double> average;   ///< [4]: sums of nodal averages, Σ Δε V_e, Σ V_e, Σ div V̄, Σ V̄
   AlignedVector<double> smoothed;  ///< [4]: nodal averages of Δε, of the divergence, unused, of Δζ (T14.8)

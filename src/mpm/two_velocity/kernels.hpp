@@ -24,12 +24,6 @@ struct WetColumns {
   static constexpr int count = 6 + 5 * D;
 };
 
-/// Fields of a slot from Water::first_field on: w [m/s], p [Pa], m_w [kg], PoreState::capacity [1/Pa].
-template <int D>
-struct WaterFields {
-  static constexpr int velocity = 0, pressure = D, mass = D + 1, capacity = D + 2, count = D + 3;
-};
-
 /// Motion of the water of an element in one step, affine in the local coordinates.
 template <int D, class T>
 struct WaterMotion {

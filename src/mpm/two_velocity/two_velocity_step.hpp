@@ -5,9 +5,16 @@
 // water.
 
 #include "mpm/kernels/water_surface.hpp"
-#include "mpm/solver/step.hpp"
+#include "mpm/pore_water/root_uptake.hpp"
+#include "mpm/pore_water/surface.hpp"
+#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
+
+/// Tag of the phases of the step for soil and pore water with two velocities.
+struct Wet {
+  static constexpr bool has_water = true;
+};
 
 /// Data that are constant over the nodes of a step.
 template <int D>
@@ -23,11 +30,6 @@ struct NodePass {
 
 // The phases of the step, in order.
 
-/// Finds the open sides and computes the forces of outside water on them (3.11). Writes load, darcy_load, facing,
-/// suction.
-template <int D>
-void load_surface(Body<D>& body, const StepOptions<D>& options);
-
 /// Grid solve: accelerations of both phases (2.66, 2.67, 2.89-2.91), with inflow limited (T14.11). Reads sums; writes
 /// motion, work, monitor.
 template <int D>
@@ -41,9 +43,6 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& options);
 /// Nodal averages of the strain increment and of the divergence (2.94), and the surplus of pressure smoothing (2.96).
 template <int D>
 void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& options);
-
-/// Number of steps between exchanges of water, and between root uptakes.
-inline constexpr int exchange_interval = 4;
 
 /// Returns whether the surplus is nonzero in this step.
 template <int D>
@@ -59,10 +58,6 @@ void exchange_water(Body<D>& body, const StepOptions<D>& options);
 /// G2P (2.76, 2.77, 2.80-2.83, 3.4) and the P2G of the next step, in one pass over the points.
 template <int D>
 MoverLists advance_points(Wet, Body<D>& body, const StepOptions<D>& options);
-
-/// Adds the water that the chunks of all ranks counted in a step, [chunk][surface], to the budgets.
-template <int D>
-void add_budgets(Body<D>& body, std::vector<SurfaceBudget>& by_chunk);
 
 // Single elements, for relocation and for the start of a stage.
 

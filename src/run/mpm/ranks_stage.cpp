@@ -11,6 +11,7 @@
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
 #include "mpm/solver/build.hpp"
+#include "mpm/state/loads.hpp"
 #include "mpm/state/partition.hpp"
 #include "run/mpm/start/prepare.hpp"
 
