@@ -140,7 +140,7 @@ class Steps {
                  time.seconds / steps * 1e6, static_cast<double>(time.launches) / steps);
   }
   void end() {
-    if (device_) device_->bring_back(y_.body);
+    if (device_) device_->copy_back(y_.body);
   }
 
  private:

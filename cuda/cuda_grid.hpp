@@ -56,10 +56,10 @@ class CudaGrid {
   }
   static void release(void* p) { cudaFree(p); }
   static void clear(void* p, std::size_t bytes) { require(cudaMemsetAsync(p, 0, bytes)); }
-  static void bring(void* device, const void* host, std::size_t bytes) {
+  static void upload(void* device, const void* host, std::size_t bytes) {
     require(cudaMemcpy(device, host, bytes, cudaMemcpyHostToDevice));
   }
-  static void fetch(void* host, const void* device, std::size_t bytes) {
+  static void download(void* host, const void* device, std::size_t bytes) {
     require(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
   }
 

@@ -18,8 +18,8 @@ class OneRank : public Ranks {
   int rank() const override { return 0; }
   int size() const override { return 1; }
   std::vector<Bytes> gather(const Bytes& mine, bool) override { return {mine}; }
-  void deal(const Pieces& pieces) override { hand_over(pieces); }
-  void collect(const Pieces& pieces) override { hand_over(pieces); }
+  void scatter(const Pieces& pieces) override { exchange(pieces); }
+  void collect(const Pieces& pieces) override { exchange(pieces); }
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) override { return to; }
   void broadcast(Bytes&) override {}
   std::unique_ptr<Halo> make_halo(int, const std::vector<Guest>&) override {
@@ -35,7 +35,7 @@ class OneRank : public Ranks {
   [[noreturn]] void abort(int code) override { std::_Exit(code); }
 
  private:
-  static void hand_over(const Pieces& pieces) {
+  static void exchange(const Pieces& pieces) {
     for (int i = 0; i < pieces.count; ++i) pieces.take(i, pieces.make(i));
   }
 

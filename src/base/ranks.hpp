@@ -65,7 +65,7 @@ class Ranks {
   /// Gathers the bytes of each rank, on all ranks or on rank 0 only (empty elsewhere).
   virtual std::vector<Bytes> gather(const Bytes& mine, bool to_all) = 0;
   /// Scatters pieces from rank 0 one after the other; take(piece, bytes) is called on the rank of each.
-  virtual void deal(const Pieces& pieces) = 0;
+  virtual void scatter(const Pieces& pieces) = 0;
   /// Gathers pieces on rank 0 one after the other; take(piece, bytes) is called there for each.
   virtual void collect(const Pieces& pieces) = 0;
   /// Sends to[r] to each rank r; returns the bytes from each rank.

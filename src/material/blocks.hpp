@@ -30,7 +30,7 @@ enum class Gaps {
 /// Nonlocal softening (theory 23), for laws with Traits::softens.
 template <class T>
 struct Softening {
-  T lent{0.0};      ///< nonlocal plastic dilation minus the local one, which softens the point [-]
+  T nonlocal_correction{0.0};  ///< nonlocal plastic dilation minus the local one, which softens the point [-]
   T softened{0.0};  ///< output: local plastic dilation of the step, in all directions, positive in dilation [-]
 };
 

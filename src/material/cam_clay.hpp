@@ -191,7 +191,8 @@ class CamClay {
     }
     const auto set = active && state[1] < T(set_below);
     if (around.softening) {
-      const T share = lane_max(T(-1.0), lane_min(T(1.0), specific * over_plastic_slope_ * around.softening->lent));
+      const T share =
+          lane_max(T(-1.0), lane_min(T(1.0), specific * over_plastic_slope_ * around.softening->nonlocal_correction));
       state[1] = select(set, state[1] * lane_exp(-share), state[1]);
     }
     T m_square(slope_square_), exponent = (1.0 - around.saturation) * soil_.suction_hardening;

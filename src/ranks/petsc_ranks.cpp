@@ -125,11 +125,11 @@ class PetscRanks : public Ranks {
     return sum <= piece ? gather_at_once(mine, envelopes, to_all) : gather_in_turn(mine, envelopes, to_all);
   }
 
-  void deal(const Pieces& pieces) override {
-    for (int i = 0; i < pieces.count; ++i) hand_over(pieces, i, 0, pieces.find_rank(i));
+  void scatter(const Pieces& pieces) override {
+    for (int i = 0; i < pieces.count; ++i) exchange(pieces, i, 0, pieces.find_rank(i));
   }
   void collect(const Pieces& pieces) override {
-    for (int i = 0; i < pieces.count; ++i) hand_over(pieces, i, pieces.find_rank(i), 0);
+    for (int i = 0; i < pieces.count; ++i) exchange(pieces, i, pieces.find_rank(i), 0);
   }
 
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
@@ -230,7 +230,7 @@ class PetscRanks : public Ranks {
     return parts;
   }
 
-  void hand_over(const Pieces& pieces, int i, int from, int to) {
+  void exchange(const Pieces& pieces, int i, int from, int to) {
     if (rank_ != from && rank_ != to) return;
     Bytes bytes = rank_ == from ? pieces.make(i) : Bytes();
     if (from != to) {

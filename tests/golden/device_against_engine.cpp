@@ -41,7 +41,7 @@ void compare(const reference::Body<D>& plain, const PlainVariant& v, int steps) 
   for (int d = 0; d < D; ++d) gravity[d] = plain.gravity[d];
   mpm::StepOptions<D> options = make_options(body, v, gravity);
   options.monitor = true;
-  compare_on_device(body, options, v.name, steps, v.fade_interval);
+  compare_on_device(body, options, v.name, steps, v.filter_interval);
 }
 
 /// Returns the body of the device after `steps`, copied back.
@@ -51,8 +51,8 @@ mpm::Body<D> run_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options
   mpm::gather_nodal_sums(body, options);
   mpm::DeviceStepper<D> device(make_tested_device<D>(how));
   for (int s = 0; s < steps; ++s) device.step(body, options);
-  device.fade_unseen(body);
-  device.bring_back(body);
+  device.filter_null_modes(body);
+  device.copy_back(body);
   return body;
 }
 

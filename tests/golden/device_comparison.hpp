@@ -142,16 +142,16 @@ inline mpm::Emulation choose_emulation() {
 /// Steps a body here and on the device.
 template <int D>
 void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, const std::string& name, int steps,
-                       int fade_interval = 0) {
+                       int filter_interval = 0) {
   mpm::gather_nodal_sums(body, options);
   mpm::Body<D> there = body;
   mpm::DeviceStepper<D> device(make_tested_device<D>(choose_emulation()));
   for (int s = 0; s < steps; ++s) {
     mpm::step(body, options);
     device.step(there, options);
-    if (fade_interval == 0 || s % fade_interval != 0) continue;
-    mpm::fade_unseen(body, options);
-    device.fade_unseen(there);
+    if (filter_interval == 0 || s % filter_interval != 0) continue;
+    mpm::filter_null_modes(body, options);
+    device.filter_null_modes(there);
   }
   const mpm::CriticalStep here = mpm::find_critical_step(body, options),
                           found = device.find_critical_step(there, options);
@@ -159,7 +159,7 @@ void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, co
   EXPECT_EQ(here.element, found.element);
   expect_same_observation(mpm::observe(body, options.gravity, {0, 1}), device.observe(there, options.gravity, {0, 1}),
                           name);
-  device.bring_back(there);
+  device.copy_back(there);
   expect_same(body, there, name);
   // The body that was copied back continues on the processor as if it had never left.
   for (int s = 0; s < 10; ++s) {

@@ -21,11 +21,11 @@ struct Case {
   bool mixed = true, frozen = false;
   Smoothing smoothing = Smoothing::none;
   bool given = false;  ///< the nodes start from pressures that are given
-  int fade_interval = 0;
+  int filter_interval = 0;
 };
 
 std::vector<Case> list_cases() {
-  return {{.name = "mixed", .fade_interval = 7},
+  return {{.name = "mixed", .filter_interval = 7},
           {.name = "stable", .smoothing = Smoothing::stable},
           {.name = "points", .mixed = false, .smoothing = Smoothing::strain},
           {.name = "frozen", .frozen = true},
@@ -61,7 +61,7 @@ WetCase<D> make_case(const reference::WetBody<D>& wet, const Case& c) {
 template <int D>
 void compare(const reference::WetBody<D>& wet, const Case& c, int steps) {
   const WetCase<D> made = make_case(wet, c);
-  compare_on_device(made.body, made.options, c.name, steps, c.fade_interval);
+  compare_on_device(made.body, made.options, c.name, steps, c.filter_interval);
 }
 
 TEST(DeviceWater, PlaneSlopeIsTheSamePointByPoint) {
@@ -114,7 +114,7 @@ mpm::Body<D> run_on_device(WetCase<D> made, int steps, const mpm::Emulation& how
   mpm::gather_nodal_sums(made.body, made.options);
   mpm::DeviceStepper<D> device(make_tested_device<D>(how));
   for (int s = 0; s < steps; ++s) device.step(made.body, made.options);
-  device.bring_back(made.body);
+  device.copy_back(made.body);
   return made.body;
 }
 

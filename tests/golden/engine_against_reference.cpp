@@ -71,9 +71,9 @@ void expect_same(reference::Body<D> plain, const PlainVariant& v, int steps, boo
   for (int s = 0; s < steps; ++s) {
     reference::step(plain, settings);
     mpm::step(body, options);
-    if (v.fade_interval > 0 && s % v.fade_interval == 0) {
-      reference::fade_unseen(plain);
-      mpm::fade_unseen(body, options);
+    if (v.filter_interval > 0 && s % v.filter_interval == 0) {
+      reference::filter_null_modes(plain);
+      mpm::filter_null_modes(body, options);
     }
   }
   const Difference d = compare(plain, body);

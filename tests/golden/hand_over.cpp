@@ -37,7 +37,7 @@ void compare(bool wet, const input::StepSettings& step) {
   run_plan(plain, plan);
 
   const auto take = [&] {
-    return mpm::take_share(&whole, mpm::copy_description(whole), get_ranks(), {0, whole.layout->chunks});
+    return mpm::scatter_body(&whole, mpm::copy_description(whole), get_ranks(), {0, whole.layout->chunks});
   };
   mpm::Body<2> share = take();
   int hand_overs = 0;

@@ -75,7 +75,7 @@ struct PlainVariant {
   bool objective;
   bool frozen;
   double mass_scaling;
-  int fade_interval = 0;
+  int filter_interval = 0;
   bool comes_apart = false;
 };
 

@@ -29,8 +29,8 @@ struct PlainStep {
   static constexpr int NS = material::stress_size<D>;
   std::vector<double> softened, volume;
 
-  PlainStep(const mpm::Body<D>& before, const mpm::Body<D>& after, const std::vector<double>& lent)
-      : softened(lent.size(), 0), volume(lent.size(), 0) {
+  PlainStep(const mpm::Body<D>& before, const mpm::Body<D>& after, const std::vector<double>& nonlocal_correction)
+      : softened(nonlocal_correction.size(), 0), volume(nonlocal_correction.size(), 0) {
     const material::ModifiedCamClay clay = support::make_block_clay();
     support::for_each_point<D>(before, [&](int id, const mpm::PointView<D>& p) {
       const auto q = mpm::view_point(after, id);
@@ -40,7 +40,7 @@ struct PlainStep {
       for (std::size_t i = 0; i < NS; ++i) strain[i] = q.strain[i] - p.strain[i];
       auto state = p.state;
       material::Surroundings<double> around;
-      material::Softening<double> softening{lent[e]};
+      material::Softening<double> softening{nonlocal_correction[e]};
       around.softening = &softening;
       clay.update<NS>(stress.data(), strain.data(), state.data(), true, around);
       softened[e] += p.volume * std::max(softening.softened, 0.0);
@@ -62,15 +62,15 @@ void compare_with_plain_loops(int cells, int before, int compared) {
   const std::size_t count = body.mesh().elements.size();
   double most = 0;
   for (int n = 0; n < compared; ++n) {
-    const std::vector<double> lent = reference::find_lent(body.mesh(), copy(body.elements.softened, count),
-                                                          copy(body.elements.softening_volume, count), length);
+    const std::vector<double> nonlocal_correction = reference::find_nonlocal_correction(
+        body.mesh(), copy(body.elements.softened, count), copy(body.elements.softening_volume, count), length);
     const mpm::Body<D> old = body;
     mpm::step(body, o);
-    const PlainStep<D> plain(old, body, lent);
-    const double largest = *std::max_element(lent.begin(), lent.end());
+    const PlainStep<D> plain(old, body, nonlocal_correction);
+    const double largest = *std::max_element(nonlocal_correction.begin(), nonlocal_correction.end());
     most = std::max(most, largest);
     for (std::size_t e = 0; e < count; ++e) {
-      EXPECT_NEAR(body.elements.lent[e], lent[e], 1e-12 * largest);
+      EXPECT_NEAR(body.elements.nonlocal_correction[e], nonlocal_correction[e], 1e-12 * largest);
       EXPECT_NEAR(body.elements.softened[e], plain.softened[e], 1e-9 * plain.volume[e] * largest);
       EXPECT_NEAR(body.elements.softening_volume[e], plain.volume[e], 1e-12);
     }

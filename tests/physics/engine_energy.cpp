@@ -69,7 +69,7 @@ struct SandBlock {
         largest_step = std::max(largest_step, options.dt);
       }
       mpm::step(body, options);
-      if (body.step_count % 64 == 0) mpm::fade_unseen(body, options);
+      if (body.step_count % 64 == 0) mpm::filter_null_modes(body, options);
     }
   }
 };
@@ -159,7 +159,7 @@ TEST(EngineEnergy, WhatNoNodeSeesFadesAndMomentumStays) {
   };
   const auto [before, noise] = measure();
   const double kinetic = mpm::sum_points(body, {}).kinetic;
-  mpm::fade_unseen(body, o);
+  mpm::filter_null_modes(body, o);
   const auto [after, rest] = measure();
   EXPECT_NEAR(after[0], before[0], 1e-12 * std::abs(before[0]));
   EXPECT_NEAR(after[1], before[1], 1e-12 * std::abs(before[0]));
@@ -169,7 +169,7 @@ TEST(EngineEnergy, WhatNoNodeSeesFadesAndMomentumStays) {
   EXPECT_LT(rest, noise);
   // Once more finds next to nothing; and the nodal sums are those of the points.
   const double once = body.work.mapping;
-  mpm::fade_unseen(body, o);
+  mpm::filter_null_modes(body, o);
   EXPECT_LT(body.work.mapping - once, 0.02 * once);
   const auto sums = body.nodes.sums;
   mpm::gather_nodal_sums(body, o);
@@ -186,7 +186,7 @@ TEST(EngineEnergy, AnAffineMotionDoesNotFade) {
   mpm::StepOptions<2> o;
   mpm::gather_nodal_sums(body, o);
   const double kinetic = mpm::sum_points(body, {}).kinetic;
-  for (int n = 0; n < 10; ++n) mpm::fade_unseen(body, o);
+  for (int n = 0; n < 10; ++n) mpm::filter_null_modes(body, o);
   EXPECT_LT(body.work.mapping, 1e-5 * kinetic);
 }
 

@@ -183,23 +183,23 @@ TEST(CamClayLanes, ResponseIsThatOfThePlasticStrain) {
   compare_with_plastic_strain<6>();
 }
 
-/// (T23.2): what a neighbourhood lends is plastic dilation, which softens as the soil's own does.
+/// (T23.2): plastic dilation of the neighbourhood softens as that of the soil itself does.
 TEST(CamClayLanes, SoftensByWhatItIsLent) {
   support::Draw draw(7);
   for (int i = 0; i < 200; ++i) {
     const auto law = support::draw_soil(draw);
     auto point = support::draw_clay_point<4>(draw, law);
-    const double lent = draw(-1e-3, 1e-3), before = point.state[1], e = point.state[2];
+    const double nonlocal_correction = draw(-1e-3, 1e-3), before = point.state[1], e = point.state[2];
     double nothing[4] = {};
     const double inside = 0.5 * law.find_preconsolidation(point.state.data(), point.saturation);
     for (std::size_t k = 0; k < 4; ++k) point.stress[k] = k < 3 ? -inside : 0;
     material::Surroundings<double> around;
     around.saturation = point.saturation;
-    material::Softening<double> softening{lent};
+    material::Softening<double> softening{nonlocal_correction};
     around.softening = &softening;
     law.update<4>(point.stress.data(), nothing, point.state.data(), true, around);
     const double slope = (1 + e) / (law.soil().compression - law.soil().swelling);
-    EXPECT_NEAR(point.state[1], before * std::exp(-slope * lent), 1e-12 * before);
+    EXPECT_NEAR(point.state[1], before * std::exp(-slope * nonlocal_correction), 1e-12 * before);
   }
 }
 

@@ -180,7 +180,7 @@ void relocate_points(Body<D>& body) {
 /// points at every node, M u = p. Eight steps of Chebyshev's iteration for lumped⁻¹ M with eigenvalues from 0.1 to 1
 /// (Saad 2003, Iterative Methods for Sparse Linear Systems, algorithm 12.1).
 template <int D>
-void fade_unseen(Body<D>& body) {
+void filter_null_modes(Body<D>& body) {
   std::vector<double> mass(body.nodes.size(), 0);
   const auto gather = [&](auto&& velocity) {
     std::vector<Vector<D>> sum(body.nodes.size(), Vector<D>::Zero());

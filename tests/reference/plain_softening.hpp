@@ -12,8 +12,8 @@ namespace talus::reference {
 /// What the points of each element take over beside their own plastic dilation, ε̄_e − ε_e of (T23.1), from the sums
 /// Σ V_p Δε and Σ V_p of the elements.
 template <int D>
-std::vector<double> find_lent(const mesh::Mesh<D>& mesh, const std::vector<double>& softened,
-                              const std::vector<double>& volume, double length) {
+std::vector<double> find_nonlocal_correction(const mesh::Mesh<D>& mesh, const std::vector<double>& softened,
+                                             const std::vector<double>& volume, double length) {
   const std::size_t count = mesh.elements.size();
   const auto find_distance = [&](std::size_t e, std::size_t f) {
     double square = 0;
@@ -26,7 +26,7 @@ std::vector<double> find_lent(const mesh::Mesh<D>& mesh, const std::vector<doubl
     }
     return std::sqrt(square);
   };
-  std::vector<double> lent(count, 0);
+  std::vector<double> nonlocal_correction(count, 0);
   for (std::size_t e = 0; e < count; ++e) {
     if (volume[e] == 0) continue;
     double above = 0, below = 0;
@@ -36,9 +36,9 @@ std::vector<double> find_lent(const mesh::Mesh<D>& mesh, const std::vector<doubl
       above += r * std::exp(-r * r) * softened[f];
       below += r * std::exp(-r * r) * volume[f];
     }
-    if (below > 0) lent[e] = above / below - softened[e] / volume[e];
+    if (below > 0) nonlocal_correction[e] = above / below - softened[e] / volume[e];
   }
-  return lent;
+  return nonlocal_correction;
 }
 
 }  // namespace talus::reference

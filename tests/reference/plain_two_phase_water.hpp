@@ -39,7 +39,7 @@ inline double find_pressure(const PoreWater& water, double pores, double mass, d
 /// The points of a wet full element hold water as if there were no point: one pressure, at which the pores of all hold
 /// the water of all, and the water in proportion to the pores. None is lost.
 template <int D>
-void share_water(WetBody<D>& body, const WetCell& cell) {
+void distribute_water(WetBody<D>& body, const WetCell& cell) {
   double pressure = 0, volume = 0, water = 0, pores = 0;
   for (std::size_t i : cell.points) {
     const WetPoint<D>& point = body.points[i];
@@ -82,7 +82,7 @@ void share_wet_state(WetBody<D>& body) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full) continue;
     share_skeleton_state(body, cell);
-    if (cell.wet) share_water(body, cell);
+    if (cell.wet) distribute_water(body, cell);
   }
 }
 

@@ -25,9 +25,9 @@ struct StepSettings {
   Integration integration = Integration::mixed;
   Smoothing smoothing = Smoothing::none;
   Geometry geometry = Geometry::moving;
-  bool objective_rate = true;  ///< rotate the stress with the material (Hughes and Winget)
-  bool fade_unseen = true;     ///< filter null modes of the point velocities
-  double courant = 0.9;        ///< fraction of (2.84) [-]
+  bool objective_rate = true;     ///< rotate the stress with the material (Hughes and Winget)
+  bool filter_null_modes = true;  ///< filter null modes of the point velocities
+  double courant = 0.9;           ///< fraction of (2.84) [-]
   // Only for soil with pore water:
   WaterMotion water = WaterMotion::seeps;
   Drag drag = Drag::implicit_at_nodes;
@@ -112,7 +112,7 @@ void describe(Visitor& v, StepSettings& s) {
   v.key("geometry", s.geometry, plain(),
         "Whether the soil changes its place. Default of a weight stage of wet soil (see `water`): \"frozen\".");
   v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
-  v.key("fade_unseen", s.fade_unseen, plain(),
+  v.key("filter_null_modes", s.filter_null_modes, plain(),
         "Take velocities of points away that no node sees; false keeps them, as the textbook step does.");
   v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
   v.key(

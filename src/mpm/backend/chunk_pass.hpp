@@ -63,7 +63,7 @@ struct OneVelocityPass : ChunkPass<D> {
   using ChunkPass<D>::ChunkPass;
 
   /// P2G: adds the sums of a block to its node rows.
-  TALUS_KERNEL void give_rows(const BlockPlace<Body<D>>& at, const Pack out[D + 1][1 + 2 * D]) const {
+  TALUS_KERNEL void add_to_nodes(const BlockPlace<Body<D>>& at, const Pack out[D + 1][1 + 2 * D]) const {
     TALUS_UNROLL
     for (int k = 0; k <= D; ++k) add_rows<1 + 2 * D>(this->body.nodes.sums.data(), at.rows + k * lane_width, out[k]);
   }
@@ -123,7 +123,7 @@ void advance_chunk(Pass& pass, int c) {
 /// the result does not depend on the number of threads.
 template <class Pass, int D>
 MoverLists advance_blocks(Body<D>& body, const StepOptions<D>& options) {
-  if (body.softening_reach) lend_softening(body, options.threads);
+  if (body.softening_reach) average_softening(body, options.threads);
   std::vector<std::optional<Pass>> passes(static_cast<std::size_t>(body.layout->chunks));
   for_chunks(body, options.threads, [&](int c) {
     Pass pass(body, options);  // on the stack: neighbouring chunks must not share a cache line

@@ -60,7 +60,8 @@ struct DeviceImage {
   std::vector<double> data, count;  ///< [slot][field][lane]; [block][lane]
   std::vector<int> id;              ///< [slot][lane]
   std::vector<std::array<double, stress_size>> strain_offset;
-  std::vector<double> strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume, lent;
+  std::vector<double> strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume,
+      nonlocal_correction;
   std::vector<double> motion;         ///< [node][motion_stride]
   std::vector<double> sums, moments;  ///< copied back only: [node][sums_stride], [block][moment_size][lane]
   std::vector<Vec<D>> displacement;
@@ -122,10 +123,10 @@ class Device {
   /// memory is too small.
   virtual void take(const DeviceImage<D>& image, const StepOptions<D>& options) = 0;
   virtual DeviceOutput<D> step(const DeviceInput<D>& input, const StepOptions<D>& options) = 0;
-  /// fade_unseen(), the filter of null modes; returns the kinetic energy removed [J].
-  virtual double fade_unseen() = 0;
+  /// filter_null_modes(), the filter of null modes; returns the kinetic energy removed [J].
+  virtual double filter_null_modes() = 0;
   /// Copies the changed data back.
-  virtual void give_back(DeviceImage<D>& image) = 0;
+  virtual void copy_back(DeviceImage<D>& image) = 0;
   /// find_critical_step() without mass scaling, for points with the mass of soil and water.
   virtual StepSquare find_step_square() = 0;
   virtual double find_largest_displacement() = 0;

@@ -54,26 +54,26 @@ class DeviceArray {
     resize(size);
     if (size > 0) Grid::clear(start_, size * sizeof(T));
   }
-  void bring(const T* host, std::size_t size) {
+  void upload(const T* host, std::size_t size) {
     resize(size);
-    if (size > 0) Grid::bring(start_, host, size * sizeof(T));
+    if (size > 0) Grid::upload(start_, host, size * sizeof(T));
   }
   template <class Host>
-  void bring(const Host& host) {
-    bring(host.data(), host.size());
+  void upload(const Host& host) {
+    upload(host.data(), host.size());
   }
-  void fetch(std::vector<T>& host) const {
+  void download(std::vector<T>& host) const {
     host.resize(size_);
-    if (size_ > 0) Grid::fetch(host.data(), start_, size_ * sizeof(T));
+    if (size_ > 0) Grid::download(host.data(), start_, size_ * sizeof(T));
   }
-  std::vector<T> fetch() const {
+  std::vector<T> download() const {
     std::vector<T> host;
-    fetch(host);
+    download(host);
     return host;
   }
   T fetch_one(std::size_t i) const {
     T one;
-    Grid::fetch(&one, start_ + i, sizeof(T));
+    Grid::download(&one, start_ + i, sizeof(T));
     return one;
   }
   T fetch_first() const { return fetch_one(0); }

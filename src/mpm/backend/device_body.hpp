@@ -59,7 +59,7 @@ class DeviceBody : public Device<D> {
       launch(body_.element_count, AverageElement<D>{body_, o, average_.view()});
       launch(body_.node_count, AverageNode<D>{body_, average_.read()});
     }
-    if (!body_.elements.lent.empty()) {
+    if (!body_.elements.nonlocal_correction.empty()) {
       launch(body_.element_count, LendSoftening<D>{body_, reach_});
       launch(body_.element_count, ClearSoftening{body_.elements});
     }
@@ -82,10 +82,10 @@ class DeviceBody : public Device<D> {
     return output;
   }
 
-  double fade_unseen() override {
+  double filter_null_modes() override {
     const FadeRows<D> rows{velocity_.view(), direction_.view(), product_.view()};
     launch(body_.node_count, StartFading<D>{body_, rows});
-    for (const FadeWeights& weights : list_fade_weights()) {
+    for (const FilterWeights& weights : list_filter_weights()) {
       launch(body_.element_count, MultiplyMass<D>{body_, rows});
       launch(body_.node_count, ImproveVelocity<D>{body_, rows, weights});
     }
@@ -94,21 +94,21 @@ class DeviceBody : public Device<D> {
     return account_.fetch_first().elements.shared;
   }
 
-  void give_back(DeviceImage<D>& image) override {
+  void copy_back(DeviceImage<D>& image) override {
     launch(body_.node_count, SumNode<D>{body_, sums_of_nodes_.view()});
-    sums_of_nodes_.fetch(image.sums);
-    block_start_.fetch(image.block_start);
-    block_capacity_.fetch(image.block_capacity);
-    data_.fetch(image.data);
-    count_.fetch(image.count);
-    id_.fetch(image.id);
-    strain_offset_.fetch(image.strain_offset);
-    for (const auto& [of_image, array] : list_fields()) (this->*array).fetch(image.*of_image);
-    moments_.fetch(image.moments);
-    motion_.fetch(image.motion);
-    displacement_.fetch(image.displacement);
+    sums_of_nodes_.download(image.sums);
+    block_start_.download(image.block_start);
+    block_capacity_.download(image.block_capacity);
+    data_.download(image.data);
+    count_.download(image.count);
+    id_.download(image.id);
+    strain_offset_.download(image.strain_offset);
+    for (const auto& [of_image, array] : list_fields()) (this->*array).download(image.*of_image);
+    moments_.download(image.moments);
+    motion_.download(image.motion);
+    displacement_.download(image.displacement);
     image.motion_step = body_.nodes.motion_step;
-    water_.give_back(image.water);
+    water_.copy_back(image.water);
   }
 
   StepSquare find_step_square() override {
@@ -123,10 +123,10 @@ class DeviceBody : public Device<D> {
     const auto seen = sum_elements<Seen<D>>(SeenInElement<D>{body_, gravity});
     Observation<D> observation{seen.totals, seen.water, std::sqrt(seen.farthest.square), {}};
     observation.totals.find_centre();
-    wanted_.bring(points);
+    wanted_.upload(points);
     views_.resize(points.size());
     launch(static_cast<int>(points.size()), SeePoint<D>{body_, wanted_.read(), views_.view()});
-    observation.points = views_.fetch();
+    observation.points = views_.download();
     return observation;
   }
 
@@ -160,7 +160,7 @@ class DeviceBody : public Device<D> {
     sum_.resize(sizeof(S));
     grid_.sum(body_.element_count, summand, reinterpret_cast<S*>(sum_.view().start));
     S sum;
-    Grid::fetch(&sum, sum_.view().start, sizeof sum);
+    Grid::download(&sum, sum_.view().start, sizeof sum);
     return sum;
   }
 
@@ -175,52 +175,52 @@ class DeviceBody : public Device<D> {
              {&I::plastic_dilation, &DeviceBody::plastic_dilation_},
              {&I::softened, &DeviceBody::softened_},
              {&I::softening_volume, &DeviceBody::softening_volume_},
-             {&I::lent, &DeviceBody::lent_}}};
+             {&I::nonlocal_correction, &DeviceBody::nonlocal_correction_}}};
   }
 
   void take_mesh(const DeviceImage<D>& image) {
-    places_.bring(image.mesh.nodes);
-    elements_.bring(image.mesh.elements);
-    neighbours_.bring(image.mesh.neighbours);
-    mesh_volumes_.bring(image.mesh.volumes);
-    altitudes_.bring(image.mesh.altitudes);
-    mesh_gradients_.bring(image.mesh.gradients);
+    places_.upload(image.mesh.nodes);
+    elements_.upload(image.mesh.elements);
+    neighbours_.upload(image.mesh.neighbours);
+    mesh_volumes_.upload(image.mesh.volumes);
+    altitudes_.upload(image.mesh.altitudes);
+    mesh_gradients_.upload(image.mesh.gradients);
     body_.grid = {places_.read(),       elements_.read(),  neighbours_.read(),
                   mesh_volumes_.read(), altitudes_.read(), mesh_gradients_.read()};
     body_.element_count = static_cast<int>(elements_.size());
     body_.node_count = static_cast<int>(places_.size());
-    connectivity_.bring(image.connectivity);
-    gradients_.bring(image.gradients);
-    volumes_.bring(image.volumes);
-    row_start_.bring(image.row_start);
-    node_rows_.bring(image.node_rows);
+    connectivity_.upload(image.connectivity);
+    gradients_.upload(image.gradients);
+    volumes_.upload(image.volumes);
+    row_start_.upload(image.row_start);
+    node_rows_.upload(image.node_rows);
     static_cast<DeviceLayout<D>&>(body_.layout) = {connectivity_.read(), gradients_.read(), volumes_.read(),
                                                    row_start_.read(), node_rows_.read()};
-    reach_start_.bring(image.reach_start);
-    reach_element_.bring(image.reach_element);
-    reach_weight_.bring(image.reach_weight);
+    reach_start_.upload(image.reach_start);
+    reach_element_.upload(image.reach_element);
+    reach_weight_.upload(image.reach_weight);
     reach_ = {reach_start_.read(), reach_element_.read(), reach_weight_.read()};
   }
 
   void take_points(const DeviceImage<D>& image) {
     host_laws_ = image.laws;
-    laws_.bring(image.laws);
+    laws_.upload(image.laws);
     int states = 0;
     for (const StoredLaw& law : image.laws) states = std::max(states, law.states);
     body_.laws = {laws_.view().start, static_cast<std::uint32_t>(laws_.size()), states};
     capacity_ = image.block_capacity;
     const std::size_t room = find_room(image.id.size() / device_width);
     data_.reserve(room * static_cast<std::size_t>(image.fields) * device_width);
-    data_.bring(image.data);
+    data_.upload(image.data);
     id_.reserve(room * device_width);
-    id_.bring(image.id);
-    block_start_.bring(image.block_start);
-    block_capacity_.bring(image.block_capacity);
-    count_.bring(image.count);
-    material_.bring(image.material);
-    reference_.bring(image.reference);
+    id_.upload(image.id);
+    block_start_.upload(image.block_start);
+    block_capacity_.upload(image.block_capacity);
+    count_.upload(image.count);
+    material_.upload(image.material);
+    reference_.upload(image.reference);
     soil_.resize(image.count.size());
-    strain_offset_.bring(image.strain_offset);
+    strain_offset_.upload(image.strain_offset);
     std::vector<int> element(static_cast<std::size_t>(image.point_count), -1);
     std::vector<std::int64_t> place(element.size(), -1);
     for (std::size_t b = 0; b < image.block_start.size(); ++b) {
@@ -233,8 +233,8 @@ class DeviceBody : public Device<D> {
         place[static_cast<std::size_t>(point)] = at;
       }
     }
-    element_.bring(element);
-    place_.bring(place);
+    element_.upload(element);
+    place_.upload(place);
     DevicePoints<D>& points = body_.points;
     points.fields = image.fields;
     points.data = data_.view();
@@ -251,27 +251,34 @@ class DeviceBody : public Device<D> {
   }
 
   void take_fields(const DeviceImage<D>& image) {
-    for (const auto& [of_image, array] : list_fields()) (this->*array).bring(image.*of_image);
-    held_saturation_.bring(image.held_saturation);
+    for (const auto& [of_image, array] : list_fields()) (this->*array).upload(image.*of_image);
+    held_saturation_.upload(image.held_saturation);
     moments_.assign_zeros(image.count.size() * moment_size<D>);
-    body_.elements = {moments_.view(), strain_.view(),           fill_limit_.view(), apart_.view(),
-                      rough_.view(),   plastic_dilation_.view(), softened_.view(),   softening_volume_.view(),
-                      lent_.view(),    held_saturation_.view()};
+    body_.elements = {moments_.view(),
+                      strain_.view(),
+                      fill_limit_.view(),
+                      apart_.view(),
+                      rough_.view(),
+                      plastic_dilation_.view(),
+                      softened_.view(),
+                      softening_volume_.view(),
+                      nonlocal_correction_.view(),
+                      held_saturation_.view()};
     sums_.assign_zeros(image.count.size() * (D + 1) * sums_stride);
-    motion_.bring(image.motion);
+    motion_.upload(image.motion);
     smoothed_.assign_zeros(places_.size());
-    displacement_.bring(image.displacement);
+    displacement_.upload(image.displacement);
     body_.nodes = {sums_.view(), motion_.view(), smoothed_.view(), {}, displacement_.view(), image.motion_step};
     body_.smallest_mass = image.smallest_mass;
-    constraint_of_node_.bring(image.constraint_of_node);
-    constraints_.bring(image.constraints);
+    constraint_of_node_.upload(image.constraint_of_node);
+    constraints_.upload(image.constraints);
     pressed_.assign_zeros(image.constraints.size());
   }
 
   void take_conditions(const DeviceInput<D>& input) {
     body_.time = input.time;
     body_.nodes.load = loads_.find(body_, input.load_factors);
-    factors_.bring(input.factors);
+    factors_.upload(input.factors);
     body_.conditions = {constraint_of_node_.read(), constraints_.read(), pressed_.view(), factors_.read()};
   }
 
@@ -302,7 +309,7 @@ class DeviceBody : public Device<D> {
   /// Allocates what the steps need beside the body, so that a lack of memory is detected before the first step.
   void make_room(const DeviceImage<D>& image) {
     const auto nodes = static_cast<std::size_t>(body_.node_count);
-    velocity_.resize(nodes * fade_stride);
+    velocity_.resize(nodes * filter_stride);
     direction_.resize(nodes * D);
     product_.resize(image.count.size() * (D + 1) * D);
     sums_of_nodes_.resize(nodes * sums_stride);
@@ -351,9 +358,9 @@ class DeviceBody : public Device<D> {
 
   /// The points that left the grid, in the order of their removal.
   void list_departed(int count, std::vector<Departed<D>>& departed) {
-    const std::vector<unsigned> to = mover_to_.fetch();
-    const std::vector<int> id = mover_id_.fetch(), from = mover_from_.fetch();
-    const std::vector<double> fields = mover_fields_.fetch();
+    const std::vector<unsigned> to = mover_to_.download();
+    const std::vector<int> id = mover_id_.download(), from = mover_from_.download();
+    const std::vector<double> fields = mover_fields_.download();
     const auto stride = static_cast<std::size_t>(count);
     for (std::size_t m = 0; m < stride; ++m) {
       if (to[m] != static_cast<unsigned>(body_.element_count)) continue;
@@ -376,7 +383,7 @@ class DeviceBody : public Device<D> {
   void grow() {
     room_.resize(capacity_.size());
     launch(static_cast<int>(capacity_.size()), CountRoom<D>{body_, arrivals_.read(), room_.view()});
-    const std::vector<int> needed = room_.fetch();
+    const std::vector<int> needed = room_.download();
     std::vector<MovedBlock> full;
     auto end = static_cast<std::int64_t>(id_.size() / device_width);
     for (std::size_t b = 0; b < needed.size(); ++b) {
@@ -420,7 +427,7 @@ class DeviceBody : public Device<D> {
   }
 
   void move_blocks(const std::vector<MovedBlock>& blocks, const DevicePoints<D>& to) {
-    moved_.bring(blocks);
+    moved_.upload(blocks);
     launch(static_cast<int>(blocks.size()) * device_width, MoveSlots<D>{body_, moved_.read(), to});
     launch(static_cast<int>(blocks.size()), NoteMoved{moved_.read(), block_start_.view(), block_capacity_.view()});
   }
@@ -447,8 +454,8 @@ class DeviceBody : public Device<D> {
   Array<std::array<double, P::stress_size>> strain_offset_;
   Array<StoredLaw> laws_;
   // Elements and nodes.
-  Array<double> moments_, strain_, fill_limit_, apart_, rough_, plastic_dilation_, softened_, softening_volume_, lent_,
-      held_saturation_;
+  Array<double> moments_, strain_, fill_limit_, apart_, rough_, plastic_dilation_, softened_, softening_volume_,
+      nonlocal_correction_, held_saturation_;
   Array<double> sums_, motion_, smoothed_, average_, sums_of_nodes_;
   Array<Vec<D>> displacement_;
   Array<std::int64_t> reach_start_;

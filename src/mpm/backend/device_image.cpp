@@ -241,7 +241,7 @@ void for_fields(Elements<D>& elements, DeviceImage<D>& image, Work&& work) {
   work(elements.plastic_dilation, image.plastic_dilation, 1);
   work(elements.softened, image.softened, 1);
   work(elements.softening_volume, image.softening_volume, 1);
-  work(elements.lent, image.lent, 1);
+  work(elements.nonlocal_correction, image.nonlocal_correction, 1);
 }
 
 /// Writes the k-th point of element `e`, which is in block `b`, from fields with the stride of a device.
@@ -377,7 +377,7 @@ std::size_t count_bytes(const DeviceImage<D>& image) {
          of(image.material, image.reference, image.held_saturation, image.data, image.count, image.id,
             image.strain_offset, image.strain) +
          of(image.fill_limit, image.apart, image.rough, image.plastic_dilation, image.softened, image.softening_volume,
-            image.lent, image.motion, image.displacement) +
+            image.nonlocal_correction, image.motion, image.displacement) +
          points * (sizeof(int) + sizeof(std::int64_t)) + (find_room(slots) - slots) * slot +
          points / mover_share * mover + of(image.load_start, image.node_loads, image.point_loads) +
          image.point_loads.size() * (3 * sizeof(int) + sizeof(Vec<D>) * (D + 1)) + lanes * element_work * numbers +

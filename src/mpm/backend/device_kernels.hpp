@@ -136,7 +136,7 @@ struct ThreadPass {
   TALUS_KERNEL void note_full(const BlockPlace<B>&, bool) {}
   TALUS_KERNEL void note_movers(const BlockPlace<B>&, int, bool) { ++leaving; }
   /// P2G: writes the element's sums to its rows, in place of those of the last step.
-  TALUS_KERNEL void give_rows(const BlockPlace<B>& at, const double out[D + 1][1 + 2 * D]) const {
+  TALUS_KERNEL void add_to_nodes(const BlockPlace<B>& at, const double out[D + 1][1 + 2 * D]) const {
     TALUS_UNROLL
     for (int k = 0; k <= D; ++k) {
       double* row = sums_row(body, at.b * device_width + body.lane, k);
@@ -194,14 +194,15 @@ struct AdvanceElement {
   }
 };
 
-/// lend_softening() of an element: nonlocal correction, then reset of the softening sums.
+/// average_softening() of an element: nonlocal correction, then reset of the softening sums.
 template <int D>
 struct LendSoftening {
   ThreadBody<D> body;
   SofteningList reach;
 
   TALUS_PORTABLE void operator()(int e) const {
-    body.elements.lent[static_cast<std::size_t>(e)] = find_lent(reach, body.elements, static_cast<std::size_t>(e));
+    body.elements.nonlocal_correction[static_cast<std::size_t>(e)] =
+        find_nonlocal_correction(reach, body.elements, static_cast<std::size_t>(e));
   }
 };
 struct ClearSoftening {

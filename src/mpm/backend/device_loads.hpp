@@ -10,7 +10,7 @@ namespace talus::mpm::device {
 
 /// Distributes the load of a point over the nodes of its element, for a later sort of the loads by element.
 template <int D>
-struct ShareCarried {
+struct PartitionCarried {
   ThreadBody<D> body;
   View<const DeviceLoad<D>> loads;
   View<const double> factors;
@@ -88,9 +88,9 @@ class DeviceLoads {
   explicit DeviceLoads(Grid& grid) : grid_(grid) {}
 
   void take(const DeviceImage<D>& image) {
-    start_.bring(image.load_start);
-    on_nodes_.bring(image.node_loads);
-    on_points_.bring(image.point_loads);
+    start_.upload(image.load_start);
+    on_nodes_.upload(image.node_loads);
+    on_points_.upload(image.point_loads);
     const std::size_t carried = image.point_loads.size();
     element_.resize(carried);
     sorted_.resize(carried);
@@ -104,7 +104,7 @@ class DeviceLoads {
   View<const Vec<D>> find(const ThreadBody<D>& body, const std::vector<double>& factors) {
     if (sums_.size() == 0 || (on_points_.size() == 0 && factors == last_)) return sums_.read();
     last_ = factors;
-    factors_.bring(factors);
+    factors_.upload(factors);
     const int carried = static_cast<int>(on_points_.size());
     if (carried > 0) {
       grid_.launch(carried, ShareCarried<D>{body, on_points_.read(), factors_.read(), element_.view(), order_.view(),

@@ -20,7 +20,7 @@ class DeviceWaterBody {
   /// Copies the water to the device. `nodes`, `lanes`: numbers of nodes and of lanes.
   void take(const WaterImage<D>& image, std::size_t nodes, std::size_t lanes) {
     body_.water = {};
-    laws_.bring(image.laws);
+    laws_.upload(image.laws);
     if (image.laws.empty()) return;
     host_laws_ = image.laws;
     surfaces_ = image.surfaces;
@@ -30,18 +30,18 @@ class DeviceWaterBody {
     surface_is_stale_ = true;
   }
 
-  void give_back(WaterImage<D>& image) const {
+  void copy_back(WaterImage<D>& image) const {
     if (!is_there()) return;
-    for (const auto& [of_image, array] : list_fields()) (this->*array).fetch(image.*of_image);
-    ponded_.fetch(image.ponded);
+    for (const auto& [of_image, array] : list_fields()) (this->*array).download(image.*of_image);
+    ponded_.download(image.ponded);
   }
 
   /// Phases of the step before the grid solve: contents, surface, flow, and forces of the pressures at the start.
   /// `tractions`: those of the step; nodes.load becomes their sum with the forces of outside water.
   void begin(const DeviceInput<D>& input, const StepOptions<D>& o, View<const Vec<D>> tractions) {
-    of_step_.bring(input.surfaces);
+    of_step_.upload(input.surfaces);
     body_.water.surfaces = of_step_.read();
-    rates_.bring(input.uptake_rates);
+    rates_.upload(input.uptake_rates);
     signals_.assign_zeros(1);
     launch(elements(), SumContents<D>{body_, o.mixed, signals_.view()});
     launch(nodes(), StartNode<D>{body_, is_first_});
@@ -77,7 +77,7 @@ class DeviceWaterBody {
     if (settled) --output.rounds;  // the last round changed nothing
     launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
     for_nodes<NodeLine::find_out>(system);
-    launch(elements(), ForElements<D, ElementLine::share_water>{system});
+    launch(elements(), ForElements<D, ElementLine::distribute_water>{system});
     for_nodes<NodeLine::keep_own>(system);
     for (int s = 0; s < surfaces_; ++s) grid_.sum(nodes(), WaterOfNode<D>{system, s}, budgets_.view().start + s);
     launch(nodes(), EndNode<D>{system});
@@ -87,7 +87,7 @@ class DeviceWaterBody {
   }
 
   /// Water that passed the surfaces in the step, by condition.
-  std::vector<SurfaceBudget> fetch_budgets() const { return budgets_.fetch(); }
+  std::vector<SurfaceBudget> fetch_budgets() const { return budgets_.download(); }
 
   void count_power(double seconds, View<NodeAccount> accounts) {
     launch(nodes(), CountPorePower<D>{body_, seconds, accounts});
@@ -124,21 +124,21 @@ class DeviceWaterBody {
   int elements() const { return body_.element_count; }
 
   void take_conditions(const WaterImage<D>& image) {
-    surface_of_node_.bring(image.surface_of_node);
-    constraint_of_node_.bring(image.constraint_of_node);
-    constraints_.bring(image.constraints);
+    surface_of_node_.upload(image.surface_of_node);
+    constraint_of_node_.upload(image.constraint_of_node);
+    constraints_.upload(image.constraints);
     weights_.clear();
     std::vector<DeviceUptake> uptakes = image.uptakes;
     for (DeviceUptake& uptake : uptakes) {
-      weights_.emplace_back().bring(uptake.weight);
+      weights_.emplace_back().upload(uptake.weight);
       uptake.weight = weights_.back().read();
     }
-    uptakes_.bring(uptakes);
-    node_size_.bring(image.node_size);
-    row_start_.bring(image.row_start);
-    row_ends_.bring(image.row_ends);
-    column_.bring(image.column);
-    place_.bring(image.place);
+    uptakes_.upload(uptakes);
+    node_size_.upload(image.node_size);
+    row_start_.upload(image.row_start);
+    row_ends_.upload(image.row_ends);
+    column_.upload(image.column);
+    place_.upload(image.place);
     DeviceWater<D>& water = body_.water;
     water.laws = laws_.read();
     water.density = image.density;
@@ -157,12 +157,12 @@ class DeviceWaterBody {
   }
 
   void take_arrays(const WaterImage<D>& image, std::size_t nodes, std::size_t lanes) {
-    for (const auto& [of_image, array] : list_fields()) (this->*array).bring(image.*of_image);
+    for (const auto& [of_image, array] : list_fields()) (this->*array).upload(image.*of_image);
     is_first_ = image.own.empty();
     if (is_first_) own_.assign_zeros(nodes);
-    if (image.pressure.empty()) pressure_.bring(std::vector<double>(nodes, NAN));
+    if (image.pressure.empty()) pressure_.upload(std::vector<double>(nodes, NAN));
     if (image.change.empty()) change_.assign_zeros(nodes);
-    image.ponded.empty() ? ponded_.assign_zeros(nodes) : ponded_.bring(image.ponded);
+    image.ponded.empty() ? ponded_.assign_zeros(nodes) : ponded_.upload(image.ponded);
     const std::size_t soils = laws_.size();
     DeviceDarcy<D>& m = body_.water.darcy;
     const auto put_table = [soils](Array<double>& array, std::size_t columns) {
@@ -293,7 +293,7 @@ class DeviceWaterBody {
       multiply(system, x, When::there);
       launch(nodes(), SettleNode<D>{system, round});
       g = gradients_.fetch_first();
-    } while (g.go_on());
+    } while (g.is_running());
     expected = g.iterations;
     return g;
   }

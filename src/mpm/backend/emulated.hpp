@@ -63,8 +63,8 @@ class HostGrid {
   }
   static DeviceMemory find_memory() { return {find_free(), room_}; }
   static void clear(void* p, std::size_t bytes) { std::memset(p, 0, bytes); }
-  static void bring(void* device, const void* host, std::size_t bytes) { std::memcpy(device, host, bytes); }
-  static void fetch(void* host, const void* device, std::size_t bytes) { std::memcpy(host, device, bytes); }
+  static void upload(void* device, const void* host, std::size_t bytes) { std::memcpy(device, host, bytes); }
+  static void download(void* host, const void* device, std::size_t bytes) { std::memcpy(host, device, bytes); }
 
   static void wait() {}  ///< until all launches have finished
 

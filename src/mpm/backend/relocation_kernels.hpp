@@ -13,12 +13,12 @@
 
 namespace talus::mpm::device {
 
-// fade_unseen(), the filter of null modes.
+// filter_null_modes(), the filter of null modes.
 
 /// Work arrays of the iteration for the nodal velocities (T2.5).
 template <int D>
 struct FadeRows {
-  View<double> u;          ///< [node][fade_stride] velocities [m/s]
+  View<double> u;          ///< [node][filter_stride] velocities [m/s]
   View<double> direction;  ///< [node][D] last change of u
   View<double> product;    ///< [element][D+1][D] contribution of an element to M u
 };
@@ -41,7 +41,7 @@ struct StartFading {
     sum_momentum(body, i, t);
     const double inverse = t[0] > 1e-12 * body.smallest_mass ? 1 / t[0] : 0;
     for (int d = 0; d < D; ++d) {
-      rows.u[static_cast<std::size_t>(i) * fade_stride + static_cast<std::size_t>(d)] = t[1 + d] * inverse;
+      rows.u[static_cast<std::size_t>(i) * filter_stride + static_cast<std::size_t>(d)] = t[1 + d] * inverse;
       rows.direction[static_cast<std::size_t>(i) * D + static_cast<std::size_t>(d)] = 0;
     }
   }
@@ -67,7 +67,7 @@ template <int D>
 struct ImproveVelocity {
   ThreadBody<D> body;
   FadeRows<D> rows;
-  FadeWeights weights;
+  FilterWeights weights;
 
   TALUS_PORTABLE void operator()(int i) const {
     double t[1 + D], Mu[D] = {};
@@ -77,7 +77,7 @@ struct ImproveVelocity {
       const double* product = &rows.product[static_cast<std::size_t>(body.layout->node_rows[r]) * D];
       for (int d = 0; d < D; ++d) Mu[d] += product[d];
     }
-    double* u = &rows.u[static_cast<std::size_t>(i) * fade_stride];
+    double* u = &rows.u[static_cast<std::size_t>(i) * filter_stride];
     double* direction = &rows.direction[static_cast<std::size_t>(i) * D];
     for (int d = 0; d < D; ++d) {
       direction[d] = weights.keep * direction[d] + weights.step * (t[1 + d] - Mu[d]) * inverse;
@@ -103,7 +103,7 @@ struct FadeElement {
       multiply_mass(mine, mine.elements.moments, rows.u, b, value, out);
       for (int k = 0; k <= D; ++k)
         for (int d = 0; d < D; ++d) sums_row(mine, e, k)[1 + d] = out[k][d];
-      fade_points(mine, b, value, {PointFields<D>::mass, PointFields<D>::velocity, more_mass}, lost);
+      filter_points(mine, b, value, {PointFields<D>::mass, PointFields<D>::velocity, more_mass}, lost);
     }
     accounts[static_cast<std::size_t>(e)] = {0, lost};
   }
@@ -197,7 +197,7 @@ struct Walk {
     movers.order[at] = m;
     const auto id = static_cast<std::size_t>(movers.id[at]);
     if (stays) {
-      hand_over(id, movers.from[at], element);
+      migrate_point(id, movers.from[at], element);
       return;
     }
     movers.from[at] = element;  // the element where it left the grid
@@ -208,7 +208,7 @@ struct Walk {
 
  private:
   /// Sets the strain offset of a point so that its total strain is unchanged: strain is stored by element.
-  TALUS_PORTABLE void hand_over(std::size_t id, int from, int to) const {
+  TALUS_PORTABLE void migrate_point(std::size_t id, int from, int to) const {
     constexpr int NS = PointFields<D>::stress_size;
     const auto begin = [this](int e) {
       return &body.elements.strain[static_cast<std::size_t>(e / device_width) * NS * device_width] + e % device_width;

@@ -202,8 +202,8 @@ TALUS_KERNEL int count_slots(const DevicePoints<D>& points, int b) {
 }
 
 struct DeviceElements {
-  View<double> moments, strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume, lent,
-      held_saturation;
+  View<double> moments, strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume,
+      nonlocal_correction, held_saturation;
 };
 
 template <int D>
@@ -269,7 +269,7 @@ struct ThreadBody {
     mine.points.count.shift(mine.lane);
     DeviceElements& of = mine.elements;
     for (View<double>* field : {&of.moments, &of.strain, &of.fill_limit, &of.apart, &of.rough, &of.plastic_dilation,
-                                &of.softened, &of.softening_volume, &of.lent, &of.held_saturation})
+                                &of.softened, &of.softening_volume, &of.nonlocal_correction, &of.held_saturation})
       field->shift(mine.lane);
     mine.water.shift(mine.lane);
     return mine;

@@ -263,7 +263,7 @@ struct Gradients {
   int iterations = 0;
   int unsettled = 0;  ///< 1 if the line or the surface state of a node does not fit the solution
 
-  TALUS_PORTABLE bool go_on() const { return rz > wanted && iterations < most_iterations; }
+  TALUS_PORTABLE bool is_running() const { return rz > wanted && iterations < most_iterations; }
   TALUS_PORTABLE bool are_there() const { return rz <= wanted; }
 };
 
@@ -283,7 +283,7 @@ struct PressureSystem {
   TALUS_PORTABLE Lines lines() const { return {body, arrays, options}; }
   TALUS_PORTABLE bool is_wet(int i) const { return arrays.pores[i] > 0; }
   TALUS_PORTABLE bool is_now(When when) const {
-    return when == When::always || (when == When::there ? gradients[0].are_there() : gradients[0].go_on());
+    return when == When::always || (when == When::there ? gradients[0].are_there() : gradients[0].is_running());
   }
 };
 
@@ -299,7 +299,7 @@ enum class NodeLine {
   find_out,
   keep_own
 };
-enum class ElementLine { assemble, share_water, find_end };
+enum class ElementLine { assemble, distribute_water, find_end };
 
 /// Runs a kernel of PressureLines for each wet node.
 template <int D, NodeLine Line>
@@ -328,7 +328,7 @@ struct ForElements {
   TALUS_PORTABLE void operator()(int e) const {
     const auto lines = system.lines();
     if constexpr (Line == ElementLine::assemble) lines.assemble_element(e);
-    if constexpr (Line == ElementLine::share_water) lines.share_water(e);
+    if constexpr (Line == ElementLine::distribute_water) lines.distribute_water(e);
     if constexpr (Line == ElementLine::find_end) lines.find_end(e);
   }
 };
@@ -390,7 +390,7 @@ struct TakeResidual {
     if (first) {
       g.wanted = tolerance * tolerance * g.scale.value;
       g.iterations = g.unsettled = 0;
-    } else if (g.go_on()) {
+    } else if (g.is_running()) {
       g.last = g.rz;
       ++g.iterations;
     } else {
@@ -406,7 +406,7 @@ struct GoOn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.go_on()) system.lines().go_on(g.rz / g.curvature.value, i);
+    if (system.is_wet(i) && g.is_running()) system.lines().advance_solution(g.rz / g.curvature.value, i);
   }
 };
 template <int D>
@@ -415,7 +415,7 @@ struct Turn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.go_on()) system.lines().turn(g.rz / g.last, i);
+    if (system.is_wet(i) && g.is_running()) system.lines().update_direction(g.rz / g.last, i);
   }
 };
 

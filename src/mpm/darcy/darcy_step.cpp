@@ -145,7 +145,7 @@ double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
 template <int D>
 void update_pressed(Body<D>& body) {
   Conditions<D>& conditions = body.conditions;
-  if (!body.share || conditions.pressed.empty()) return;
+  if (!body.partition || conditions.pressed.empty()) return;
   std::vector<double> pressed(body.mesh().nodes.size(), 0.0);
   const auto for_constraints = [&](auto&& work) {
     for (std::size_t i = 0; i < pressed.size(); ++i)

@@ -66,9 +66,9 @@ class PressureEquation {
   }
 
   /// Water lost per pore volume of the elements (T22.6), and the part that stays with the nodes (T22.7).
-  void share_water() {
+  void distribute_water() {
     update_nodes(body_, m_.out);
-    for_elements([&](int e) { lines_.share_water(e); });
+    for_elements([&](int e) { lines_.distribute_water(e); });
     update_elements(body_, m_.share);
     for_nodes([&](int i) { lines_.keep_own(i); });
   }
@@ -134,10 +134,10 @@ class PressureEquation {
     for (int n = 0; n < most_iterations && rz > wanted; ++n, ++m_.iterations) {
       apply(s_.d, true);
       const double step = rz / sum([&](int i) { return lines_.find_curvature(i); });
-      for_nodes([&](int i) { lines_.go_on(step, i); });
+      for_nodes([&](int i) { lines_.advance_solution(step, i); });
       const double last = rz;
       rz = sum([&](int i) { return lines_.find_residual(i); });
-      for_nodes([&](int i) { lines_.turn(rz / last, i); });
+      for_nodes([&](int i) { lines_.update_direction(rz / last, i); });
     }
     if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // also if rz is NaN
     apply(m_.change, true);
@@ -167,7 +167,7 @@ void solve_pressures(Body<D>& body, const StepOptions<D>& o) {
   find_root_draw(body, o);
   PressureEquation<D> equation(body, o);
   equation.solve();
-  equation.share_water();
+  equation.distribute_water();
   equation.count_water();
   equation.find_end();
 }

@@ -22,7 +22,7 @@ TALUS_KERNEL MaskOf<T> takes_part(const B& body, std::size_t first) {
 
 /// Fraction of what averaging removes that an element keeps for one step, a viscosity on null modes of the volume
 /// change (T4.5).
-inline constexpr double kept_share = 0.25;
+inline constexpr double kept_fraction = 0.25;
 
 /// Volumetric strain increment of the elements of a block with smoothing "stable", from their `own` increment and the
 /// nodal `average` of its elastic part (T4.4, T4.5). `rough` receives r_e for the next step.
@@ -30,7 +30,7 @@ template <class B, class T = typename B::Lanes>
 TALUS_KERNEL T join_dilation(const B& body, std::size_t first, T own, T average, T& rough) {
   const T plastic = load<T>(&body.elements.plastic_dilation[first]);
   rough = select(takes_part(body, first), own - plastic - average, T(0.0));
-  return average + plastic + kept_share * (rough - load<T>(&body.elements.rough[first]));
+  return average + plastic + kept_fraction * (rough - load<T>(&body.elements.rough[first]));
 }
 
 /// Mean over the nodes of the elements of a block, of one column of rows that are Stride doubles long.

@@ -57,10 +57,10 @@ struct DarcyBlock {
   TALUS_KERNEL void smooth(const Pass& pass, const Place& at) {
     volumetric = find_node_mean<B, 1>(pass.body.nodes.smoothed.data(), at.rows);
   }
-  TALUS_KERNEL T share_water(const Pass&, const Place&, const FullElement<B, Law>&) const { return saturation; }
+  TALUS_KERNEL T distribute_water(const Pass&, const Place&, const FullElement<B, Law>&) const { return saturation; }
   TALUS_KERNEL void find_growth() { growth = 1.0 + select(wet, pushed, volumetric); }
   TALUS_KERNEL void add_to_nodes(const Pass& pass, const Place& at, T, const T out[D + 1][1 + 2 * D]) const {
-    pass.give_rows(at, out);
+    pass.add_to_nodes(at, out);
   }
 
   /// Pore water of the points of a slot.

@@ -24,17 +24,17 @@ template <int D, class T>
 struct StressIncrement {
   Rotation<D, T> rotation;
   T d_epsilon[material::stress_size<D>];
-  double time;         ///< at the start of the step [s]
-  T lent{0.0};         ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2)
-  bool lends = false;  ///< nonlocal averaging is on
+  double time;                 ///< at the start of the step [s]
+  T nonlocal_correction{0.0};  ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2)
+  bool is_nonlocal = false;    ///< nonlocal averaging is on
 
   /// Initialises `softening` for a law that softens, and returns it for the law to fill; nullptr without nonlocal
   /// averaging.
   template <class Law>
   TALUS_KERNEL material::Softening<T>* begin(material::Softening<T>& softening) const {
     if constexpr (Law::softens) {
-      softening = {lent};
-      return lends ? &softening : nullptr;
+      softening = {nonlocal_correction};
+      return is_nonlocal ? &softening : nullptr;
     } else {
       return nullptr;
     }

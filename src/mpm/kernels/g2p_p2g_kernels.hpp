@@ -197,7 +197,7 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<B>& at, Block& block
     }
     if (response.any_plastic) sums.add_plastic(points.active, points.volume, response);
     if constexpr (Law::softens)
-      if (update.increment.lends)
+      if (update.increment.is_nonlocal)
         sums.add_softening(points.active && update.law.find_softening(points.material), points.volume, points.softened);
     if (pass.is_stable()) sums.all_volume += select(points.active, points.volume, T(0.0));
   }
@@ -228,8 +228,8 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<B>& at, Block& block
 /// P2G: adds the sums of the block to its elements and nodes. `weight` is V_e/Σ V_p where the internal force of this
 /// step was integrated over V_e, so that the plastic work is that of the same force.
 template <bool Mixed, class Law, class Pass, class Block, class B = typename Pass::B, class T = typename B::Lanes>
-TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<B>& at, const Block& block, const MaskOf<T>& was_full,
-                            T weight, BlockSums<B>& sums) {
+TALUS_KERNEL void scatter_sums(Pass& pass, const BlockPlace<B>& at, const Block& block, const MaskOf<T>& was_full,
+                               T weight, BlockSums<B>& sums) {
   constexpr int D = B::dimension, width = B::width;
   auto& elements = pass.body.elements;
   T stretch(1.0);
@@ -250,7 +250,7 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<B>& at, const Block& bl
     pass.dissipated += sums.dissipated * weight;
   }
   if constexpr (Law::softens) {
-    if (!elements.lent.empty()) {
+    if (!elements.nonlocal_correction.empty()) {
       store(&elements.softened[at.first], sums.softened);
       store(&elements.softening_volume[at.first], sums.softening_volume);
     }
@@ -275,13 +275,13 @@ TALUS_PORTABLE void advance_block(Pass& pass, const Law& law, int b) {
   typename Pass::template Block<Law> block(pass, at);
   auto increment = strain_elements<Apart>(pass, at, block);
   if constexpr (Law::softens) {
-    increment.lends = !body.elements.lent.empty();
-    if (increment.lends) increment.lent = load<T>(&body.elements.lent[at.first]);
+    increment.is_nonlocal = !body.elements.nonlocal_correction.empty();
+    if (increment.is_nonlocal) increment.nonlocal_correction = load<T>(&body.elements.nonlocal_correction[at.first]);
   }
   FullElement<B, Law> element;
   if constexpr (Mixed) {
     element = gather_full_elements<Apart>(body, law, b, at.count);
-    const T saturation = block.share_water(pass, at, element);
+    const T saturation = block.distribute_water(pass, at, element);
     update_full_elements<Apart>(body, pass.options, law, b, increment, saturation, element);
   }
   block.find_growth();
@@ -294,7 +294,7 @@ TALUS_PORTABLE void advance_block(Pass& pass, const Law& law, int b) {
   if constexpr (Mixed && Law::is_plastic)
     weight = select(element.full,
                     load<T>(&body.layout->volumes[at.first]) / select(element.full, element.volume, weight), weight);
-  give_sums<Mixed, Law>(pass, at, block, element.full, weight, sums);
+  scatter_sums<Mixed, Law>(pass, at, block, element.full, weight, sums);
 }
 
 // The hooks of the pass for soil of one phase.
@@ -320,10 +320,10 @@ struct DryBlock {
   TALUS_KERNEL void smooth(const Pass& pass, const Place& at) {
     volumetric = find_node_mean<B, 1>(pass.body.nodes.smoothed.data(), at.rows);
   }
-  TALUS_KERNEL T share_water(const Pass&, const Place&, const FullElement<B, Law>&) const { return saturation; }
+  TALUS_KERNEL T distribute_water(const Pass&, const Place&, const FullElement<B, Law>&) const { return saturation; }
   TALUS_KERNEL void find_growth() { growth = 1.0 + volumetric; }
   TALUS_KERNEL void add_to_nodes(const Pass& pass, const Place& at, T, const T out[D + 1][1 + 2 * D]) const {
-    pass.give_rows(at, out);
+    pass.add_to_nodes(at, out);
   }
 
   /// Hooks of a slot. The points have no water of their own.

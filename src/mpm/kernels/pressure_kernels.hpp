@@ -218,13 +218,15 @@ struct PressureLines {
   }
   TALUS_PORTABLE double find_residual(int i) const { return s.r[i] * s.z[i]; }
   TALUS_PORTABLE double find_curvature(int i) const { return s.fixed[i] ? 0.0 : s.d[i] * s.q[i]; }
-  TALUS_PORTABLE void go_on(double step, int i) const {
+  TALUS_PORTABLE void advance_solution(double step, int i) const {
     if (s.fixed[i]) return;
     body.water.darcy.change[i] += step * s.d[i];
     s.r[i] -= step * s.q[i];
     s.z[i] = s.r[i] / find_stiffness(i);
   }
-  TALUS_PORTABLE void turn(double share, int i) const { s.d[i] = s.fixed[i] ? 0.0 : s.z[i] + share * s.d[i]; }
+  TALUS_PORTABLE void update_direction(double share, int i) const {
+    s.d[i] = s.fixed[i] ? 0.0 : s.z[i] + share * s.d[i];
+  }
   /// Water that passes the surface at node `i`; q must be A x [m³].
   TALUS_PORTABLE void find_passed(int i) const {
     body.water.darcy.passed[i] = s.fixed[i] ? s.q[i] - s.source[i] : -o.dt * s.surface[i].inflow;
@@ -247,7 +249,7 @@ struct PressureLines {
     m.out[i] = s.drained[i] - s.q[i] + m.passed[i];
   }
   /// Water lost per pore volume of element `e` (T22.6).
-  TALUS_PORTABLE void share_water(int e) const {
+  TALUS_PORTABLE void distribute_water(int e) const {
     auto& m = body.water.darcy;
     m.share[e] = 0;
     if (!(body.water.volume[e] > 0)) return;

@@ -66,7 +66,8 @@ class MiddleGrid {
 /// Halo exchange: softened and softening_volume of the elements of other ranks within reach of this rank's elements.
 template <int D>
 void update_reach(Body<D>& body) {
-  if (body.share) body.share->reach->update({as_halo(body.elements.softened), as_halo(body.elements.softening_volume)});
+  if (body.partition)
+    body.partition->reach->update({as_halo(body.elements.softened), as_halo(body.elements.softening_volume)});
 }
 
 }  // namespace
@@ -92,12 +93,12 @@ template <int D>
 void set_softening_length(Body<D>& body, double length) {
   body.softening_reach = std::make_shared<SofteningReach>(find_softening_reach(body.mesh(), length));
   Elements<D>& elements = body.elements;
-  for (auto* field : {&elements.softened, &elements.softening_volume, &elements.lent})
+  for (auto* field : {&elements.softened, &elements.softening_volume, &elements.nonlocal_correction})
     field->assign(elements.fill_limit.size(), 0.0);
 }
 
 template <int D>
-void lend_softening(Body<D>& body, int threads) {
+void average_softening(Body<D>& body, int threads) {
   const SofteningReach& reach = *body.softening_reach;
   Elements<D>& elements = body.elements;
   const Layout<D>& layout = *body.layout;
@@ -110,14 +111,14 @@ void lend_softening(Body<D>& body, int threads) {
     });
   };
   update_reach(body);
-  for_elements([&](std::size_t e) { elements.lent[e] = find_lent(reach, elements, e); });
+  for_elements([&](std::size_t e) { elements.nonlocal_correction[e] = find_nonlocal_correction(reach, elements, e); });
   for_elements([&](std::size_t e) { elements.softened[e] = elements.softening_volume[e] = 0; });
 }
 
 #define TALUS_INSTANTIATE(D)                                                     \
   template SofteningReach find_softening_reach<D>(const mesh::Mesh<D>&, double); \
   template void set_softening_length<D>(Body<D>&, double);                       \
-  template void lend_softening<D>(Body<D>&, int);
+  template void average_softening<D>(Body<D>&, int);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -13,7 +13,7 @@ namespace talus::mpm {
 /// Nonlocal correction ε̄_e - ε_e of the dilation of element `e` (T23.1, T23.2). List: a SofteningReach, or the same on
 /// a GPU.
 template <class List, class E>
-TALUS_PORTABLE double find_lent(const List& reach, const E& elements, std::size_t e) {
+TALUS_PORTABLE double find_nonlocal_correction(const List& reach, const E& elements, std::size_t e) {
   if (!(elements.softening_volume[e] > 0)) return 0;
   double softened = 0, volume = 0;
   for (auto k = static_cast<std::size_t>(reach.start[e]); k < static_cast<std::size_t>(reach.start[e + 1]); ++k) {
@@ -33,8 +33,8 @@ template <int D>
 void set_softening_length(Body<D>& body, double length);
 
 /// Computes the nonlocal correction of each element from the dilation of the last step (T23.2). Reads and clears
-/// softened and softening_volume; writes lent.
+/// softened and softening_volume; writes nonlocal_correction.
 template <int D>
-void lend_softening(Body<D>& body, int threads);
+void average_softening(Body<D>& body, int threads);
 
 }  // namespace talus::mpm

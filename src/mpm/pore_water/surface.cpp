@@ -73,7 +73,7 @@ void find_open_sides(Body<D>& body) {
         }
         size[node] += norm(side.share);
       }
-      if (!body.share || body.share->is_near[e]) water.open_sides.push_back(side);
+      if (!body.partition || body.partition->is_near[e]) water.open_sides.push_back(side);
     }
   }
   // If the open sides of a node's elements close around it, as those of an isolated element do, the sum of their area
@@ -109,7 +109,7 @@ template <int D>
 class Fillings {
  public:
   Fillings(const Body<D>& body, bool mixed) : body_(body), mixed_(mixed) {
-    if (!body.share) return;
+    if (!body.partition) return;
     known_.resize(body.mesh().elements.size());
     const auto [begin, end] = own_elements(body);
     for (const OpenSide<D>& side : body.water.open_sides)

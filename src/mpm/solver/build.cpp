@@ -281,7 +281,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     body.water.darcy.change.clear();
     find_held_axes(body);
     for (int e = begin; e < end; ++e) {
-      share_wet_element(body, e, o);
+      average_wet_element(body, e, o);
       if (body.points.count[e] > 0) add_wet_element(body, e, o, 1);
     }
     body.water.surface_is_stale = true;
@@ -351,7 +351,7 @@ void allocate(Body<D>& body, const Extent& extent) {
   allocate_fields(body, extent.points);
   const std::size_t nodes = body.mesh().nodes.size(), lanes = body.elements.fill_limit.size();
   if (extent.softens_over_length)
-    for (auto* field : {&body.elements.softened, &body.elements.softening_volume, &body.elements.lent})
+    for (auto* field : {&body.elements.softened, &body.elements.softening_volume, &body.elements.nonlocal_correction})
       field->resize(lanes);
   if (extent.holds_saturation) body.elements.held_saturation.resize(lanes);
   DarcyWater<D>& darcy = body.water.darcy;

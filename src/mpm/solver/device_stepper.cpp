@@ -166,16 +166,17 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
 }
 
 template <int D>
-void DeviceStepper<D>::fade_unseen(Body<D>& body) {
-  Stopwatch()(body.timing.device, [&] { body.work.mapping += run_there([&] { return device_->fade_unseen(); }); });
+void DeviceStepper<D>::filter_null_modes(Body<D>& body) {
+  Stopwatch()(body.timing.device,
+              [&] { body.work.mapping += run_there([&] { return device_->filter_null_modes(); }); });
   host_is_up_to_date_ = false;
 }
 
 template <int D>
-void DeviceStepper<D>::bring_back(Body<D>& body) {
+void DeviceStepper<D>::copy_back(Body<D>& body) {
   if (host_is_up_to_date_) return;
   Stopwatch()(body.timing.transfer, [&] {
-    run_there([&] { device_->give_back(image_); });
+    run_there([&] { device_->copy_back(image_); });
     read_device_image(image_, threads_, body);
   });
   host_is_up_to_date_ = true;

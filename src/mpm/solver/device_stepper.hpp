@@ -35,9 +35,9 @@ class DeviceStepper {
   /// Like mpm::step(), but updates only time, step_count, lost, work and monitor of the host's body. First copies the
   /// body to the device if the host has changed it.
   void step(Body<D>& body, const StepOptions<D>& options);
-  void fade_unseen(Body<D>& body);
+  void filter_null_modes(Body<D>& body);
   /// Copies the whole state back to the host's body. The device keeps its copy.
-  void bring_back(Body<D>& body);
+  void copy_back(Body<D>& body);
   /// Must be called after the body was changed on the host or replaced.
   void note_change() {
     device_has_body_ = false;

@@ -48,11 +48,11 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
   const double cutoff = 1e-12 * body.smallest_mass;
   std::vector<double> inverse(nodes, 0);
   std::vector<Vec<D>> momentum(nodes), u(nodes), direction(nodes);
-  AlignedVector<double> rows(static_cast<std::size_t>(layout.rows) * fade_stride, 0.0), product(rows.size(), 0.0);
+  AlignedVector<double> rows(static_cast<std::size_t>(layout.rows) * filter_stride, 0.0), product(rows.size(), 0.0);
   const auto give = [&](int i) {
     for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
       for (int d = 0; d < D; ++d)
-        rows[static_cast<std::size_t>(layout.node_rows[r]) * fade_stride + static_cast<std::size_t>(d)] = u[i][d];
+        rows[static_cast<std::size_t>(layout.node_rows[r]) * filter_stride + static_cast<std::size_t>(d)] = u[i][d];
     }
   };
   for_nodes<1, P::sums_stride, P::mass_column>(body, threads, phase.sums, [&](int i, const double* mass) {
@@ -65,14 +65,14 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
     }
     give(i);
   });
-  for (const FadeWeights& weights : list_fade_weights()) {
+  for (const FilterWeights& weights : list_filter_weights()) {
     std::fill(product.begin(), product.end(), 0.0);
     for_blocks(body, threads, [&](int b, const int* at) {
       Pack value[D + 1][D], out[D + 1][D];
       multiply_mass(body, phase.moments, rows, b, value, out);
       for (int k = 0; k <= D; ++k) add_rows<D>(product.data(), at + k * lane_width, out[k]);
     });
-    for_nodes<D, fade_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
+    for_nodes<D, filter_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
       for (int d = 0; d < D; ++d) {
         direction[i][d] = weights.keep * direction[i][d] + weights.step * (momentum[i][d] - Mu[d]) * inverse[i];
         u[i][d] += direction[i][d];
@@ -84,7 +84,7 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
 }
 
 template <int D, class P>
-void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
+void filter_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
   const Layout<D>& layout = *body.layout;
   const AlignedVector<double> rows = solve_for_momentum(body, o.threads, phase);
   std::vector<double> lost(static_cast<std::size_t>(layout.chunks), 0);
@@ -99,7 +99,7 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
       multiply_mass(body, phase.moments, rows, b, value, out);
       for (int k = 0; k <= D; ++k)
         add_rows<D, P::momentum_column, P::sums_stride>(phase.sums.data(), at + k * lane_width, out[k]);
-      fade_points(body, b, value, {phase.mass_field, phase.velocity_field, phase.more_mass_field}, kinetic);
+      filter_points(body, b, value, {phase.mass_field, phase.velocity_field, phase.more_mass_field}, kinetic);
     }
     for (int l = 0; l < lane_width; ++l) lost[static_cast<std::size_t>(c)] += kinetic.value[l];
   });
@@ -110,29 +110,30 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
 }  // namespace
 
 template <int D>
-void fade_unseen(Body<D>& body, const StepOptions<D>& o) {
+void filter_null_modes(Body<D>& body, const StepOptions<D>& o) {
   using P = Points<D>;
   if (!body.water.is_wet()) {
-    fade_phase(body, o, Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity});
+    filter_phase(body, o, Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity});
     return;
   }
   using C = WetColumns<D>;
   using W = WaterFields<D>;
   Water<D>& water = body.water;
   if (o.darcy) {
-    fade_phase(body, o,
-               Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity,
-                                           water.first_field + W::mass});
+    filter_phase(body, o,
+                 Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity,
+                                             water.first_field + W::mass});
     return;
   }
   constexpr int stride = wet_sums_stride<D>;
-  fade_phase(body, o, Phase<D, stride, C::mass, C::momentum>{water.sums, body.elements.moments, P::mass, P::velocity});
-  fade_phase(body, o,
-             Phase<D, stride, C::water_mass, C::water_momentum>{water.sums, water.moments, water.first_field + W::mass,
-                                                                water.first_field + W::velocity});
+  filter_phase(body, o,
+               Phase<D, stride, C::mass, C::momentum>{water.sums, body.elements.moments, P::mass, P::velocity});
+  filter_phase(body, o,
+               Phase<D, stride, C::water_mass, C::water_momentum>{
+                   water.sums, water.moments, water.first_field + W::mass, water.first_field + W::velocity});
 }
 
-template void fade_unseen<2>(Body<2>&, const StepOptions<2>&);
-template void fade_unseen<3>(Body<3>&, const StepOptions<3>&);
+template void filter_null_modes<2>(Body<2>&, const StepOptions<2>&);
+template void filter_null_modes<3>(Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

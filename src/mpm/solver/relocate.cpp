@@ -55,7 +55,7 @@ typename Traveller<D>::Strain read_strain(const Body<D>& body, int e) {
 
 /// Sets the strain offset of a point in its new element so that its total strain is unchanged.
 template <int D>
-void hand_over(Body<D>& body, const Traveller<D>& point) {
+void migrate_point(Body<D>& body, const Traveller<D>& point) {
   const auto to = read_strain(body, point.record.element);
   auto& offset = body.points.strain_offset[point.record.id];
   for (std::size_t i = 0; i < to.size(); ++i) offset[i] = point.offset[i] + (point.from[i] - to[i]);
@@ -65,8 +65,8 @@ void hand_over(Body<D>& body, const Traveller<D>& point) {
 /// and those of other ranks, in the order of the ranks); points that leave are removed from this rank.
 template <int D>
 std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D>> points) {
-  if (!body.share) return points;
-  const Share<D>& share = *body.share;
+  if (!body.partition) return points;
+  const Partition<D>& share = *body.partition;
   std::vector<Message> to(static_cast<std::size_t>(share.ranks->size()));
   const auto fields = static_cast<std::size_t>(body.points.fields);
   for (const Traveller<D>& p : points) {
@@ -105,14 +105,14 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
 /// whether any rank has elements to correct.
 template <int D>
 bool join_losses(Body<D>& body, std::size_t before, std::vector<double> water, bool changes) {
-  if (body.share) {
+  if (body.partition) {
     Message mine;
     mine.put(changes);
     mine.put_list(std::vector<Lost<D>>(body.lost.begin() + static_cast<std::ptrdiff_t>(before), body.lost.end()));
     mine.put_list(water);
     body.lost.resize(before);
     water.clear();
-    for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
+    for (Bytes& bytes : body.partition->ranks->gather(mine.bytes(), true)) {
       Message message(std::move(bytes));
       changes = message.get<bool>() || changes;
       for (const Lost<D>& lost : message.get_list<Lost<D>>()) body.lost.push_back(lost);
@@ -233,7 +233,7 @@ void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector
   for (int e : candidates) update_fill_limit(body, e);
   std::vector<double> losses;
   for (int e : candidates) {
-    share_wet_element(body, e, o);
+    average_wet_element(body, e, o);
     add_wet_element(body, e, o, 1);
     losses.push_back(find_sharing_loss(body, o, e));
   }
@@ -276,7 +276,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
   if (!join_losses(body, lost_before, std::move(lost_water), changes)) return;
   std::vector<Record<D>> staying;
   for (const Traveller<D>& t : exchange_points(body, std::move(travellers))) {
-    hand_over(body, t);
+    migrate_point(body, t);
     staying.push_back(t.record);
   }
   if (wet) {

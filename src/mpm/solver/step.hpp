@@ -54,7 +54,7 @@ void relocate(Body<D>& body, const StepOptions<D>& options, const MoverLists& mo
 /// node. Reads and writes the nodal sums of momentum. Conserves linear momentum exactly; the kinetic energy removed is
 /// added to work.mapping.
 template <int D>
-void fade_unseen(Body<D>& body, const StepOptions<D>& options);
+void filter_null_modes(Body<D>& body, const StepOptions<D>& options);
 
 /// Computes the nodal sums from scratch (P2G), at the start of a stage, when the options of the internal force may have
 /// changed.

@@ -100,7 +100,7 @@ struct Elements {
   AlignedVector<double> plastic_dilation;  ///< Δθ_e, V_p-weighted mean plastic dilation of the last step (T4.4) [-]
   // With nonlocal averaging (kernels/softening.hpp), else empty; values of the last step.
   AlignedVector<double> softened, softening_volume;  ///< Σ V_p Δε and Σ V_p of points of soil that softens [m³]
-  AlignedVector<double> lent;                        ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2) [-]
+  AlignedVector<double> nonlocal_correction;         ///< nonlocal correction of the dilation, ε̄_e - ε_e (T23.2) [-]
   AlignedVector<double> held_saturation;  ///< S of hydrostatic pore water, one phase moving [-]; empty: no water
 };
 
@@ -174,7 +174,7 @@ struct SofteningReach {
 };
 
 template <int D>
-struct Share;  // partition.hpp
+struct Partition;  // partition.hpp
 
 template <int D>
 struct Body {
@@ -188,7 +188,7 @@ struct Body {
   std::vector<std::string> material_names;
   Conditions<D> conditions;
   Points<D> points;
-  std::shared_ptr<const Share<D>> share;                  ///< part of this rank; null: the whole body is computed here
+  std::shared_ptr<const Partition<D>> partition;          ///< part of this rank; null: the whole body is computed here
   std::shared_ptr<const SofteningReach> softening_reach;  ///< null: softening is local
   Elements<D> elements;
   Nodes<D> nodes;

@@ -36,7 +36,7 @@ std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) 
     }
     carriers.push_back(c);
   }
-  if (!body.share) return carriers;
+  if (!body.partition) return carriers;
   carriers = join_lists(body, std::move(carriers));
   std::sort(carriers.begin(), carriers.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
   return carriers;

@@ -14,9 +14,10 @@ namespace talus::mpm {
 namespace {
 
 template <int D>
-std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
+std::shared_ptr<const Partition<D>> make_partition(const Body<D>& body, Ranks& ranks,
+                                                   const std::vector<int>& chunk_of_rank) {
   const Layout<D>& layout = *body.layout;
-  auto share = std::make_shared<Share<D>>();
+  auto share = std::make_shared<Partition<D>>();
   share->ranks = &ranks;
   share->chunk_of_rank = chunk_of_rank;
   std::vector<int> rank_of_chunk;
@@ -215,7 +216,8 @@ void get_chunk(Message& message, int c, const std::vector<int>& counts, Body<D>&
 /// Scatters one message to each rank; rank 0 makes them with make(rank).
 Bytes deal_one_each(Ranks& ranks, const std::function<Bytes(int)>& make) {
   Bytes mine;
-  ranks.deal({ranks.size(), [](int rank) { return rank; }, make, [&](int, Bytes bytes) { mine = std::move(bytes); }});
+  ranks.scatter(
+      {ranks.size(), [](int rank) { return rank; }, make, [&](int, Bytes bytes) { mine = std::move(bytes); }});
   return mine;
 }
 
@@ -236,22 +238,23 @@ void take_chunks(const Body<D>* whole, Ranks& ranks, const std::vector<int>& chu
     return message.take();
   }));
   const std::vector<int> own = result.get_list<int>();
-  if (!body.elements.lent.empty()) body.softening_reach = get_reach(result, first, last, layout.mesh.element_count());
+  if (!body.elements.nonlocal_correction.empty())
+    body.softening_reach = get_reach(result, first, last, layout.mesh.element_count());
   std::vector<int> used(static_cast<std::size_t>(layout.blocks), 0);
   count_slots(own, first, used);
   allocate_slots(body.points, used);
   std::vector<int> counts(static_cast<std::size_t>(layout.mesh.element_count()), 0);
   std::copy(own.begin(), own.end(), counts.begin() + first);
-  ranks.deal({layout.chunks, [&](int c) { return find_interval(chunk_of_rank, c); },
-              [&](int c) {
-                Message message;
-                put_chunk(*whole, c, message);
-                return message.take();
-              },
-              [&](int c, Bytes bytes) {
-                Message message(std::move(bytes));
-                get_chunk(message, c, counts, body);
-              }});
+  ranks.scatter({layout.chunks, [&](int c) { return find_interval(chunk_of_rank, c); },
+                 [&](int c) {
+                   Message message;
+                   put_chunk(*whole, c, message);
+                   return message.take();
+                 },
+                 [&](int c, Bytes bytes) {
+                   Message message(std::move(bytes));
+                   get_chunk(message, c, counts, body);
+                 }});
 }
 
 /// Halo exchange of the elements and nodes around those of this rank.
@@ -318,13 +321,13 @@ std::vector<int> divide_chunks(const std::vector<double>& work, int ranks) {
 }
 
 template <int D>
-Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
+Body<D> scatter_body(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
   Body<D> body = std::move(description);
   if (!body.layout->is_ordered)
     throw Error(ExitCode::wrong_input,
                 "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
   take_chunks(whole, ranks, chunk_of_rank, body);
-  body.share = make_share(body, ranks, chunk_of_rank);
+  body.partition = make_partition(body, ranks, chunk_of_rank);
   update_surroundings(body);
   body.water.surface_is_stale = true;
   gather_loads(body);
@@ -346,8 +349,8 @@ void copy_common(const Body<D>& share, Body<D>& whole) {
 
 template <int D>
 void collect(const Body<D>& share, bool to_all, Body<D>* whole) {
-  Ranks& ranks = *share.share->ranks;
-  const std::vector<int>& chunks = share.share->chunk_of_rank;
+  Ranks& ranks = *share.partition->ranks;
+  const std::vector<int>& chunks = share.partition->chunk_of_rank;
   const auto [first, last] = own_elements(share);
   Message mine;
   mine.put_list(list_counts(share.points, first, last));
@@ -382,9 +385,9 @@ void collect(const Body<D>& share, bool to_all, Body<D>* whole) {
   }
 }
 
-#define TALUS_INSTANTIATE(D)                                                                \
-  template std::vector<double> count_work<D>(const Body<D>&);                               \
-  template Body<D> take_share<D>(const Body<D>*, Body<D>, Ranks&, const std::vector<int>&); \
+#define TALUS_INSTANTIATE(D)                                                                  \
+  template std::vector<double> count_work<D>(const Body<D>&);                                 \
+  template Body<D> scatter_body<D>(const Body<D>*, Body<D>, Ranks&, const std::vector<int>&); \
   template void collect<D>(const Body<D>&, bool, Body<D>*);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -16,7 +16,7 @@
 namespace talus::mpm {
 
 template <int D>
-struct Share {
+struct Partition {
   Ranks* ranks = nullptr;
   std::vector<int> chunk_of_rank;          ///< first chunk of each rank, [ranks + 1]
   std::vector<std::array<int, 2>> guests;  ///< ranges of nodes that touch these chunks and are summed by other ranks
@@ -34,8 +34,8 @@ struct Share {
 /// The chunks [first, last) of this rank.
 template <int D>
 std::array<int, 2> own_chunks(const Body<D>& body) {
-  if (!body.share) return {0, body.layout->chunks};
-  return {body.share->first_chunk(), body.share->last_chunk()};
+  if (!body.partition) return {0, body.layout->chunks};
+  return {body.partition->first_chunk(), body.partition->last_chunk()};
 }
 
 /// Index of the interval, of those that start at `starts`, that contains an item.
@@ -71,13 +71,13 @@ int first_node(const Body<D>& body, int c) {
 template <int D, class Work>
 void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
   const auto [first, last] = own_chunks(body);
-  const int own = last - first, guests = body.share ? static_cast<int>(body.share->guests.size()) : 0;
+  const int own = last - first, guests = body.partition ? static_cast<int>(body.partition->guests.size()) : 0;
   parallel_for(own + guests, threads, [&, begin = first](int i) {
     if (i < own)
       work(first_node(body, begin + i), first_node(body, begin + i + 1), begin + i);
     else
-      work(body.share->guests[static_cast<std::size_t>(i - own)][0],
-           body.share->guests[static_cast<std::size_t>(i - own)][1], -1);
+      work(body.partition->guests[static_cast<std::size_t>(i - own)][0],
+           body.partition->guests[static_cast<std::size_t>(i - own)][1], -1);
   });
 }
 
@@ -97,8 +97,8 @@ template <class Work, class... Arguments>
 template <int D, class Work>
 void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                            const Work& work) {
-  if (!body.share) return for_chunks(body, threads, [&](int c) { detail::work_on(work, c); });
-  const Share<D>& share = *body.share;
+  if (!body.partition) return for_chunks(body, threads, [&](int c) { detail::work_on(work, c); });
+  const Partition<D>& share = *body.partition;
   const auto run = [&](const std::vector<int>& chunks) {
     parallel_for(static_cast<int>(chunks.size()), threads,
                  [&](int i) { detail::work_on(work, chunks[static_cast<std::size_t>(i)]); });
@@ -114,9 +114,9 @@ void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<doubl
 template <int D, class Work>
 void update_and_for_node_pieces(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                                 const Work& work) {
-  if (!body.share)
+  if (!body.partition)
     return for_node_pieces(body, threads, [&](int begin, int end, int c) { detail::work_on(work, begin, end, c); });
-  const Share<D>& share = *body.share;
+  const Partition<D>& share = *body.partition;
   const auto run = [&](const std::vector<int>& chunks, int i) {
     const int c = chunks[static_cast<std::size_t>(i)];
     detail::work_on(work, first_node(body, c), first_node(body, c + 1), c);
@@ -146,13 +146,13 @@ HaloArray as_halo(Array& array) {
 /// Halo exchange of arrays by element: values of other ranks for the elements that touch a node of this rank.
 template <int D, class... Arrays>
 void update_elements(const Body<D>& body, Arrays&... arrays) {
-  if (body.share) body.share->elements->update({as_halo(arrays)...});
+  if (body.partition) body.partition->elements->update({as_halo(arrays)...});
 }
 /// Halo exchange of arrays by node: values of other ranks for the nodes of these elements. After both, a loop over
 /// elements may read all nodes of its elements, and a loop over nodes all elements around them with their nodes.
 template <int D, class... Arrays>
 void update_nodes(const Body<D>& body, Arrays&... arrays) {
-  if (body.share) body.share->nodes->update({as_halo(arrays)...});
+  if (body.partition) body.partition->nodes->update({as_halo(arrays)...});
 }
 
 /// Halo exchange of the numbers of points per element.
@@ -164,12 +164,12 @@ void update_counts(Body<D>& body) {
 /// Completes a list of `per` items per chunk with the entries of the other ranks' chunks.
 template <int D, class T>
 void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk, std::size_t per = 1) {
-  if (!body.share) return;
+  if (!body.partition) return;
   const auto [first, last] = own_chunks(body);
   Message mine;
   mine.put(by_chunk.data() + static_cast<std::size_t>(first) * per, static_cast<std::size_t>(last - first) * per);
   std::size_t at = 0;
-  for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
+  for (Bytes& bytes : body.partition->ranks->gather(mine.bytes(), true)) {
     const std::size_t count = bytes.size() / sizeof(T);
     Message(std::move(bytes)).get(by_chunk.data() + at, count);
     at += count;
@@ -179,11 +179,11 @@ void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk, std::size_t 
 /// Concatenates the lists of all ranks, in the order of the ranks.
 template <int D, class T>
 std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
-  if (!body.share) return mine;
+  if (!body.partition) return mine;
   Message message;
   message.put_list(mine);
   std::vector<T> all;
-  for (Bytes& bytes : body.share->ranks->gather(message.bytes(), true)) {
+  for (Bytes& bytes : body.partition->ranks->gather(message.bytes(), true)) {
     const std::vector<T> part = Message(std::move(bytes)).get_list<T>();
     all.insert(all.end(), part.begin(), part.end());
   }
@@ -193,7 +193,7 @@ std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
 /// Returns whether `here` is true on any rank.
 template <int D>
 bool is_any(const Body<D>& body, bool here) {
-  if (!body.share) return here;
+  if (!body.partition) return here;
   const std::vector<char> all = join_lists(body, std::vector<char>{here ? '\1' : '\0'});
   return std::any_of(all.begin(), all.end(), [](char c) { return c != 0; });
 }
@@ -210,7 +210,7 @@ std::vector<int> divide_chunks(const std::vector<double>& work, int ranks);
 /// chunk_of_rank as of divide_chunks(). Throws Error (wrong_input) for a mesh whose nodes are not in the order of their
 /// elements.
 template <int D>
-Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank);
+Body<D> scatter_body(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank);
 
 /// Gathers the whole body into the one that was scattered: on rank 0 (`whole` is null elsewhere), or on all ranks.
 template <int D>

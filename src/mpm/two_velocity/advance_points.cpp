@@ -170,8 +170,8 @@ struct WetBlock {
   }
 
   /// Updates water and pressure of full elements, whose points share them; returns their saturation.
-  TALUS_KERNEL Pack share_water(WetPass<D>& pass, const BlockPlace<Body<D>>& at,
-                                const FullElement<Body<D>, Law>& element) {
+  TALUS_KERNEL Pack distribute_water(WetPass<D>& pass, const BlockPlace<Body<D>>& at,
+                                     const FullElement<Body<D>, Law>& element) {
     const Mask wet = element.full && lanes.is_wet(element.material);
     if (any(wet)) share_full_water(pass, at, element, wet);
     return select(lanes.is_wet(element.material), shared_pore.saturation, Pack(1.0));

@@ -94,7 +94,7 @@ void add_wet_element(Body<D>& body, int e, const StepOptions<D>& o, double sign)
 }
 
 template <int D>
-void share_wet_element(Body<D>& body, int e, const StepOptions<D>& o) {
+void average_wet_element(Body<D>& body, int e, const StepOptions<D>& o) {
   using P = Points<D>;
   using W = WaterFields<D>;
   Water<D>& water = body.water;
@@ -159,8 +159,8 @@ template std::vector<Vec<2>> find_pore_force<2>(Body<2>&, const StepOptions<2>&)
 template std::vector<Vec<3>> find_pore_force<3>(Body<3>&, const StepOptions<3>&);
 template void add_wet_element<2>(Body<2>&, int, const StepOptions<2>&, double);
 template void add_wet_element<3>(Body<3>&, int, const StepOptions<3>&, double);
-template void share_wet_element<2>(Body<2>&, int, const StepOptions<2>&);
-template void share_wet_element<3>(Body<3>&, int, const StepOptions<3>&);
+template void average_wet_element<2>(Body<2>&, int, const StepOptions<2>&);
+template void average_wet_element<3>(Body<3>&, int, const StepOptions<3>&);
 
 namespace {
 

@@ -77,6 +77,6 @@ void find_held_axes(Body<D>& body);
 
 /// Determines how element `e` is integrated. The points of a full element share their water and its pressure.
 template <int D>
-void share_wet_element(Body<D>& body, int e, const StepOptions<D>& options);
+void average_wet_element(Body<D>& body, int e, const StepOptions<D>& options);
 
 }  // namespace talus::mpm

@@ -77,7 +77,7 @@ class Comparison {
     // An MPM run released later has the water of another time than LEM and FEM in this table.
     const bool later = data_.timeline && data_.timeline->release;
     if (input::uses(data_, Method::mpm) && !later) add_points();
-    if (slope_ != nullptr) hand_over();
+    if (slope_ != nullptr) exchange_surfaces();
     results_.warnings = warn_of_disagreement(data_, run_, results_);
     results_.remarks = read_differences(data_, run_, results_);
     return std::move(results_);
@@ -268,7 +268,7 @@ class Comparison {
   }
 
   /// Evaluates the surfaces of the other methods by LEM.
-  void hand_over() {
+  void exchange_surfaces() {
     const lem::SearchOptions options = make_search_options(data_.lem, threads_);
     const std::vector<results::MethodSurface> given = results_.surfaces;
     for (const results::MethodSurface& s : given) {

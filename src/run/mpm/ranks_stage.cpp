@@ -50,7 +50,7 @@ std::vector<double> measure_chunks(const mpm::Body<D>& share, double mine) {
   mpm::complete_chunks(share, work);
   const std::vector<double> seconds = mpm::join_lists(share, std::vector{mine});
   for (std::size_t r = 0; r < seconds.size(); ++r) {
-    const auto [begin, end] = find_part(work, share.share->chunk_of_rank, r);
+    const auto [begin, end] = find_part(work, share.partition->chunk_of_rank, r);
     const double points = std::accumulate(begin, end, 0.0);
     std::for_each(begin, end, [&](double& w) { w *= seconds[r] / points; });
   }
@@ -81,7 +81,7 @@ void LoadBalance<D>::look(mpm::Body<D>& share) {
   spent_ = spent;
   sent_ = sent;
   std::vector<double> seconds = measure_chunks(share, mine);
-  const std::vector<int>& now = share.share->chunk_of_rank;
+  const std::vector<int>& now = share.partition->chunk_of_rank;
   const std::vector<int> wanted = mpm::divide_chunks(seconds, ranks.size());
   const double longest = find_longest(seconds, now), saving = longest - find_longest(seconds, wanted);
   if (wanted == now || !(saving > least_saving * longest) || saving * worth < cost_) return;
@@ -90,7 +90,7 @@ void LoadBalance<D>::look(mpm::Body<D>& share) {
   mpm::collect(share, false, whole_);
   mpm::Body<D> description = mpm::copy_description(share);
   share = mpm::Body<D>();  // frees the memory of the old part before the new one is made
-  share = mpm::take_share<D>(whole_, std::move(description), ranks, wanted);
+  share = mpm::scatter_body<D>(whole_, std::move(description), ranks, wanted);
   cost_ = std::chrono::duration<double>(Clock::now() - start).count();
   broadcast(cost_);  // all ranks must come to the same decision
   ++ranks.traffic().hand_overs;
@@ -174,7 +174,7 @@ class SharedStage {
     std::vector<int> chunks;
     if (ranks.rank() == 0) chunks = mpm::divide_chunks(mpm::count_work(*whole_), ranks.size());
     broadcast(chunks);
-    mpm::Body<D> share = mpm::take_share<D>(whole_, std::move(description), ranks, chunks);
+    mpm::Body<D> share = mpm::scatter_body<D>(whole_, std::move(description), ranks, chunks);
     LoadBalance<D> balance(whole_, share);
     balance_ = &balance;
     const results::StageEnd end = run_stage(share, plan, state, make_hooks());

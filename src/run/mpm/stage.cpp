@@ -315,7 +315,7 @@ bool has_rested(const mpm::Body<D>& body, const StagePlan<D>& plan, StageState& 
 template <int D>
 bool look(Stepper<D>& stepper, mpm::Body<D>& body, const StageState& state, const StagePlan<D>& plan,
           const StageHooks<D>& hooks) {
-  if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(stepper.bring_back(), state);
+  if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(stepper.copy_back(), state);
   const bool tells = hooks.report && hooks.report_is_due();
   if (!tells && plan.failed_displacement <= 0) return false;
   const double moved = find_largest(body, stepper.find_largest_displacement());
@@ -336,7 +336,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     plan.equalises_mass = false;
     return run_stand_in(even, body, plan, state, hooks);
   }
-  if (get_ranks().size() > 1 && !body.share) return run_on_ranks(body, wanted, state, hooks);
+  if (get_ranks().size() > 1 && !body.partition) return run_on_ranks(body, wanted, state, hooks);
   StagePlan<D> plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {
@@ -379,7 +379,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     }
     if (state.steps % look_interval == 0) {
       if (hooks.rebalance) hooks.rebalance(body);
-      if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(stepper.bring_back(), state);
+      if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(stepper.copy_back(), state);
       if (look(stepper, body, state, plan, hooks)) return stepper.end(results::StageEnd::failed);
     }
     if (hooks.output && body.time >= state.next_output) hooks.output(stepper, state);
@@ -393,7 +393,8 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     ++state.steps;
     // Null modes are filtered at the end of a step and before the look, so that a checkpoint contains the result. A
     // wave crosses about as many elements as there are steps between two looks.
-    if (plan.step.fade_unseen && options.moving && state.steps % look_interval == 0) stepper.fade_unseen(options);
+    if (plan.step.filter_null_modes && options.moving && state.steps % look_interval == 0)
+      stepper.filter_null_modes(options);
     watch_external_models(body, plan, save_last_good);
     if (const auto runaway =
             find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) {

@@ -15,7 +15,7 @@
 
 namespace talus::run {
 
-/// Advances a body. Between steps the body is up to date only after bring_back(); time, step count, work, losses and
+/// Advances a body. Between steps the body is up to date only after copy_back(); time, step count, work, losses and
 /// the monitored values of the last step always are.
 template <int D>
 class Stepper : public Pause<D> {
@@ -27,8 +27,8 @@ class Stepper : public Pause<D> {
   }
 
   void step(const mpm::StepOptions<D>& options) { device_ ? device_->step(body_, options) : mpm::step(body_, options); }
-  void fade_unseen(const mpm::StepOptions<D>& options) {
-    device_ ? device_->fade_unseen(body_) : mpm::fade_unseen(body_, options);
+  void filter_null_modes(const mpm::StepOptions<D>& options) {
+    device_ ? device_->filter_null_modes(body_) : mpm::filter_null_modes(body_, options);
   }
   mpm::CriticalStep find_critical_step(const StagePlan<D>& plan, const mpm::StepOptions<D>& options) {
     return device_ ? device_->find_critical_step(body_, options) : run::find_critical_step(body_, plan);
@@ -37,15 +37,15 @@ class Stepper : public Pause<D> {
     return device_ ? device_->find_largest_displacement(body_) : mpm::find_largest_displacement(body_).value;
   }
   const mpm::Body<D>& known() override { return body_; }
-  const mpm::Body<D>& whole() override { return bring_back(); }
+  const mpm::Body<D>& whole() override { return copy_back(); }
   mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
     return device_ ? device_->observe(body_, gravity, points) : mpm::observe(body_, gravity, points);
   }
   mpm::CriticalStep find_critical_step(const StagePlan<D>& plan) override {
     return find_critical_step(plan, make_options(plan));
   }
-  mpm::Body<D>& bring_back() {
-    if (device_) device_->bring_back(body_);
+  mpm::Body<D>& copy_back() {
+    if (device_) device_->copy_back(body_);
     return body_;
   }
   /// Must be called after the body was changed on the host, or replaced by another one.
@@ -54,7 +54,7 @@ class Stepper : public Pause<D> {
   }
   /// Ends the stage and brings the body up to date.
   results::StageEnd end(results::StageEnd how) {
-    bring_back();
+    copy_back();
     return how;
   }
 
