@@ -14,8 +14,6 @@
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/solver/observe.hpp"
-#include "mpm/solver/device_stepper.hpp"
-#include "mpm/backend/emulated.hpp"
 
 namespace talus::golden {
 
