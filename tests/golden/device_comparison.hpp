@@ -13,7 +13,6 @@
 #include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
-#include "mpm/solver/observe.hpp"
 
 namespace talus::golden {
 
