@@ -26,8 +26,7 @@ faults = []
 
 
 def start(program, ranks, case, folder, *more):
-    # Several ranks do not repeat a runout on a coarser mesh.
-    line = [program, "run", str(case), "-o", str(folder), "-q", "--no-report", "--set", "output.runout_meshes=1", *more]
+    line = [program, "run", str(case), "-o", str(folder), "-q", "--no-report", *more]
     if ranks > 1:
         line = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *line]
     else:

@@ -53,9 +53,10 @@ template <int D>
 std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& loaded, const input::Case& data,
                                                      const RunOptions& options, const std::string& input_hash,
                                                      results::RunResult& run) {
-  if (data.output.runout_meshes < 2 || !has_moved(run) || !data.mesh.file.empty() || !data.initial.result.empty() ||
-      get_ranks().size() > 1)
-    return std::nullopt;
+  bool is_due =
+      data.output.runout_meshes >= 2 && has_moved(run) && data.mesh.file.empty() && data.initial.result.empty();
+  broadcast(is_due);  // rank 0 alone may have the runout
+  if (!is_due) return std::nullopt;
   RunOptions beside = options;
   beside.folder /= "coarser_mesh";
   beside.label = "coarser mesh: ";
@@ -65,8 +66,11 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
     options.progress->show(fmt::format("the runout on elements of {}", format_length(run, coarser.mesh.size)));
   results::RunResult found;
   const auto why = attempt(options, false, [&] {
-    if (auto finished = load_finished(beside, hash)) {
-      found = std::move(*finished);
+    auto finished = load_finished(beside, hash);
+    bool is_finished = finished.has_value();
+    broadcast(is_finished);
+    if (is_finished) {
+      if (finished) found = std::move(*finished);
       return;
     }
     found = begin_result(loaded, hash, options.threads);
