@@ -102,6 +102,13 @@ TEST(Forecast, FreeMemoryIsTheLeastThatTheSystemSays) {
   EXPECT_EQ(write_bytes(4.1e8), "410 MB");
 }
 
+TEST(Forecast, CoarserMeshOfARunoutNeedsMemoryBesideTheFirst) {
+  const auto find_bytes = [](const char* meshes) {
+    return forecast(read({"analysis.kind=run", "mesh.size=0.01", meshes}).data, false).at(0).bytes;
+  };
+  EXPECT_NEAR(find_bytes("output.runout_meshes=2") / find_bytes("output.runout_meshes=1"), 1.25, 0.01);
+}
+
 TEST(Forecast, TheSizeThatFitsNeedsNoMoreThanIsFree) {
   for (const char* methods : {"analysis.methods=[\"mpm\"]", "analysis.methods=[\"fem\"]"}) {
     input::LoadedCase loaded = read({"mesh.size=0.0003", methods});

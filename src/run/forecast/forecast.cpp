@@ -311,8 +311,13 @@ MethodForecast forecast_points(const input::Case& data, bool with_time) {
   const double copies = data.analysis == input::AnalysisKind::strength_reduction && f.points < 1e9
                             ? 1 + count_parallel_trials(static_cast<int>(f.points), default_threads())
                             : 1;
-  f.bytes = program_bytes + mesh_bytes[rank] * f.elements +
-            copies * (is_wet ? coupled_point_bytes : point_bytes)[rank] * f.points;
+  const double of_point = (is_wet ? coupled_point_bytes : point_bytes)[rank];
+  const double first = mesh_bytes[rank] * f.elements + copies * of_point * f.points;
+  // The run on elements twice as large begins while the body of the first one is still in memory.
+  const double coarse = data.output.runout_meshes < 2 ? 0 : std::pow(0.5, f.dimension);
+  const double second =
+      (1 + coarse) * mesh_bytes[rank] * own.all + (1 + copies * coarse) * of_point * own.soil * data.points_per_element;
+  f.bytes = program_bytes + std::max(first, second);
   // Larger bodies exceed the memory, so timing is of no use.
   if (!with_time || f.points > 1e9) return f;
   if (const auto pace = probe(data)) add_time(data, *pace, f, own.soil * data.points_per_element);
