@@ -16,6 +16,7 @@
 #include "ground/pore_water.hpp"
 #include "ground/weights.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "results/water.hpp"
 
 namespace talus::ground {
 
@@ -184,7 +185,7 @@ int find_rank(const mpm::SurfaceCondition& s, double y, bool is_named) {
 template <int D>
 WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data) {
   WaterSides<D> result;
-  result.surfaces.push_back({"other surfaces", mpm::SurfaceKind::seepage, {}});
+  result.surfaces.push_back({results::other_surfaces, mpm::SurfaceKind::seepage, {}});
   for (const input::Hydraulic& h : data.hydraulics) result.surfaces.push_back(make_surface_condition(h));
   for (const input::Boundary& b : data.boundaries) {
     if (b.fix == input::Fix::velocity) result.surfaces.push_back({b.on, mpm::SurfaceKind::flux, make_constant(0)});

@@ -64,6 +64,9 @@ void describe(V& v, R& r) {
   v.maybe("transpired", r.transpired, {"kg", "water that roots drew"});
 }
 
+/// Name of the ground surface without a [[hydraulic]] block.
+inline constexpr const char* other_surfaces = "other surfaces";
+
 /// Flow through a named side [m³/s; m³/(s m) in plane strain]; for a season the volume [m³; m³/m].
 struct Discharge {
   std::string name;

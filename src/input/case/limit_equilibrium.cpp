@@ -319,4 +319,12 @@ void check_slip_surface(const SlipSurface& s, const std::string& path, const Soi
   check_circle(s, path, soil, findings);
 }
 
+std::vector<SliceMethod> list_polyline_methods(const LimitEquilibrium& settings) {
+  std::vector<SliceMethod> methods{SliceMethod::spencer, SliceMethod::morgenstern_price};
+  for (const SliceMethod method : settings.methods)
+    if (suits_polylines(method) && std::find(methods.begin(), methods.end(), method) == methods.end())
+      methods.push_back(method);
+  return methods;
+}
+
 }  // namespace talus::input

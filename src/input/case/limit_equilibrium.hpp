@@ -212,4 +212,8 @@ void describe(Visitor& v, LimitEquilibrium& l) {
            "A slip surface of your choice, by the methods of `methods`: a circle (centre and radius) or a polyline.");
 }
 
+/// Returns the methods of slices that evaluate the surface of another method: Spencer and Morgenstern–Price, which
+/// satisfy complete equilibrium, and those of the case that suit polylines.
+std::vector<SliceMethod> list_polyline_methods(const LimitEquilibrium& settings);
+
 }  // namespace talus::input

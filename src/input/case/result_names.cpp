@@ -65,6 +65,7 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
     results::CriticalSurface& c = list.emplace_back();
     c.surface.method = method;
     c.surface.factor = 1;
+    if (lem.yield_acceleration && !lem.drawdown) c.yield_acceleration = 1;
     if (lem.drawdown) {
       c.drawdown.emplace().factor_before = 1;
       if (lem.drawdown->method == DrawdownMethod::three_stage) c.drawdown->undrained_factor = 1;
@@ -73,13 +74,16 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
   };
   for (const SliceMethod m : lem.methods) {
     if (lem.search != SurfaceSearch::none) {
-      results::CriticalSurface& critical = add(slices.critical, m);
-      if (lem.yield_acceleration && !lem.drawdown) critical.yield_acceleration = 1;
+      add(slices.critical, m);
       if (lem.noncircular && suits_polylines(m)) add(slices.noncircular, m);
     }
   }
   for (const SlipSurface& surface : lem.surfaces)
     for (const SliceMethod m : lem.methods) add(slices.given, m).surface.name = surface.name;
+  if (lem.referee) {
+    results::Referee& referee = slices.referee.emplace();
+    referee.lower = referee.upper = 1;
+  }
   return slices;
 }
 
@@ -92,8 +96,8 @@ results::MethodComparison outline_methods(const Case& data) {
     if (!uses(data, Method::lem) || !uses(data, method)) continue;
     methods.surfaces.emplace_back().name = line;
     methods.surfaces.back().method = method;
-    for (const SliceMethod m : data.lem.methods)
-      if (suits_polylines(m)) methods.handed.push_back({line, to_word(m), "", 1, ""});
+    for (const SliceMethod m : list_polyline_methods(data.lem)) methods.handed.push_back({line, to_word(m), "", 1, ""});
+    methods.handed.push_back({line, "spencer_optimised", "Spencer, optimised from another method's surface", 1, ""});
   }
   if (data.partial_factors.set != DesignApproach::none) methods.partial_factors.emplace().over_design = 1;
   return methods;
@@ -121,7 +125,7 @@ void outline_reduction(const StrengthReduction& reduction, results::RunResult& r
   results::PointFactors& factors = run.factor_of_safety.emplace();
   if (reduction.frozen.enabled) {
     factors.value = 1;
-    factors.frozen.emplace();
+    factors.frozen.emplace().factor = 1;
   }
   if (!reduction.curve.enabled) return;
   factors.criteria.emplace();
@@ -147,12 +151,22 @@ results::Motion outline_motion(const Case& data) {
   return motion;
 }
 
-results::WaterBudget outline_water(const std::vector<Hydraulic>& hydraulics) {
+/// Returns the names of the sides with a water budget: those of [[hydraulic]], moving supports, and the rest.
+std::vector<std::string> list_water_sides(const Case& data) {
+  std::vector<std::string> sides{results::other_surfaces};
+  for (const Hydraulic& h : data.hydraulics) sides.push_back(h.on);
+  for (const Boundary& b : data.boundaries)
+    if (b.fix == Fix::velocity) sides.push_back(b.on);
+  return sides;
+}
+
+results::WaterBudget outline_water(const Case& data) {
   results::WaterBudget water;
-  for (const Hydraulic& h : hydraulics) {
-    if (h.condition == WaterCondition::no_flow) continue;
-    water.surfaces.emplace_back().name = h.on;
-    if (h.condition == WaterCondition::rain) water.surfaces.back().condition = results::SurfaceCondition::rain;
+  for (const std::string& side : list_water_sides(data)) {
+    water.surfaces.emplace_back().name = side;
+    for (const Hydraulic& h : data.hydraulics)
+      if (h.on == side && h.condition == WaterCondition::rain)
+        water.surfaces.back().condition = results::SurfaceCondition::rain;
   }
   return water;
 }
@@ -164,7 +178,7 @@ void outline_points(const Case& data, results::RunResult& run) {
     run.stages->emplace_back().name = stage.name;
     run.stages->back().end = results::StageEnd::rest;
   }
-  if (is_wet(data)) run.water = outline_water(data.hydraulics);
+  if (is_wet(data)) run.water = outline_water(data);
   if (data.analysis == AnalysisKind::strength_reduction) return outline_reduction(data.strength_reduction, run);
   run.runout.emplace().sides = outline_sides();
   run.failure_time = 1;
@@ -201,8 +215,7 @@ results::RunResult outline_results(const Case& data) {
   if (uses(data, Method::mpm)) outline_points(data, run);
   if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {
     results::Seepage& seepage = run.seepage.emplace();
-    for (const Hydraulic& h : data.hydraulics)
-      if (h.condition != WaterCondition::no_flow) seepage.discharges.emplace_back().name = h.on;
+    for (const std::string& side : list_water_sides(data)) seepage.discharges.emplace_back().name = side;
   }
   return run;
 }

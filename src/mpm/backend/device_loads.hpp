@@ -10,7 +10,7 @@ namespace talus::mpm::device {
 
 /// Distributes the load of a point over the nodes of its element, for a later sort of the loads by element.
 template <int D>
-struct PartitionCarried {
+struct ShareCarried {
   ThreadBody<D> body;
   View<const DeviceLoad<D>> loads;
   View<const double> factors;

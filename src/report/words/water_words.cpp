@@ -11,6 +11,7 @@
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
 #include "report/words/numbers.hpp"
+#include "results/water.hpp"
 
 namespace talus::report {
 
@@ -263,11 +264,8 @@ namespace {
 /// Flows below this fraction of the total are round-off of the solver.
 constexpr double no_flow = 1e-6;
 
-/// Name of the ground surface without a [[hydraulic]] block.
-constexpr const char* unnamed = "other surfaces";
-
 std::string name_side(const std::string& name) {
-  return name == unnamed ? "the ground without a name" : "'" + name + "'";
+  return name == results::other_surfaces ? "the ground without a name" : "'" + name + "'";
 }
 
 class StateWords {

@@ -21,16 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the methods of slices that evaluate the surface of another method: Spencer and Morgenstern–Price, which
-/// satisfy complete equilibrium, and those of the case that suit polylines.
-std::vector<SliceMethod> list_takers(const input::LimitEquilibrium& settings) {
-  std::vector<SliceMethod> takers{SliceMethod::spencer, SliceMethod::morgenstern_price};
-  for (const SliceMethod method : settings.methods)
-    if (suits_polylines(method) && std::find(takers.begin(), takers.end(), method) == takers.end())
-      takers.push_back(method);
-  return takers;
-}
-
 std::optional<double> get_factor(const lem::Critical& critical) {
   return critical.solution.factor > 0 ? std::optional(critical.solution.factor) : std::nullopt;
 }
@@ -274,7 +264,7 @@ class Comparison {
     for (const results::MethodSurface& s : given) {
       if (s.method == Method::lem || s.beside) continue;
       const auto surface = make_surface(*slope_, s.points);
-      for (const SliceMethod method : list_takers(data_.lem)) {
+      for (const SliceMethod method : input::list_polyline_methods(data_.lem)) {
         const std::string name = to_word(method), title = fmt::format("{} on: {}", get_title(method), s.title);
         if (!surface) {
           results_.handed.push_back({s.name, name, title, {}, "the line does not separate a mass from the ground"});
