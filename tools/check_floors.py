@@ -32,12 +32,17 @@ ALLOWED = {
     "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
-APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots")]
+APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots"), ("mpm/two_velocity", "mpm/darcy")]
 # One of them may use the other.
 MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
-# The folders of mpm/ from the bottom up: each may include those before it; the two formulations of pore water do not know each other.
-MPM_ORDER = ["state", "kernels", "pore_water", "backend", "two_velocity", "darcy", "solver"]
-MPM_APART = {"two_velocity", "darcy"}
+# The folders of a floor from the bottom up: each may include those before it. Files beside the folders come last, as "".
+ORDER = {
+    "mpm": ["state", "kernels", "pore_water", "backend", "two_velocity", "darcy", "solver"],
+    "lem": ["section", "surface", "slices", "search"],
+    "fem": ["", "seepage", "solid"],
+    "bounds": ["conic", ""],
+    "input": ["language", "case", ""],
+}
 LONGEST = 500
 # file → why it may be longer
 MAY_BE_LONGER = {}
@@ -63,14 +68,13 @@ def find_neighbours(name, target):
     return None
 
 
-def find_mpm_fault(name, target):
-    """The fault of a folder of mpm/ that includes one above it; None without one."""
-    own, other = name.split("/")[2], target.split("/")[1]
-    if own not in MPM_ORDER or other not in MPM_ORDER:
-        return f"mpm/{other if own in MPM_ORDER else own}/ has no place in MPM_ORDER"
-    if {own, other} == MPM_APART or MPM_ORDER.index(other) > MPM_ORDER.index(own):
-        return f"mpm/{own}/ may not include mpm/{other}/"
-    return None
+def find_order_fault(name, target):
+    """The fault of a folder that includes one above it on its floor; None without one."""
+    floor, own, other = name.split("/")[1], *("/".join(path.split("/")[first:-1]) for path, first in ((name, 2), (target, 1)))
+    order = ORDER[floor]
+    if own not in order or other not in order:
+        return f"{floor}/{other if own in order else own} has no place in ORDER"
+    return f"{floor}/{own} may not include {floor}/{other}" if order.index(other) > order.index(own) else None
 
 
 def check_line(root, name, floor, line):
@@ -86,7 +90,7 @@ def check_line(root, name, floor, line):
             yield f"{floor}/ may not include {other}/"
         elif fault := find_neighbours(name, target):
             yield fault
-        elif floor == other == "mpm" and (fault := find_mpm_fault(name, target)):
+        elif floor == other and floor in ORDER and (fault := find_order_fault(name, target)):
             yield fault
         elif not generated and not (root / "src" / target).is_file():
             yield f"there is no src/{target}"

@@ -6,7 +6,7 @@
 
 #include "lem/search/search.hpp"
 #include "lem/slices/drawdown.hpp"
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slice table: every slice is in equilibrium, the line of thrust follows from the moments, k_y gives F = 1.
 
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Force-equilibrium methods with given inclinations of the interslice forces.
 
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "lem/search/arcs.hpp"
 #include "lem/search/candidates.hpp"
 #include "lem/search/optimise.hpp"
 #include "lem/search/search_findings.hpp"
-#include "lem/surface/arcs.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {

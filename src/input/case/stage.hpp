@@ -112,8 +112,9 @@ void describe(Visitor& v, StepSettings& s) {
   v.key("geometry", s.geometry, plain(),
         "Whether the soil changes its place. Default of a weight stage of wet soil (see `water`): \"frozen\".");
   v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
-  v.key("filter_null_modes", s.filter_null_modes, plain(),
-        "Take velocities of points away that no node sees; false keeps them, as the textbook step does.");
+  v.key("fade_unseen", s.filter_null_modes, plain(),
+        "Filter null modes, velocities of points without momentum at any node; false keeps them, as the textbook step "
+        "does.");
   v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
   v.key(
       "water", s.water, plain(),

@@ -4,7 +4,7 @@
 // analysis).
 
 #include "lem/search/search.hpp"
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 
 namespace talus::lem {
 

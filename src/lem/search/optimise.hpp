@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "lem/search/arcs.hpp"
 #include "lem/search/search.hpp"
-#include "lem/surface/arcs.hpp"
 
 namespace talus::lem {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "lem/search/arcs.hpp"
 #include "lem/search/search.hpp"
 #include "lem/search/trial_circles.hpp"
-#include "lem/surface/arcs.hpp"
 
 namespace talus::lem {
 

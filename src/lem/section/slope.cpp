@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "lem/slices/strips.hpp"
+#include "lem/section/strips.hpp"
 #include "mesh/planar.hpp"
 
 namespace talus::lem {

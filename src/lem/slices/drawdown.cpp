@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 
 namespace talus::lem {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lem/surface/mass.hpp"
+#include "lem/slices/mass.hpp"
 
 namespace talus::lem {
 

@@ -4,9 +4,10 @@
 
 #include <vector>
 
+#include "lem/section/strips.hpp"
+#include "lem/slices/mass.hpp"
 #include "lem/slices/solve.hpp"
-#include "lem/slices/strips.hpp"
-#include "lem/surface/mass.hpp"
+#include "lem/surface/base_line.hpp"
 
 namespace talus::lem {
 

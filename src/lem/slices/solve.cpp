@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "lem/slices/drawdown.hpp"
+#include "lem/slices/mass.hpp"
 #include "lem/slices/wedge_mechanism.hpp"
-#include "lem/surface/mass.hpp"
 
 namespace talus::lem {
 

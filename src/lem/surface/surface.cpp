@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "lem/slices/strips.hpp"
-#include "lem/surface/mass.hpp"
+#include "lem/section/strips.hpp"
+#include "lem/surface/base_line.hpp"
 
 namespace talus::lem {
 
@@ -142,8 +142,7 @@ std::vector<std::string> find_faults(const Slope& slope, const Surface& surface)
   const std::string name = name_surface(surface);
   if (!check_shape(surface, name, faults)) return faults;
   BaseLine base;
-  Checks checks;
-  if (base.lay(slope, surface, checks) != Refusal::none) {
+  if (base.lay(slope, surface, true) != Refusal::none) {
     faults.push_back(
         surface.circle
             ? fmt::format("{}: its ends lie beyond the lower half of the circle, or its centre below the base", name)

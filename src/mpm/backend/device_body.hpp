@@ -84,7 +84,7 @@ class DeviceBody : public Device<D> {
 
   double filter_null_modes() override {
     const FadeRows<D> rows{velocity_.view(), direction_.view(), product_.view()};
-    launch(body_.node_count, StartFading<D>{body_, rows});
+    launch(body_.node_count, StartFilter<D>{body_, rows});
     for (const FilterWeights& weights : list_filter_weights()) {
       launch(body_.element_count, MultiplyMass<D>{body_, rows});
       launch(body_.node_count, ImproveVelocity<D>{body_, rows, weights});

@@ -32,7 +32,7 @@ TALUS_PORTABLE void sum_momentum(const ThreadBody<D>& body, int i, double* t) {
 }
 
 template <int D>
-struct StartFading {
+struct StartFilter {
   ThreadBody<D> body;
   FadeRows<D> rows;
 

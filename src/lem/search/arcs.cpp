@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Admissible arcs between two points of the ground, in closed form where there is one, and the places of their ends.
-#include "lem/surface/arcs.hpp"
+#include "lem/search/arcs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Construction of the strips of a section. Every corner and every crossing of two of its lines is a break.
-#include "lem/slices/strips.hpp"
+#include "lem/section/strips.hpp"
 
 #include <algorithm>
 #include <cmath>

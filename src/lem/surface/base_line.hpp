@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The base of a sliding mass as arcs and straight pieces, and its intersections with the lines of the section.
+
+#include <vector>
+
+#include "lem/section/strips.hpp"
+#include "lem/surface/surface.hpp"
+
+namespace talus::lem {
+
+/// An arc of the circle of the surface, or a straight piece.
+struct BasePiece {
+  double from = 0, to = 0;  ///< [m]
+  bool arc = false;
+  StripLine line;  ///< of a straight piece, given by its elevation at `from`
+};
+
+/// A part of the base that lies in one piece, one strip and one layer.
+struct Stretch {
+  double from = 0, to = 0;  ///< [m]
+  int piece = 0, strip = 0, layer = 0;
+};
+
+struct BaseLine {
+  Circle circle;
+  std::vector<BasePiece> pieces;
+  std::vector<Stretch> stretches;
+  std::vector<double> meets;  ///< scratch memory
+  bool composite = false;
+
+  double at(const BasePiece& piece, double x) const;
+  double at(double x) const;
+  /// Returns true if the piece passes a point within `tolerance`, measured normal to it because an arc may be steep.
+  bool passes(const BasePiece& piece, const Point& p, double tolerance) const;
+  /// Returns true if the base ends on the ground at this x, or on a vertical step of it.
+  bool ends_on_ground(const Slope::Strips& strips, const BasePiece& piece, double x, double tolerance) const;
+  /// Makes the pieces. Arcs that reach below the base of the section are cut off level there, or rejected.
+  Refusal lay(const Slope& slope, const Surface& surface, bool may_cut);
+  /// Divides the base between `from` and `to` at all lines of the section; rejects a base that rises above the ground.
+  Refusal divide(const Slope& slope, double from, double to);
+};
+
+/// Largest distance of the ends of a surface from the ground, over its width [-].
+inline constexpr double ground_tolerance = 1e-4;
+
+}  // namespace talus::lem
