@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/json_tree.hpp"
+#include "base/shown_units.hpp"
 #include "results/about.hpp"
 #include "results/bounds.hpp"
 #include "results/comparison.hpp"
@@ -292,6 +293,11 @@ struct RunResult {
   RunResult& operator=(RunResult&&) noexcept;
   ~RunResult();
 };
+
+/// Returns the units of display of the run, with the derived ones.
+inline ShownUnits read_units(const RunResult& run) {
+  return make_shown_units(run.units.length, run.units.displacement, run.units.stress);
+}
 
 /// Returns the main factor of the run: the smallest of the factors of LEM, FEM and MPM, each selected by the rules of
 /// results/governing.hpp, of the factors of a timeline, and of a proven upper bound. With limit analysis alone it is

@@ -74,7 +74,7 @@ results::RunResult begin_result(const input::LoadedCase& loaded, const std::stri
 }
 
 std::string format_length(const results::RunResult& run, double metres, int digits) {
-  return fmt::format("{:.{}g} {}", metres / units::get_si_factor(run.units.length), digits, run.units.length);
+  return format_value(metres, read_units(run).length, digits);
 }
 
 namespace {

@@ -112,12 +112,12 @@ json list_named_results(const ResultFolder& folder) {
     out = {{"name", result.name},
            {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
            {"value", flows_in ? -result.value : result.value},
-           {"unit", to_json(unit)},
+           {"unit", report::to_json(unit)},
            {"kind", results::to_word(about.kind)},
            {"quantity", about.quantity},
            {"by", about.by ? to_word(*about.by) : ""}};
     if (about.uncertainty)
-      out["text"] = show_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
+      out["text"] = format_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
   }
   return list;
 }

@@ -209,7 +209,7 @@ class SequencePacker {
     const bool delta = scalar.stored != "velocity";
     return {{"name", scalar.name},
             {"title", scalar.title},
-            {"unit", to_json(scalar.unit)},
+            {"unit", report::to_json(scalar.unit)},
             {"values", packer.add_values(plan_.id + "." + scalar.name, values, {frames_.size(), ids_.size()}, delta)},
             {"scale", scale.limits},
             {"diverging", scale.diverging}};

@@ -62,7 +62,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
     states.push_back(write_water_state(state, results::format_moment(timeline, state.time)));
   json block{{"duration", timeline.duration},
              {"start", timeline.start ? json(*timeline.start) : json()},
-             {"unit", to_json(choose_time_unit(timeline.duration))},
+             {"unit", report::to_json(choose_time_unit(timeline.duration))},
              {"target", timeline.target},
              {"sentence", results::format_failure(timeline)},
              {"factors", factors},
@@ -102,7 +102,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                                  {"error", r.error ? json(*r.error) : json()},
                                  {"largest_displacement", r.largest_displacement},
                                  {"moved_volume", r.moved_volume},
-                                 {"front", show_uncertain(r.front_advance, r.front_uncertainty, units.length)}});
+                                 {"front", format_uncertain(r.front_advance, r.front_uncertainty, units.length)}});
   if (timeline.failure) {
     const results::FailureTime& f = *timeline.failure;
     block["failure"] = {{"from", f.from}, {"to", f.to}, {"earliest", f.earliest}, {"latest", write(f.latest)}};

@@ -33,7 +33,8 @@ struct Shown {
 };
 
 json to_json(const Shown& shown) {
-  return {{"title", shown.title}, {"unit", to_json(shown.unit)}, {"time", shown.time}, {"values", shown.values}};
+  return {
+      {"title", shown.title}, {"unit", report::to_json(shown.unit)}, {"time", shown.time}, {"values", shown.values}};
 }
 
 /// Returns nullopt for a condition without a value.

@@ -192,7 +192,7 @@ class RunoutWords {
     else if (runout.moved_volume > 0)
       sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout, about),
                                        describe_crest(runout, about),
-                                       show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
+                                       format_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
     else
       sentences_.push_back(fmt::format("{}: no soil moves further than 1 % of the height; {}.", largest, end));
     if (failure_time)
@@ -209,32 +209,32 @@ class RunoutWords {
                     const std::string& largest, const std::string& end) {
     const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
     sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
-                                     show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
+                                     format_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
     // The coarser mesh is that of the side which represents the whole runout.
     for (const results::RunoutSide& side : sides) {
       const auto& own = side.direction == runout.direction ? about : nothing;
       sentences_.push_back(fmt::format("On the {} {}, {}, and {} move.", side.direction < 0 ? "left" : "right",
                                        describe_front(side, own), describe_crest(side, own),
-                                       show_uncertain(side.moved_volume, std::nullopt, volume_)));
+                                       format_uncertain(side.moved_volume, std::nullopt, volume_)));
     }
   }
 
   std::string describe_front(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
     const double advance = runout.front_advance, beyond = runout.toe_distance;
     return fmt::format("the front {} {} and {}{}", advance < 0 ? "goes back by" : "advances",
-                       show_uncertain(std::abs(advance), about.front_advance, length_),
-                       beyond > 0 ? "lies " + show_uncertain(beyond, about.toe_distance, length_) + " beyond the toe"
+                       format_uncertain(std::abs(advance), about.front_advance, length_),
+                       beyond > 0 ? "lies " + format_uncertain(beyond, about.toe_distance, length_) + " beyond the toe"
                                   : "stays behind the toe",
                        runout.limits && runout.limits->front ? ", where the box ends, which limits them" : "");
   }
   std::string describe_crest(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
     if (!(runout.crest_retreat > 0)) return "the crest stays";
-    return fmt::format("the crest retreats {}{}", show_uncertain(runout.crest_retreat, about.crest_retreat, length_),
+    return fmt::format("the crest retreats {}{}", format_uncertain(runout.crest_retreat, about.crest_retreat, length_),
                        runout.limits && runout.limits->crest ? ", to the end of the box" : "");
   }
   std::string describe_mesh(const results::Runout& runout, const results::RunoutUncertainty& about) const {
     const std::string highest =
-        "The highest ground lies at y = " + show_uncertain(runout.highest_ground, about.highest_ground, length_);
+        "The highest ground lies at y = " + format_uncertain(runout.highest_ground, about.highest_ground, length_);
     if (!runout.coarser_mesh) return highest + "; one mesh shows no uncertainty.";
     return fmt::format("{}. Behind ± stands three times the difference from elements of {}.", highest,
                        length(runout.coarser_mesh->size));

@@ -3,61 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
-#include "base/units.hpp"
 
 namespace talus::report {
-namespace {
-
-/// Customary units that accompany a unit of stress.
-struct Companions {
-  const char *stress, *stiffness, *unit_weight, *unit_weight_title, *line_force;
-};
-
-const Companions& find_companions(const std::string& stress) {
-  static constexpr std::array all{
-      Companions{"kPa", "MPa", "kN/m3", "kN/m³", "kN/m"}, Companions{"Pa", "MPa", "kN/m3", "kN/m³", "N/m"},
-      Companions{"MPa", "MPa", "kN/m3", "kN/m³", "MN/m"}, Companions{"psf", "ksf", "pcf", "pcf", "plf"},
-      Companions{"psi", "ksf", "pcf", "pcf", "plf"},      Companions{"ksf", "ksf", "pcf", "pcf", "klf"},
-      Companions{"tsf", "tsf", "pcf", "pcf", "klf"}};
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Companions& c) { return stress == c.stress; });
-  return found == all.end() ? all.front() : *found;
-}
-
-}  // namespace
 
 nlohmann::json to_json(const ShownUnit& unit) {
   return {{"name", unit.name}, {"si", unit.si}};
-}
-
-ShownUnits read_units(const results::RunResult& run) {
-  const auto read = [](const std::string& name) { return ShownUnit{name, units::get_si_factor(name)}; };
-  const Companions& others = find_companions(run.units.stress);
-  const ShownUnit weight{others.unit_weight_title, units::get_si_factor(others.unit_weight)};
-  const bool in_feet = run.units.length == "ft" || run.units.length == "in";
-  return {read(run.units.length),  read(run.units.displacement), read(run.units.stress), read(others.stiffness), weight,
-          read(others.line_force), read(in_feet ? "ft" : "m")};
-}
-
-ShownUnit ShownUnits::volume(std::size_t dimension) const {
-  const double cube = span.si * span.si * span.si;
-  if (dimension == 3) return {span.name + "³", cube};
-  return {span.name + "³/" + span.name, cube / span.si};
-}
-
-ShownUnit ShownUnits::flow(std::size_t dimension) const {
-  const ShownUnit whole = volume(dimension);
-  return {span.name + "³/s" + whole.name.substr(span.name.size() + std::string("³").size()), whole.si};
-}
-
-ShownUnit ShownUnits::rain() const {
-  constexpr double hour = 3600;
-  return span.name == "ft" ? ShownUnit{"in/h", units::get_si_factor("in") / hour} : ShownUnit{"mm/h", 1e-3 / hour};
 }
 
 std::string show_number(double value, int digits) {
@@ -86,11 +40,6 @@ ShownUnit name_thickness(ShownUnit unit) {
       break;
     }
   return unit;
-}
-
-std::string show_uncertain(double si, std::optional<double> uncertainty, const ShownUnit& unit) {
-  if (uncertainty) *uncertainty /= unit.si;
-  return format_uncertain(si / unit.si, uncertainty) + (unit.name.empty() ? "" : " " + unit.name);
 }
 
 std::string show_coordinate(double si, const ShownUnit& unit) {
