@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/lane.hpp"
+#include "base/shown_units.hpp"
 #include "input/language/findings.hpp"
 #include "input/language/spec.hpp"
 #include "material/properties.hpp"
@@ -152,6 +153,7 @@ struct SoilFindings {
   double porosity;
   bool gives_void_ratio;
   input::Findings& findings;
+  const ShownUnits& units;  ///< units of messages
 
   std::string find_path(const std::string& key) const { return "materials." + name + (key.empty() ? "" : "." + key); }
   bool is_sound(const std::string& key) const { return findings.is_sound(find_path(key)); }

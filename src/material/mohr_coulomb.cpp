@@ -56,9 +56,10 @@ void MohrCoulomb::check(const Input& in, const SoilFindings& findings) {
   const double apex = s.cohesion / std::tan(s.friction_angle);
   if (s.tensile_strength > apex * (1 + 1e-12))
     findings.add("tensile_strength",
-                 fmt::format("'tensile_strength' is {:.6g} kPa; it must not be above the apex of the yield surface, "
-                             "cohesion/tan(friction_angle) = {:.6g} kPa",
-                             s.tensile_strength / 1e3, apex / 1e3));
+                 fmt::format("'tensile_strength' is {}; it must not be above the apex of the yield surface, "
+                             "cohesion/tan(friction_angle) = {}",
+                             format_value(s.tensile_strength, findings.units.stress),
+                             format_value(apex, findings.units.stress)));
 }
 
 Properties MohrCoulomb::list_properties(const Input& in) {

@@ -16,9 +16,22 @@ namespace talus::mesh {
 
 namespace {
 
+/// Significant digits of numbers of the case in messages; further ones are rounding errors of a conversion.
+constexpr int given_digits = 15;
+
 template <class... Values>
 [[noreturn]] void fail(fmt::format_string<Values...> sentence, Values&&... values) {
   throw Error(ExitCode::wrong_input, fmt::format(sentence, std::forward<Values>(values)...));
+}
+
+/// Formats a length of the case as it was given, in the units of display.
+std::string write(double length, const Plan& plan) {
+  return format_value(length, plan.units.length, given_digits);
+}
+
+std::string write(const Point2& x, const Plan& plan) {
+  const double si = plan.units.length.si;
+  return fmt::format("({:.{}g}, {:.{}g})", x[0] / si, given_digits, x[1] / si, given_digits);
 }
 
 void check_numbers(const Plan& plan) {
@@ -26,16 +39,16 @@ void check_numbers(const Plan& plan) {
   if (plan.dimension != 2 && plan.dimension != 3) fail("mesh dimension {} is neither 2 nor 3", plan.dimension);
   if (!finite(plan.box_min) || !finite(plan.box_max) || !(plan.box_min[0] < plan.box_max[0]) ||
       !(plan.box_min[1] < plan.box_max[1]))
-    fail("the box from ({}, {}) to ({}, {}) m has no area: its second corner must lie right of and above the first",
-         plan.box_min[0], plan.box_min[1], plan.box_max[0], plan.box_max[1]);
-  if (!(plan.size > 0) || !std::isfinite(plan.size)) fail("element size {} m must be positive", plan.size);
+    fail("the box from {} to {} {} has no area: its second corner must lie right of and above the first",
+         write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
+  if (!(plan.size > 0) || !std::isfinite(plan.size)) fail("element size {} must be positive", write(plan.size, plan));
   if (plan.dimension == 3 && (!(plan.thickness > 0) || !std::isfinite(plan.thickness)))
-    fail("thickness {} m must be positive in 3D", plan.thickness);
+    fail("thickness {} must be positive in 3D", write(plan.thickness, plan));
   for (const Refinement& r : plan.refinements) {
     if (r.near.empty()) fail("a refinement has no place: give one point or a polyline");
     if (!(r.size > 0) || !(r.distance > 0))
-      fail("the refinement near ({}, {}) needs a positive size and distance, not {} m and {} m", r.near[0][0],
-           r.near[0][1], r.size, r.distance);
+      fail("the refinement near {} needs a positive size and distance, not {} and {}", write(r.near[0], plan),
+           write(r.size, plan), write(r.distance, plan));
   }
   for (const Polygon& p : plan.polygons)
     if (!std::all_of(p.points.begin(), p.points.end(), finite))
@@ -70,30 +83,30 @@ Point2 snap(Point2 x, const Plan& plan, Polyline& known, double tolerance) {
   return x;
 }
 
-void check_polygon(const Polygon& polygon, double tolerance) {
+void check_polygon(const Polygon& polygon, const Plan& plan, double tolerance) {
   const auto& points = polygon.points;
   if (points.size() < 3) fail("polygon '{}' has {} points: at least 3 are needed", polygon.name, points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i] == points[(i + 1) % points.size()])
-      fail("polygon '{}' has the point ({}, {}) twice in a row; the first point is not repeated at the end",
-           polygon.name, points[i][0], points[i][1]);
+      fail("polygon '{}' has the point {} twice in a row; the first point is not repeated at the end", polygon.name,
+           write(points[i], plan));
   if (const auto place = find_self_contact(points, tolerance))
-    fail("polygon '{}' crosses or touches itself at {}", polygon.name, format_point(*place));
+    fail("polygon '{}' crosses or touches itself at {}", polygon.name, format_point(*place, plan.units.length));
 }
 
-void check_line(const Line& line) {
+void check_line(const Line& line, const Plan& plan) {
   if (line.points.size() < 2) fail("line '{}' has {} points: at least 2 are needed", line.name, line.points.size());
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
     if (line.points[i] == line.points[i + 1])
-      fail("line '{}' has the point ({}, {}) twice in a row", line.name, line.points[i][0], line.points[i][1]);
+      fail("line '{}' has the point {} twice in a row", line.name, write(line.points[i], plan));
 }
 
 void check_within_box(std::string_view what, const std::string& name, const Polyline& points, const Plan& plan) {
   for (const Point2& x : points)
     for (int d = 0; d < 2; ++d)
       if (x[d] < plan.box_min[d] || x[d] > plan.box_max[d])
-        fail("{} '{}' leaves the box at ({}, {}): the box reaches from ({}, {}) to ({}, {}) m", what, name, x[0], x[1],
-             plan.box_min[0], plan.box_min[1], plan.box_max[0], plan.box_max[1]);
+        fail("{} '{}' leaves the box at {}: the box reaches from {} to {} {}", what, name, write(x, plan),
+             write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
 }
 
 }  // namespace
@@ -114,11 +127,11 @@ Plan check_plan(const Plan& given) {
     for (Point2& x : l.points) x = snap(x, plan, known, tolerance);
 
   for (const Polygon& p : plan.polygons) {
-    check_polygon(p, tolerance);
+    check_polygon(p, plan, tolerance);
     check_within_box("polygon", p.name, p.points, plan);
   }
   for (const Line& l : plan.lines) {
-    check_line(l);
+    check_line(l, plan);
     check_within_box("line", l.name, l.points, plan);
   }
   for (std::size_t j = 0; j < plan.polygons.size(); ++j)

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
+
 namespace talus::mesh {
 
 struct Polygon {
@@ -40,6 +42,7 @@ struct Plan {
   double size = 0;  ///< general element size [m]
   Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
+  ShownUnits units;  ///< units of messages
 
   // Defined in plan.cpp to reduce compile time.
   Plan();

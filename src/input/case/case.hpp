@@ -68,6 +68,9 @@ struct Case {
   Study study;
   std::optional<Calibration> calibration;
 
+  /// Returns the units of display, in which messages are written.
+  const ShownUnits& units() const { return mesh.units; }
+
   // Defined in case.cpp to reduce compile time.
   Case();
   Case(const Case&);

@@ -44,7 +44,8 @@ void check_slip_surface(const SlipSurface& surface, const std::string& path, con
 /// other list. `what` is the name of the numbers in the finding.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
 /// Returns true if a water table has points from left to right; false with a finding, unless there is one already.
-bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, Findings& findings);
+bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, const ShownUnit& length,
+                       Findings& findings);
 /// Checks uncertain numbers of a study, their correlations, and the key of the extrapolation.
 void check_sampling(const Case& data, Findings& findings);
 /// Checks [water], the water of the materials, and keys of stages and [initial] that depend on pore water.

@@ -50,17 +50,18 @@ void check_inside(const mesh::Plan& plan, const std::vector<Point>& points, cons
                   const std::string& what, Findings& findings) {
   // Coordinates converted from other units have rounding errors; 1e-9 of the box is far below any element size.
   const double slack = 1e-9 * std::max(plan.box_max[0] - plan.box_min[0], plan.box_max[1] - plan.box_min[1]);
+  const ShownUnit& length = plan.units.length;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
     if (p[0] < plan.box_min[0] - slack || p[0] > plan.box_max[0] + slack || p[1] < plan.box_min[1] - slack ||
         p[1] > plan.box_max[1] + slack)
       findings.add(fmt::format("{}.points.{}", path, i),
-                   fmt::format("the point {} of {} is outside the box from {} to {}", format_point(p), what,
-                               format_point(plan.box_min), format_point(plan.box_max)));
+                   fmt::format("the point {} of {} is outside the box from {} to {}", format_point(p, length), what,
+                               format_point(plan.box_min, length), format_point(plan.box_max, length)));
   }
 }
 
-void check_polygon(const mesh::Polygon& polygon, const std::string& path, Findings& findings) {
+void check_polygon(const mesh::Polygon& polygon, const ShownUnit& length, const std::string& path, Findings& findings) {
   const std::vector<Point>& p = polygon.points;
   const std::size_t n = p.size();
   if (n < 3)
@@ -70,23 +71,23 @@ void check_polygon(const mesh::Polygon& polygon, const std::string& path, Findin
     if (p[i] == p[(i + 1) % n])
       return findings.add(fmt::format("{}.points.{}", path, (i + 1) % n),
                           fmt::format("polygon '{}' repeats its point {}; each corner is written once", polygon.name,
-                                      format_point(p[i])));
+                                      format_point(p[i], length)));
   for (std::size_t i = 0; i < n; ++i) {
     const Point &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
     const double forward = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
     if (measure_turn(a, b, c) == 0 && forward < 0)
-      return findings.add(
-          fmt::format("{}.points.{}", path, (i + 1) % n),
-          fmt::format("polygon '{}' crosses itself: it turns back on itself at {}", polygon.name, format_point(b)));
+      return findings.add(fmt::format("{}.points.{}", path, (i + 1) % n),
+                          fmt::format("polygon '{}' crosses itself: it turns back on itself at {}", polygon.name,
+                                      format_point(b, length)));
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;  // adjacent segments share a corner
       if (do_meet(p[i], p[i + 1], p[j], p[(j + 1) % n]))
-        return findings.add(
-            fmt::format("{}.points.{}", path, j),
-            fmt::format("polygon '{}' crosses itself: its side from {} to {} meets that from {} to {}", polygon.name,
-                        format_point(p[i]), format_point(p[i + 1]), format_point(p[j]), format_point(p[(j + 1) % n])));
+        return findings.add(fmt::format("{}.points.{}", path, j),
+                            fmt::format("polygon '{}' crosses itself: its side from {} to {} meets that from {} to {}",
+                                        polygon.name, format_point(p[i], length), format_point(p[i + 1], length),
+                                        format_point(p[j], length), format_point(p[(j + 1) % n], length)));
     }
   }
   double area = 0;
@@ -172,7 +173,7 @@ void check_geometry(const Case& data, Findings& findings) {
     if (findings.is_sound(path + ".name") && !names.insert(polygon.name).second)
       findings.add(path + ".name", fmt::format("there are two polygons named '{}'", polygon.name));
     if (!findings.is_sound(path + ".points")) continue;
-    check_polygon(polygon, path, findings);
+    check_polygon(polygon, plan.units.length, path, findings);
     if (has_box) check_inside(plan, polygon.points, path, fmt::format("polygon '{}'", polygon.name), findings);
   }
   if (plan.polygons.empty() && findings.is_sound("geometry.polygon") && findings.is_sound("mesh.file"))
@@ -196,7 +197,9 @@ SoilOutline::SoilOutline(const mesh::Plan& plan) : plan_(plan) {
 }
 
 std::string SoilOutline::write_span() const {
-  return fmt::format("which goes from x = {} m to x = {} m", format_coordinate(left_), format_coordinate(right_));
+  const ShownUnit& length = units().length;
+  return fmt::format("which goes from x = {} to x = {}", format_coordinate(left_, length),
+                     format_coordinate(right_, length));
 }
 
 double SoilOutline::find_ground(double x) const {
@@ -221,24 +224,27 @@ namespace {
 constexpr const char* polygons_path = "geometry.polygon";
 
 /// Writes the largest piece of a misfit: "0.2 m² from (0, 4.98) to (20, 5), around (10, 4.995)".
-std::string write_piece(const mesh::Misfit& misfit) {
+std::string write_piece(const mesh::Misfit& misfit, const ShownUnits& units) {
   const mesh::Piece& piece = misfit.largest;
-  const std::string place = fmt::format("from {} to {}, around {}", format_point(piece.low), format_point(piece.high),
-                                        format_point(piece.place));
-  if (misfit.pieces == 1) return fmt::format("{:.4g} m² {}", misfit.area, place);
-  return fmt::format("{:.4g} m² in {} places, the largest of {:.4g} m² {}", misfit.area, misfit.pieces, piece.area,
-                     place);
+  const ShownUnit &length = units.length, area = units.area();
+  const std::string place = fmt::format("from {} to {}, around {}", format_point(piece.low, length),
+                                        format_point(piece.high, length), format_point(piece.place, length));
+  if (misfit.pieces == 1) return fmt::format("{} {}", format_value(misfit.area, area, 4), place);
+  return fmt::format("{} in {} places, the largest of {} {}", format_value(misfit.area, area, 4), misfit.pieces,
+                     format_value(piece.area, area, 4), place);
 }
 
 std::string write_overlap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
   const std::string &first = plan.polygons[static_cast<std::size_t>(misfit.polygons[0])].name,
                     &second = plan.polygons[static_cast<std::size_t>(misfit.polygons[1])].name;
   if (misfit.kind == mesh::Misfit::Kind::same)
-    return fmt::format("polygons '{}' and '{}' are the same: both cover {}", first, second, write_piece(misfit));
+    return fmt::format("polygons '{}' and '{}' are the same: both cover {}", first, second,
+                       write_piece(misfit, plan.units));
   return fmt::format(
       "polygons '{}' and '{}' overlap on {}; they may share edges, or one may lie wholly inside the other. Corners "
-      "within {:.2g} m of one another count as one",
-      first, second, write_piece(misfit), mesh::get_section_tolerance(plan));
+      "within {} of one another count as one",
+      first, second, write_piece(misfit, plan.units),
+      format_value(mesh::get_section_tolerance(plan), plan.units.length, 2));
 }
 
 std::string write_gap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
@@ -246,8 +252,9 @@ std::string write_gap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
   for (const int p : misfit.polygons)
     names += fmt::format("{}'{}'", names.empty() ? "" : " and ", plan.polygons[static_cast<std::size_t>(p)].name);
   if (misfit.polygons.size() == 1)
-    return fmt::format("polygon {} has no soil below an overhang, or in a cavity, of {}", names, write_piece(misfit));
-  return fmt::format("there is no soil between polygons {} on {}", names, write_piece(misfit));
+    return fmt::format("polygon {} has no soil below an overhang, or in a cavity, of {}", names,
+                       write_piece(misfit, plan.units));
+  return fmt::format("there is no soil between polygons {} on {}", names, write_piece(misfit, plan.units));
 }
 
 bool has_sound_polygons(const Case& data, const Findings& findings) {
@@ -288,9 +295,10 @@ void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
         if (const double d = std::abs(p[axis] - wall); d > 1e-3 * tolerance && d < gap) gap = d, nearest = &polygon;
     if (nearest != nullptr)
       findings.warn("geometry.box",
-                    fmt::format("a corner of polygon '{}' is {:.2g} m from the {} side of the box: elements of that "
-                                "width set the time step. Let the polygon end on the side, or {:.2g} m from it",
-                                nearest->name, gap, side, plan.size));
+                    fmt::format("a corner of polygon '{}' is {} from the {} side of the box: elements of that "
+                                "width set the time step. Let the polygon end on the side, or {} from it",
+                                nearest->name, format_value(gap, plan.units.length, 2), side,
+                                format_value(plan.size, plan.units.length, 2)));
   }
 }
 
@@ -308,9 +316,10 @@ void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
     const double width = quarter - std::sqrt(std::max(0.0, square));
     if (width < (1 - rounding) * size)
       findings.warn(fmt::format("{}.{}.points", polygons_path, i),
-                    fmt::format("polygon '{}' is {:.2g} m thick on average, less than one element of {:.3g} m: shear "
+                    fmt::format("polygon '{}' is {} thick on average, less than one element of {}: shear "
                                 "in it is not resolved. Give it smaller elements with [[mesh.refine]]",
-                                plan.polygons[i].name, width, size));
+                                plan.polygons[i].name, format_value(width, plan.units.length, 2),
+                                format_value(size, plan.units.length, 3)));
   }
 }
 
@@ -339,16 +348,17 @@ void join_polygons(Case& data, Findings& findings) {
   if (!has_sound_polygons(data, findings)) return;
   const std::vector<mesh::Joined> joined = mesh::join_corners(data.mesh);
   const double tolerance = mesh::get_section_tolerance(data.mesh);
+  const ShownUnit& length = data.units().length;
   for (std::size_t i = 0; i < joined.size();) {
     std::size_t end = i + 1;
     while (end < joined.size() && joined[end].name == joined[i].name) ++end;
-    findings.warn(
-        polygons_path,
-        fmt::format("{} of '{}' moved onto what {} by less than {:.2g} m; the first goes from ({:.9g}, {:.9g}) "
-                    "to ({:.9g}, {:.9g}). Give both the same coordinates",
-                    end - i == 1 ? "one point" : fmt::format("{} points", end - i), joined[i].name,
-                    end - i == 1 ? "it misses" : "they miss", tolerance, joined[i].from[0], joined[i].from[1],
-                    joined[i].to[0], joined[i].to[1]));
+    findings.warn(polygons_path,
+                  fmt::format("{} of '{}' moved onto what {} by less than {}; the first goes from ({:.9g}, {:.9g}) "
+                              "to ({:.9g}, {:.9g}). Give both the same coordinates",
+                              end - i == 1 ? "one point" : fmt::format("{} points", end - i), joined[i].name,
+                              end - i == 1 ? "it misses" : "they miss", format_value(tolerance, length, 2),
+                              joined[i].from[0] / length.si, joined[i].from[1] / length.si, joined[i].to[0] / length.si,
+                              joined[i].to[1] / length.si));
     i = end;
   }
   for (mesh::Polygon& polygon : data.mesh.polygons) drop_closing_corner(polygon);

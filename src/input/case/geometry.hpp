@@ -108,6 +108,7 @@ class SoilOutline {
   double slack() const { return 1e-9 * (right_ - left_); }
   /// Returns true if there is ground at x.
   bool spans(double x) const { return x >= left_ - slack() && x <= right_ + slack(); }
+  const ShownUnits& units() const { return plan_.units; }
   /// Writes the extent: "which goes from x = 0 m to x = 44 m".
   std::string write_span() const;
   /// Returns the highest level of soil at x [m]; minus infinity if there is none.

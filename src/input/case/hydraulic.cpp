@@ -104,19 +104,20 @@ void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::s
     return;
   const auto [least, most] = std::minmax_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
   const double head = *least;
+  const ShownUnit& length = plan.units.length;
   const SoilPlan soil(plan);
   const auto [bottom, crest] = soil.find_levels();
   if (head < bottom)
-    findings.add(path + ".head", fmt::format("'head' is {:.6g} m, below the lowest point of the soil, {:.6g} m; heads "
+    findings.add(path + ".head", fmt::format("'head' is {}, below the lowest point of the soil, {}; heads "
                                              "are levels in the coordinates of the section",
-                                             head, bottom));
+                                             format_value(head, length), format_value(bottom, length)));
   // Behind a side of the box, artesian pressure is possible. A pool on the ground overflows, unless all soil is
   // submerged.
   for (const mesh::Line& line : plan.lines)
     if (line.name == hydraulic.on && *most > crest && soil.look_along(line.points).meets_air)
       findings.warn(path + ".head",
-                    fmt::format("the pool on '{}' stands up to {:.6g} m, above the crest, {:.6g} m: it runs over",
-                                hydraulic.on, *most, crest));
+                    fmt::format("the pool on '{}' stands up to {}, above the crest, {}: it runs over", hydraulic.on,
+                                format_value(*most, length), format_value(crest, length)));
 }
 
 bool fixes_level(const Hydraulic& hydraulic) {
@@ -166,7 +167,7 @@ void check_start(const Case& data, Findings& findings) {
     return;
   }
   if (start.pressure == InitialPressure::water_table) {
-    check_water_table(start.water_table, "initial.water_table", findings);
+    check_water_table(start.water_table, "initial.water_table", data.units().length, findings);
     return;
   }
   if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
@@ -178,7 +179,8 @@ void check_start(const Case& data, Findings& findings) {
 
 }  // namespace
 
-bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, Findings& findings) {
+bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, const ShownUnit& length,
+                       Findings& findings) {
   if (!findings.is_sound(path)) return false;
   if (line.empty()) {
     findings.add(path, "'water_table' needs at least one point [x, y]");
@@ -187,9 +189,9 @@ bool check_water_table(const std::vector<std::array<double, 2>>& line, const std
   for (std::size_t i = 1; i < line.size(); ++i)
     if (line[i][0] <= line[i - 1][0]) {
       findings.add(fmt::format("{}.{}", path, i),
-                   fmt::format("'water_table' goes from x = {} m to x = {} m; its points must run from "
+                   fmt::format("'water_table' goes from x = {} to x = {}; its points must run from "
                                "left to right, x increasing",
-                               format_coordinate(line[i - 1][0]), format_coordinate(line[i][0])));
+                               format_coordinate(line[i - 1][0], length), format_coordinate(line[i][0], length)));
       return false;
     }
   return true;

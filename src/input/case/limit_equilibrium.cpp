@@ -41,33 +41,35 @@ void check_surcharge(const Surcharge& s, const std::string& path, const SoilOutl
     return findings.add(path + ".x", fmt::format("surcharge '{}' needs at least two places x, from and to", s.name));
   for (std::size_t i = 1; i < s.x.size(); ++i)
     if (s.x[i] <= s.x[i - 1])
-      return findings.add(path + ".x",
-                          fmt::format("the places x of surcharge '{}' go from {:.6g} m to {:.6g} m; they run "
-                                      "from left to right, increasing",
-                                      s.name, s.x[i - 1], s.x[i]));
+      return findings.add(path + ".x", fmt::format("the places x of surcharge '{}' go from {} to {}; they run "
+                                                   "from left to right, increasing",
+                                                   s.name, format_value(s.x[i - 1], soil.units().length),
+                                                   format_value(s.x[i], soil.units().length)));
   if (!soil.spans(s.x.front()) || !soil.spans(s.x.back()))
     findings.add(path + ".x", fmt::format("surcharge '{}' reaches beyond the ground, {}", s.name, soil.write_span()));
 }
 
 void check_grid(const CentreGrid& grid, const SoilOutline& soil, Findings& findings) {
   const std::string corners = "lem.grid.corners", levels = "lem.grid.levels";
+  const ShownUnit& length = soil.units().length;
   if (!grid.corners.empty() && findings.is_sound(corners) &&
       !(grid.corners.size() == 2 && grid.corners[0][0] < grid.corners[1][0] && grid.corners[0][1] < grid.corners[1][1]))
     findings.add(corners,
                  "'corners' is to be the lower left and the upper right corner of the grid, two points [x, y]");
   if (check_range(grid.levels, levels, "levels y", findings) &&
       (grid.levels[0] > soil.top() || grid.levels[1] < soil.bottom()))
-    findings.add(levels, fmt::format("no soil lies between the 'levels' of the deepest points, {} m and {} m; it "
-                                     "goes from y = {} m to y = {} m",
-                                     format_coordinate(grid.levels[0]), format_coordinate(grid.levels[1]),
-                                     format_coordinate(soil.bottom()), format_coordinate(soil.top())));
+    findings.add(levels,
+                 fmt::format("no soil lies between the 'levels' of the deepest points, {} and {}; it "
+                             "goes from y = {} to y = {}",
+                             format_coordinate(grid.levels[0], length), format_coordinate(grid.levels[1], length),
+                             format_coordinate(soil.bottom(), length), format_coordinate(soil.top(), length)));
 }
 
-void check_crack(const TensionCrack& crack, Findings& findings) {
+void check_crack(const TensionCrack& crack, const ShownUnit& length, Findings& findings) {
   const std::string path = "lem.tension_crack.water";
   if (crack.water > crack.depth && findings.is_sound(path) && findings.is_sound("lem.tension_crack.depth"))
-    findings.add(path, fmt::format("the water in the tension crack is {:.6g} m high, but the crack is {:.6g} m deep",
-                                   crack.water, crack.depth));
+    findings.add(path, fmt::format("the water in the tension crack is {} high, but the crack is {} deep",
+                                   format_value(crack.water, length), format_value(crack.depth, length)));
 }
 
 void check_settings(const LimitEquilibrium& lem, Findings& findings) {
@@ -107,7 +109,7 @@ bool check_range(const std::vector<double>& range, const std::string& path, cons
 
 void check_slices(const Case& data, Findings& findings) {
   check_partial_factors(data, findings);
-  check_crack(data.lem.crack, findings);
+  check_crack(data.lem.crack, data.units().length, findings);
   check_names(data.lem.surfaces, "lem.surface", "slip surfaces", findings);
   check_names(data.surcharges, "surcharge", "surcharges", findings);
   if (uses(data, Method::lem)) check_settings(data.lem, findings);
@@ -141,16 +143,17 @@ double find_level(const Line& line, double x) {
 }
 
 /// Reports a water table that rises in the drawdown.
-void check_fall(const Line& before, const Line& after, Findings& findings) {
+void check_fall(const Line& before, const Line& after, const ShownUnit& length, Findings& findings) {
   constexpr double rounding = 1e-9;  // relative to the levels
   for (const Line* line : {&before, &after})
     for (const auto& [x, y] : *line) {
       const double from = find_level(before, x), to = find_level(after, x);
       if (to <= from + rounding * std::max(1.0, std::abs(from))) continue;
-      return findings.add("lem.drawdown.water_table",
-                          fmt::format("At x = {} m the water table after drawdown ({} m) is above the one before "
-                                      "({} m); drawdown lowers the water",
-                                      format_coordinate(x), format_coordinate(to), format_coordinate(from)));
+      return findings.add(
+          "lem.drawdown.water_table",
+          fmt::format("At x = {} the water table after drawdown ({}) is above the one before "
+                      "({}); drawdown lowers the water",
+                      format_coordinate(x, length), format_coordinate(to, length), format_coordinate(from, length)));
     }
 }
 
@@ -214,11 +217,12 @@ void check_drawdown(const Case& data, Findings& findings) {
     return;
   }
   if (findings.is_sound("lem.drawdown.method")) check_soils(data, findings);
-  if (!check_water_table(data.lem.drawdown->water_table, "lem.drawdown.water_table", findings)) return;
+  if (!check_water_table(data.lem.drawdown->water_table, "lem.drawdown.water_table", data.units().length, findings))
+    return;
   // Pools of [[hydraulic]] are above this line: run::make_section() compares their levels.
   if (before.pressure == InitialPressure::water_table && data.hydraulics.empty() &&
       findings.is_sound("initial.water_table") && !before.water_table.empty())
-    check_fall(before.water_table, data.lem.drawdown->water_table, findings);
+    check_fall(before.water_table, data.lem.drawdown->water_table, data.units().length, findings);
 }
 
 // Checks of [[lem.surface]]: circles must cut the ground, and polylines must run from ground to ground through soil.
@@ -235,15 +239,18 @@ constexpr int places = 400;
 void check_circle(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
   const auto [xc, yc] = *s.centre;
   const double r = *s.radius, slack = soil.slack();
+  const ShownUnit& length = soil.units().length;
   if (check_range(s.ends, path + ".ends", "places x", findings)) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!soil.spans(s.ends[i]))
-        return findings.add(path + ".ends", fmt::format("an end of surface '{}', x = {} m, is not on the ground, {}",
-                                                        s.name, format_coordinate(s.ends[i]), soil.write_span()));
+        return findings.add(path + ".ends",
+                            fmt::format("an end of surface '{}', x = {}, is not on the ground, {}", s.name,
+                                        format_coordinate(s.ends[i], length), soil.write_span()));
       if (std::abs(s.ends[i] - xc) > r + slack)
-        return findings.add(path + ".ends", fmt::format("the end x = {} m of surface '{}' is farther from the centre "
-                                                        "than its radius, {:.6g} m",
-                                                        format_coordinate(s.ends[i]), s.name, r));
+        return findings.add(path + ".ends",
+                            fmt::format("the end x = {} of surface '{}' is farther from the centre "
+                                        "than its radius, {}",
+                                        format_coordinate(s.ends[i], length), s.name, format_value(r, length)));
     }
     return;
   }
@@ -262,28 +269,31 @@ void check_circle(const SlipSurface& s, const std::string& path, const SoilOutli
 
 void check_end(const SlipSurface& s, const Point& end, const std::string& path, const SoilOutline& soil,
                Findings& findings) {
+  const ShownUnit& length = soil.units().length;
   if (!soil.spans(end[0]))
-    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {} m, outside the ground, {}", s.name,
-                                          format_coordinate(end[0]), soil.write_span()));
+    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {}, outside the ground, {}", s.name,
+                                          format_coordinate(end[0], length), soil.write_span()));
   const double above = end[1] - soil.find_ground(end[0]);
   if (std::abs(above) > end_slack * (s.points.back()[0] - s.points.front()[0]))
-    findings.add(path, fmt::format("the end {} of surface '{}' is {:.3g} m {} the ground; a surface "
+    findings.add(path, fmt::format("the end {} of surface '{}' is {} {} the ground; a surface "
                                    "goes from ground to ground",
-                                   format_point(end), s.name, std::abs(above), above > 0 ? "above" : "below"));
+                                   format_point(end, length), s.name, format_value(std::abs(above), length, 3),
+                                   above > 0 ? "above" : "below"));
 }
 
 void check_polyline(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
   const std::string points = path + ".points";
+  const ShownUnit& length = soil.units().length;
   if (s.points.size() < 2)
     return findings.add(points,
                         fmt::format("surface '{}' has {} points; it needs at least 2", s.name, s.points.size()));
   for (std::size_t i = 1; i < s.points.size(); ++i)
     if (s.points[i][0] <= s.points[i - 1][0])
-      return findings.add(
-          fmt::format("{}.{}", points, i),
-          fmt::format("surface '{}' goes from x = {} m to x = {} m; its points run from left to "
-                      "right, x increasing",
-                      s.name, format_coordinate(s.points[i - 1][0]), format_coordinate(s.points[i][0])));
+      return findings.add(fmt::format("{}.{}", points, i),
+                          fmt::format("surface '{}' goes from x = {} to x = {}; its points run from left to "
+                                      "right, x increasing",
+                                      s.name, format_coordinate(s.points[i - 1][0], length),
+                                      format_coordinate(s.points[i][0], length)));
   check_end(s, s.points.front(), points + ".0", soil, findings);
   check_end(s, s.points.back(), fmt::format("{}.{}", points, s.points.size() - 1), soil, findings);
   for (std::size_t i = 0; i < s.points.size(); ++i) {
@@ -292,10 +302,11 @@ void check_polyline(const SlipSurface& s, const std::string& path, const SoilOut
     if (!findings.is_sound(at)) continue;
     if (p[1] < soil.bottom() - soil.slack())
       findings.add(at, fmt::format("the point {} of surface '{}' is below the soil, whose lowest level is "
-                                   "{} m",
-                                   format_point(p), s.name, format_coordinate(soil.bottom())));
+                                   "{}",
+                                   format_point(p, length), s.name, format_coordinate(soil.bottom(), length)));
     else if (i > 0 && i + 1 < s.points.size() && p[1] > soil.find_ground(p[0]) + soil.slack())
-      findings.add(at, fmt::format("the point {} of surface '{}' is above the ground", format_point(p), s.name));
+      findings.add(at,
+                   fmt::format("the point {} of surface '{}' is above the ground", format_point(p, length), s.name));
   }
 }
 

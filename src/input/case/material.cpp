@@ -46,7 +46,7 @@ void check_materials(const Case& data, Findings& findings) {
     materials.insert(name);
     if (!findings.is_sound("materials." + name + ".model")) continue;
     material::check_soil(material.model, material,
-                         {name, material.porosity, material.given_void_ratio.has_value(), findings});
+                         {name, material.porosity, material.given_void_ratio.has_value(), findings, data.units()});
     if (data.initial.stress != InitialStress::none && !data.initial.k0 && findings.is_sound("initial") &&
         !material::needs<material::PoissonInput>(material.model))
       findings.add("initial.stress",

@@ -165,8 +165,8 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
   const double least = m.cohesion + s.find_extra(bottom);
   if (least < 0 && findings.is_sound(path + ".cohesion"))
     findings.add(path + ".cohesion_gradient",
-                 fmt::format("the cohesion of material '{}' would be negative, {:.6g} kPa at y = {} m", name,
-                             least / 1e3, format_coordinate(bottom)));
+                 fmt::format("the cohesion of material '{}' would be negative, {} at y = {}", name,
+                             format_value(least, data.units().stress), format_coordinate(bottom, data.units().length)));
 }
 
 void check_weight(const Case& data, const Material& m, const std::string& name, Findings& findings) {

@@ -106,8 +106,8 @@ void warn_of_air_entry(const Case& data, const Soil& soil) {
   soil.findings.warn(
       soil.path + ".relative_conductivity",
       fmt::format("material '{}': Mualem's conductivity with lambda = {:.3g} falls with infinite slope at saturation; "
-                  "seepage over time uses air_entry = {:g} kPa. Give 'air_entry' to choose another, or 0 for none",
-                  soil.name, soil.material.water.lambda, *safe.air_entry / 1e3));
+                  "seepage over time uses air_entry = {}. Give 'air_entry' to choose another, or 0 for none",
+                  soil.name, soil.material.water.lambda, format_value(*safe.air_entry, data.units().stress)));
 }
 
 /// Checks the upper limit of K_w: below the water table retention curves are flat, so that storage is due to the
