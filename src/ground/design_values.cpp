@@ -111,9 +111,9 @@ DesignValues apply_partial_factors(const input::Case& data) {
   if (given.permanent_load != 1)
     out.notes.push_back(
         fmt::format("γ_G = {:g} multiplies the weight of soil and water and the permanent loads alike (single source). "
-                    "The calculation divides strengths in kPa by γ_G and multiplies variable loads by γ_Q/γ_G = {:g}, "
+                    "The calculation divides strengths in {} by γ_G and multiplies variable loads by γ_Q/γ_G = {:g}, "
                     "which gives the same factor of safety.",
-                    given.permanent_load, v.variable_load));
+                    given.permanent_load, data.units().stress.name, v.variable_load));
   if (!data.surcharges.empty())
     out.notes.push_back(
         "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");

@@ -65,7 +65,7 @@ std::vector<double> list_breaks(const std::vector<Edge>& edges, double least) {
 
 /// Throws Error (wrong_input) if the soil at `x` has a gap below its upper limit. `levels`: elevations of the edges at
 /// x, with their polygons.
-void check_column(std::vector<std::pair<double, int>> levels, double x, double least) {
+void check_column(std::vector<std::pair<double, int>> levels, double x, double least, const ShownUnit& length) {
   std::sort(levels.begin(), levels.end());
   std::vector<std::array<double, 2>> filled;
   std::vector<std::pair<int, double>> open;  // polygon, elevation of its lower limit
@@ -83,10 +83,11 @@ void check_column(std::vector<std::pair<double, int>> levels, double x, double l
   double top = filled.empty() ? 0 : filled.front()[1];
   for (const auto& [from, to] : filled) {
     if (from - top > least)
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("the soil at x = {} m has a gap between y = {} m and {} m: methods of slices "
-                              "need soil without overhangs and cavities from the ground down",
-                              format_coordinate(x), format_coordinate(top), format_coordinate(from)));
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("the soil at x = {} has a gap between y = {} and {}: methods of slices "
+                      "need soil without overhangs and cavities from the ground down",
+                      format_coordinate(x, length), format_coordinate(top, length), format_coordinate(from, length)));
     top = std::max(top, to);
   }
 }
@@ -100,6 +101,7 @@ Polyline find_ground(const mesh::Plan& plan) {
   const double least = nothing * (right - left);
   const std::vector<Edge> edges = list_edges(plan, least);
   const std::vector<double> breaks = list_breaks(edges, least);
+  const ShownUnit& length = plan.units.length;
   Polyline ground;
   const auto add = [&](const Point& x) {
     if (!ground.empty() && std::hypot(x[0] - ground.back()[0], x[1] - ground.back()[1]) <= 2 * least) return;
@@ -116,10 +118,10 @@ Polyline find_ground(const mesh::Plan& plan) {
     }
     if (top == nullptr)
       throw Error(ExitCode::wrong_input,
-                  fmt::format("there is no soil between x = {} m and {} m: methods of slices need a ground "
+                  fmt::format("there is no soil between x = {} and {}: methods of slices need a ground "
                               "without gaps",
-                              format_coordinate(breaks[i]), format_coordinate(breaks[i + 1])));
-    check_column(std::move(levels), middle, least);
+                              format_coordinate(breaks[i], length), format_coordinate(breaks[i + 1], length)));
+    check_column(std::move(levels), middle, least, length);
     add({breaks[i], top->at(breaks[i])});
     add({breaks[i + 1], top->at(breaks[i + 1])});
   }
@@ -213,13 +215,13 @@ std::vector<SteepFace> find_steep_faces(const input::Case& data) {
   return faces;
 }
 
-std::string describe(const SteepFace& face) {
+std::string describe(const SteepFace& face, const ShownUnit& length) {
   return fmt::format(
       "The ground between {} and {} rises at {:.1f}°, more than φ = {:.1f}° of '{}', which "
       "has no cohesion: it is unstable by inspection (a long slope of it has the factor {:.2f}), whatever a method "
       "finds. Check the cohesion and the geometry.",
-      format_point(face.lower), format_point(face.upper), face.slope / degree, face.friction_angle / degree,
-      face.material, face.factor());
+      format_point(face.lower, length), format_point(face.upper, length), face.slope / degree,
+      face.friction_angle / degree, face.material, face.factor());
 }
 
 namespace {
@@ -240,8 +242,8 @@ struct Standing {
 /// Checks a water table against the ground.
 class Table {
  public:
-  Table(const Polyline& table, const Polyline& ground, std::string name)
-      : table_(table), ground_(ground), name_(std::move(name)) {
+  Table(const Polyline& table, const Polyline& ground, const ShownUnit& length, std::string name)
+      : table_(table), ground_(ground), length_(length), name_(std::move(name)) {
     low_ = high_ = ground.front()[1];
     for (const Point& p : ground) low_ = std::min(low_, p[1]), high_ = std::max(high_, p[1]);
     relief_ = high_ > low_ ? high_ - low_ : ground.back()[0] - ground.front()[0];
@@ -250,21 +252,21 @@ class Table {
 
   std::vector<std::string> describe(double base) {
     if (left() > table_.back()[0] || right() < table_.front()[0])
-      say("{} runs from x = {} m to {} m, outside the section, which runs from {} m to {} m: its level at the nearer "
+      say("{} runs from x = {} to {}, outside the section, which runs from {} to {}: its level at the nearer "
           "end is used everywhere",
-          name_, format_coordinate(table_.front()[0]), format_coordinate(table_.back()[0]), format_coordinate(left()),
-          format_coordinate(right()));
+          name_, write(table_.front()[0]), write(table_.back()[0]), write(left()), write(right()));
     const double lowest = find_extreme(false), highest = find_extreme(true);
     if (highest < base)
-      say("{} lies below the section: its highest level is y = {} m, and the lowest soil is at y = {} m", name_,
-          format_coordinate(highest), format_coordinate(base));
+      say("{} lies below the section: its highest level is y = {}, and the lowest soil is at y = {}", name_,
+          write(highest), write(base));
     if (lowest > high_ + far_above * relief_)
-      say("{} is at least {:.3g} m above the highest ground: the whole section is under water", name_, lowest - high_);
+      say("{} is at least {} above the highest ground: the whole section is under water", name_,
+          format_value(lowest - high_, length_, 3));
     for (const Standing& s : standing_)
       if (s.highest - s.lowest > noticeable * relief_ && !is_flood(s))
-        say("{} is above the ground from x = {} m to {} m and slopes there between y = {} m and {} m; standing water "
+        say("{} is above the ground from x = {} to {} and slopes there between y = {} and {}; standing water "
             "is level. Lower it to the ground where there is no pond",
-            name_, write(s.from), write(s.to), write(s.lowest), write(s.highest));
+            name_, write_rounded(s.from), write_rounded(s.to), write_rounded(s.lowest), write_rounded(s.highest));
     describe_end(true);
     describe_end(false);
     return std::move(sentences_);
@@ -274,8 +276,10 @@ class Table {
   double left() const { return ground_.front()[0]; }
   double right() const { return ground_.back()[0]; }
 
-  /// Formats to a millimetre, as intersections have more digits than a message needs.
-  static std::string write(double x) { return format_coordinate(std::round(x * 1e3) / 1e3); }
+  std::string write(double x) const { return format_coordinate(x, length_); }
+
+  /// Formats to 1/1000 of the unit, as intersections have more digits than a message needs.
+  std::string write_rounded(double x) const { return write(std::round(x / length_.si * 1e3) / 1e3 * length_.si); }
 
   template <class... Args>
   void say(fmt::format_string<Args...> form, Args&&... args) {
@@ -353,14 +357,14 @@ class Table {
     const Point& end = at_right ? table_.back() : table_.front();
     double depth = 0;
     for (const Standing& s : standing_) depth = std::max(depth, s.depth);
-    say("{} ends at x = {} m, inside the section, and continues level at y = {} m: there it floods the ground up to "
-        "{:.3g} m deep. Give its points up to x = {} m",
-        name_, format_coordinate(end[0]), format_coordinate(end[1]), depth,
-        format_coordinate(at_right ? right() : left()));
+    say("{} ends at x = {}, inside the section, and continues level at y = {}: there it floods the ground up to "
+        "{} deep. Give its points up to x = {}",
+        name_, write(end[0]), write(end[1]), format_value(depth, length_, 3), write(at_right ? right() : left()));
   }
 
   const Polyline& table_;
   const Polyline& ground_;
+  ShownUnit length_;
   std::string name_;
   double low_ = 0, high_ = 0, relief_ = 0;
   std::vector<double> breaks_;
@@ -371,9 +375,9 @@ class Table {
 }  // namespace
 
 std::vector<std::string> find_odd_water(const Polyline& table, const Polyline& ground, double base,
-                                        const std::string& name) {
+                                        const ShownUnit& length, const std::string& name) {
   if (table.empty() || ground.size() < 2) return {};
-  return Table(table, ground, name).describe(base);
+  return Table(table, ground, length, name).describe(base);
 }
 
 std::vector<std::string> find_odd_water(const input::Case& data) {
@@ -389,12 +393,13 @@ std::vector<std::string> find_odd_water(const input::Case& data) {
     return entry.second.water.is_wet() || entry.second.slices.suction_strength == input::SuctionStrength::phi_b;
   });
   const double base = has_suction ? std::numeric_limits<double>::lowest() : find_base(data.mesh);
+  const ShownUnit& length = data.units().length;
   std::vector<std::string> sentences;
   if (data.initial.water.pressure == input::InitialPressure::water_table)
-    sentences = find_odd_water(data.initial.water.water_table, ground, base, "The water table");
+    sentences = find_odd_water(data.initial.water.water_table, ground, base, length, "The water table");
   if (data.lem.drawdown && input::uses(data, Method::lem))
     for (std::string& sentence :
-         find_odd_water(data.lem.drawdown->water_table, ground, base, "The water table after drawdown"))
+         find_odd_water(data.lem.drawdown->water_table, ground, base, length, "The water table after drawdown"))
       sentences.push_back(std::move(sentence));
   return sentences;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
 #include "input/case/case.hpp"
 #include "mesh/plan.hpp"
 
@@ -45,7 +46,7 @@ struct SteepFace {
 std::vector<SteepFace> find_steep_faces(const input::Case& data);
 
 /// Returns the text of a warning: "The ground between (…) and (…) rises at 51.8°, …".
-std::string describe(const SteepFace& face);
+std::string describe(const SteepFace& face, const ShownUnit& length);
 
 // Water tables that are physically implausible.
 
@@ -55,6 +56,6 @@ std::vector<std::string> find_odd_water(const input::Case& data);
 
 /// Returns the warnings on one line; `name` begins the sentences: "The water table".
 std::vector<std::string> find_odd_water(const Polyline& table, const Polyline& ground, double base,
-                                        const std::string& name);
+                                        const ShownUnit& length, const std::string& name);
 
 }  // namespace talus::ground

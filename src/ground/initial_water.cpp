@@ -285,7 +285,8 @@ std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, do
   return ponds;
 }
 
-std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground) {
+std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground,
+                                        const ShownUnit& length) {
   constexpr double noticeable = 1e-3;
   const double step = 1e-6 * find_width(ground);
   std::vector<std::string> notes;
@@ -294,9 +295,10 @@ std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Po
     if (x <= ground.front()[0] || x >= ground.back()[0] || find_standing_level(ponds, {}, ground, x)) return;
     if (level - find_level(ground, x) < noticeable * find_width(ground)) return;
     notes.push_back(
-        fmt::format("the standing water with its level at y = {} m has no bank at x = {} m, where the ground "
-                    "is at {} m: extend its line to the bank",
-                    format_coordinate(level), format_coordinate(end[0]), format_coordinate(find_level(ground, x))));
+        fmt::format("the standing water with its level at y = {} has no bank at x = {}, where the ground "
+                    "is at {}: extend its line to the bank",
+                    format_coordinate(level, length), format_coordinate(end[0], length),
+                    format_coordinate(find_level(ground, x), length)));
   };
   for (const Pond& p : ponds) {
     look(p.from, p.level_from, -1);

@@ -71,7 +71,8 @@ double find_weather_start(const input::Case& data);
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time);
 
 /// Returns warnings on ponds without a bank, where the ground beside them is lower than their water.
-std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);
+std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground,
+                                        const ShownUnit& length);
 
 /// Returns the level of the water standing over the ground at x [m], that of a pond or of the water table; nothing
 /// where the ground is dry. `table` may be empty.

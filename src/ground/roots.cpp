@@ -263,27 +263,28 @@ double add_element(const mesh::Mesh<D>& mesh, int e, const input::Roots& roots, 
   return sum;
 }
 
-material::Feddes make_reduction(const input::Roots& roots) {
+material::Feddes make_reduction(const input::Roots& roots, const ShownUnit& stress) {
   const auto& s = roots.transpiration->suctions;
   if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
     throw Error(
         ExitCode::wrong_input,
-        fmt::format("[roots.transpiration] under '{}': the four suctions are {:g}, {:g}, {:g} and {:g} kPa; they "
+        fmt::format("[roots.transpiration] under '{}': the four suctions are {:g}, {:g}, {:g} and {}; they "
                     "must increase, only the first two may be equal",
-                    roots.ground, s[0] / 1e3, s[1] / 1e3, s[2] / 1e3, s[3] / 1e3));
+                    roots.ground, s[0] / stress.si, s[1] / stress.si, s[2] / stress.si, format_value(s[3], stress)));
   return {s};
 }
 
 template <int D>
-void check_roots(const input::Roots& roots, const RootDistribution<D>& distribution, double sum) {
+void check_roots(const input::Roots& roots, const RootDistribution<D>& distribution, double sum,
+                 const ShownUnit& length) {
   if (!(distribution.covered > 0))
     throw Error(ExitCode::wrong_input,
                 fmt::format("[[roots]]: the ground '{}' that transpires has no horizontal extent", roots.ground));
   if (!(sum > 0))
     throw Error(ExitCode::wrong_input,
-                fmt::format("[[roots]]: no soil with pore water lies within the {:g} m of roots under '{}', so nothing "
+                fmt::format("[[roots]]: no soil with pore water lies within the {} of roots under '{}', so nothing "
                             "can transpire",
-                            roots.depth, roots.ground));
+                            format_value(roots.depth, length), roots.ground));
 }
 
 }  // namespace
@@ -302,7 +303,7 @@ RootDistribution<D> find_root_distribution(const input::Case& data, const input:
     if (soil == nullptr || !soil->water.is_wet()) continue;
     sum += add_element<D>(mesh, e, roots, ground, samples, r.weights[e]);
   }
-  check_roots<D>(roots, r, sum);
+  check_roots<D>(roots, r, sum, data.units().length);
   for (auto& weights : r.weights) {
     for (double& w : weights) w *= r.covered / sum;
   }
@@ -323,8 +324,8 @@ std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::
   for (const input::Roots& roots : data.roots) {
     if (!roots.transpiration) continue;
     const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, mesh);
-    fem::RootSink sink{roots.ground, make_reduction(roots), make_transpiration_rate(*roots.transpiration),
-                       std::vector<double>(mesh.nodes.size(), 0.0)};
+    fem::RootSink sink{roots.ground, make_reduction(roots, data.units().stress),
+                       make_transpiration_rate(*roots.transpiration), std::vector<double>(mesh.nodes.size(), 0.0)};
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       for (std::size_t k = 0; k <= D; ++k) sink.weights[mesh.elements[e][k]] += distribution.weights[e][k];
     }
@@ -341,7 +342,8 @@ void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data) {
   for (const input::Roots& roots : data.roots) {
     if (!roots.transpiration) continue;
     const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, body.mesh());
-    mpm::RootUptake uptake{roots.ground, make_transpiration_rate(*roots.transpiration), make_reduction(roots),
+    mpm::RootUptake uptake{roots.ground, make_transpiration_rate(*roots.transpiration),
+                           make_reduction(roots, data.units().stress),
                            std::vector<double>(static_cast<std::size_t>(points.size()), 0.0)};
     for (int id = 0; id < points.size(); ++id) {
       const int e = points.element[id];

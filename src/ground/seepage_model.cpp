@@ -329,6 +329,7 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
   }
   fem::SeepageModel<D> model;
   model.mesh = &wet_mesh;
+  model.units = data.units();
   for (const std::string& region : mesh.region_names) model.soils.push_back(make_soil<D>(data, region));
   model.unit_weight = find_water_weight(data);
   // The same sides and the same precedence as in MPM. Unnamed sides are seepage faces on the ground and impermeable

@@ -57,7 +57,8 @@ bool asks_for_elements(const input::Case& data) {
 /// Returns warnings of faults of ground and water that affect every method.
 std::vector<std::string> list_ground_warnings(const input::Case& data) {
   std::vector<std::string> sentences = ground::find_odd_water(data);
-  for (const ground::SteepFace& face : ground::find_steep_faces(data)) sentences.push_back(ground::describe(face));
+  for (const ground::SteepFace& face : ground::find_steep_faces(data))
+    sentences.push_back(ground::describe(face, data.units().length));
   if (std::string quake = ground::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
   return sentences;
 }

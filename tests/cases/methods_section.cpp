@@ -139,7 +139,7 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
                                         "[materials.sand.water]\nretention = \"saturated\"\nconductivity = 1e-5\n");
     const input::Case data = read(text, {{"geometry.line.toe.points", points}});
     const auto ground = ground::find_ground(data.mesh);
-    return ground::find_open_ends(ground::find_ponds(data, ground, 0), ground);
+    return ground::find_open_ends(ground::find_ponds(data, ground, 0), ground, data.units().length);
   };
   ASSERT_EQ(find_notes("[[32, 5], [44, 5]]").size(), 1u);
   EXPECT_NE(find_notes("[[32, 5], [44, 5]]").front().find("x = 32 m"), std::string::npos);

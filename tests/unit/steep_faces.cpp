@@ -31,7 +31,7 @@ TEST(SteepFaces, AreThoseOfSoilWithoutCohesionAboveItsFrictionAngle) {
   EXPECT_EQ(faces[0].upper, (Point{12, 15}));
   EXPECT_NEAR(faces[0].slope, std::atan(0.5), 1e-12);
   EXPECT_NEAR(faces[0].factor(), std::tan(20 * std::numbers::pi / 180) / 0.5, 1e-12);
-  EXPECT_NE(describe(faces[0]).find("rises at 26.6°, more than φ = 20.0° of 'sand'"), std::string::npos);
+  EXPECT_NE(describe(faces[0], {"m", 1}).find("rises at 26.6°, more than φ = 20.0° of 'sand'"), std::string::npos);
 }
 
 }  // namespace

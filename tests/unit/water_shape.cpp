@@ -15,7 +15,7 @@ const Polyline slope{{0, 15}, {16, 15}, {34, 5}, {50, 5}};
 /// The sentences on a water table, one after the other.
 std::string describe(const Polyline& table, const Polyline& ground = slope) {
   std::string text;
-  for (const std::string& sentence : find_odd_water(table, ground, 0, "The water table"))
+  for (const std::string& sentence : find_odd_water(table, ground, 0, {"m", 1}, "The water table"))
     text += (text.empty() ? "" : "\n") + sentence;
   return text;
 }

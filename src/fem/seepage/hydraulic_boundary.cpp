@@ -86,7 +86,7 @@ void build_shares(SeepageSystem<D>& s) {
       const int owner = find_owner(mesh, elements_of_node, side);
       if (owner == no_soil) continue;  // a side of the box continues above the ground
       if (owner == soil_on_both_sides)
-        throw Error(ExitCode::wrong_input, describe_inner_side(*s.model.mesh, boundary.name, side));
+        throw Error(ExitCode::wrong_input, describe_inner_side(s.model, boundary.name, side));
       int inner = -1;
       for (int node : mesh.elements[static_cast<std::size_t>(owner)]) {
         if (std::find(side.begin(), side.end(), node) == side.end()) inner = node;
@@ -130,7 +130,7 @@ std::vector<NodeCondition> SeepageSystem<D>::find_conditions(double time) const 
         const double head = kind == HydraulicKind::pressure ? elevation[u] - value / model.unit_weight : value;
         if (c.fixed && std::abs(c.head - head) > 1e-9 * std::max({1.0, std::abs(head), std::abs(c.head)}))
           throw Error(ExitCode::wrong_input,
-                      describe_contradiction(*model.mesh, node_of_unknown[u],
+                      describe_contradiction(model, node_of_unknown[u],
                                              model.boundaries[static_cast<std::size_t>(c.owner)].name, c.head + datum,
                                              boundary.name, head + datum));
         if (!c.fixed) c.owner = static_cast<int>(b);

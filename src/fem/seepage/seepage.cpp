@@ -18,13 +18,14 @@ namespace {
 }
 
 template <int D>
-void check_soil(const HydraulicSoil<D>& soil) {
+void check_soil(const HydraulicSoil<D>& soil, const ShownUnits& units) {
   const std::string who = "The soil \"" + soil.name + "\"";
   if (!(soil.porosity > 0 && soil.porosity < 1))
     fail(fmt::format("{} has a porosity of {:g}; between 0 and 1 is possible.", who, soil.porosity));
   for (double k : soil.conductivity) {
     if (!(k > 0 && std::isfinite(k)))
-      fail(fmt::format("{} has a hydraulic conductivity of {:g} m/s; it must be above 0.", who, k));
+      fail(fmt::format("{} has a hydraulic conductivity of {}; it must be above 0.", who,
+                       format_value(k, units.speed())));
   }
   if (!(soil.water_modulus > 0))
     fail(fmt::format("{} has a bulk modulus of water of {:g} Pa; it must be above 0.", who, soil.water_modulus));
@@ -52,8 +53,8 @@ void check_boundary(const SeepageModel<D>& model, const HydraulicBoundary<D>& b)
   for (const auto& x : model.mesh->nodes) lowest = std::min(lowest, x[static_cast<std::size_t>(model.up)]);
   const auto check = [&](double head) {
     if (head < lowest)
-      fail(fmt::format("{} has a head of {:g} m, which lies below the model, whose lowest point is at {:g} m.", who,
-                       head, lowest));
+      fail(fmt::format("{} has a head of {}, which lies below the model, whose lowest point is at {}.", who,
+                       format_value(head, model.units.length), format_value(lowest, model.units.length)));
   };
   if (b.history.empty()) check(b.value);
   for (const auto& pair : b.history) check(pair[1]);
@@ -70,7 +71,8 @@ void check_sink(const SeepageModel<D>& model, const RootSink& sink) {
     throw Error(ExitCode::internal_error, who + " have not as many weights as the mesh has nodes.");
   for (double rate : sink.rate.value) {
     if (!(rate >= 0 && std::isfinite(rate)))
-      fail(fmt::format("{} have a potential transpiration of {:g} m/s; it must be 0 or above.", who, rate));
+      fail(fmt::format("{} have a potential transpiration of {}; it must be 0 or above.", who,
+                       format_value(rate, model.units.speed())));
   }
 }
 
@@ -87,7 +89,7 @@ void check_model(const SeepageModel<D>& model) {
       fail(fmt::format("Region {} of the mesh has no hydraulic soil.", region));
   }
   if (!any) fail("No element of the mesh holds soil, so no water can flow.");
-  for (const auto& soil : model.soils) check_soil(soil);
+  for (const auto& soil : model.soils) check_soil(soil, model.units);
   for (const auto& b : model.boundaries) check_boundary(model, b);
   for (const auto& sink : model.sinks) check_sink(model, sink);
 }
@@ -112,29 +114,31 @@ void check_storage(const SeepageModel<D>& model) {
 }
 
 template <int D>
-std::string describe_inner_side(const mesh::Mesh<D>& mesh, const std::string& boundary,
+std::string describe_inner_side(const SeepageModel<D>& model, const std::string& boundary,
                                 const typename mesh::Mesh<D>::Side& side) {
   std::array<double, D> x{};
   for (int node : side) {
-    for (std::size_t d = 0; d < D; ++d) x[d] += mesh.nodes[static_cast<std::size_t>(node)][d] / D;
+    for (std::size_t d = 0; d < D; ++d) x[d] += model.mesh->nodes[static_cast<std::size_t>(node)][d] / D;
   }
-  return fmt::format("The hydraulic boundary \"{}\" at {} m is no surface: there is soil on both sides.", boundary,
-                     format_point(x));
+  return fmt::format("The hydraulic boundary \"{}\" at {} {} is no surface: there is soil on both sides.", boundary,
+                     format_point(x, model.units.length), model.units.length.name);
 }
 
 template <int D>
-std::string describe_contradiction(const mesh::Mesh<D>& mesh, int node, const std::string& one, double one_head,
+std::string describe_contradiction(const SeepageModel<D>& model, int node, const std::string& one, double one_head,
                                    const std::string& other, double other_head) {
-  return fmt::format("The hydraulic boundaries \"{}\" and \"{}\" meet at {} m with different heads, {:g} and {:g} m.",
-                     one, other, format_point(mesh.nodes[static_cast<std::size_t>(node)]), one_head, other_head);
+  const ShownUnit& length = model.units.length;
+  return fmt::format("The hydraulic boundaries \"{}\" and \"{}\" meet at {} {} with different heads, {:g} and {}.", one,
+                     other, format_point(model.mesh->nodes[static_cast<std::size_t>(node)], length), length.name,
+                     one_head / length.si, format_value(other_head, length));
 }
 
-#define TALUS_INSTANTIATE(D)                                                                            \
-  template void check_model<D>(const SeepageModel<D>&);                                                 \
-  template void check_storage<D>(const SeepageModel<D>&);                                               \
-  template std::string describe_inner_side<D>(const mesh::Mesh<D>&, const std::string&,                 \
-                                              const typename mesh::Mesh<D>::Side&);                     \
-  template std::string describe_contradiction<D>(const mesh::Mesh<D>&, int, const std::string&, double, \
+#define TALUS_INSTANTIATE(D)                                                                              \
+  template void check_model<D>(const SeepageModel<D>&);                                                   \
+  template void check_storage<D>(const SeepageModel<D>&);                                                 \
+  template std::string describe_inner_side<D>(const SeepageModel<D>&, const std::string&,                 \
+                                              const typename mesh::Mesh<D>::Side&);                       \
+  template std::string describe_contradiction<D>(const SeepageModel<D>&, int, const std::string&, double, \
                                                  const std::string&, double);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
 #include "fem/seepage/hydraulic_boundary.hpp"
 #include "material/water/conductivity.hpp"
 #include "mesh/mesh.hpp"
@@ -38,6 +39,7 @@ struct SeepageModel {
   std::vector<RootSink> sinks{};  ///< water uptake by roots, in steady flow too
   /// Weight of the pools over every node at a time [Pa], whose changes compress saturated soil. Empty: no such effect.
   std::function<std::vector<double>(double time)> pool_weight{};
+  ShownUnits units{};  ///< units of messages
 };
 
 struct SeepageOptions {
@@ -139,11 +141,11 @@ template <int D>
 void check_storage(const SeepageModel<D>& model);
 
 template <int D>
-std::string describe_inner_side(const mesh::Mesh<D>& mesh, const std::string& boundary,
+std::string describe_inner_side(const SeepageModel<D>& model, const std::string& boundary,
                                 const typename mesh::Mesh<D>::Side& side);
 
 template <int D>
-std::string describe_contradiction(const mesh::Mesh<D>& mesh, int node, const std::string& one, double one_head,
+std::string describe_contradiction(const SeepageModel<D>& model, int node, const std::string& one, double one_head,
                                    const std::string& other, double other_head);
 
 }  // namespace talus::fem

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
 #include "base/vec.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
@@ -51,6 +52,7 @@ struct SolidModel {
   std::vector<std::array<double, 6>> initial_stress;
   /// Writes the initial state variables of a law at a point of a region; empty: zeros.
   std::function<void(int region, const Vec<D>& x, double* state)> set_state;
+  ShownUnits units{};  ///< units of messages
 };
 
 struct SolidOptions {

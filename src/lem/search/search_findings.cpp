@@ -205,9 +205,9 @@ void search_cracked_circles(const Slope& slope, const SearchOptions& options, co
     Critical found = make_critical(slope, options, best.surface, method);
     if (is_wet(slope, found.cut)) continue;
     found.warnings.push_back(
-        fmt::format("ends in a dry tension crack of {:.2g} m: without one {} has no solution on the circles around "
+        fmt::format("ends in a dry tension crack of {}: without one {} has no solution on the circles around "
                     "Bishop's critical one (factor {:.3f})",
-                    best.surface.crack, get_title(method), lost.bishop));
+                    format_value(best.surface.crack, slope.section().units.length, 2), get_title(method), lost.bishop));
     found.yield_acceleration = find_yield_acceleration(slope, found.cut, method, options.checks);
     result.minima[m].insert(result.minima[m].begin(), found);
     if (own != nullptr)
@@ -236,12 +236,12 @@ void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, Sear
     const double f = bishop->solution.factor;
     result.warnings.push_back(fmt::format(
         "{} has no solution on Bishop's critical circle (factor {:.3f}): {}. {}, so its own critical surface may be "
-        "missed. The soil at the crest may be in tension to a depth of {:.2g} m: give that as [lem.tension_crack] "
+        "missed. The soil at the crest may be in tension to a depth of {}: give that as [lem.tension_crack] "
         "depth",
         get_title(method), f, name_refusal(solution.refusal),
         best != nullptr ? fmt::format("The smallest factor with complete equilibrium is {:.3f}", best->solution.factor)
                         : std::string("No other surface has one"),
-        compute_crack_depth(slope, cut, f)));
+        format_value(compute_crack_depth(slope, cut, f), slope.section().units.length, 2)));
     return;
   }
 }
@@ -277,6 +277,7 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
   std::vector<LimitHit> hits;
   const auto add = [&](std::string limit) { hits.push_back({critical.method, std::move(limit)}); };
   const std::string what = critical.circular ? "circle" : "non-circular surface";
+  const ShownUnit& length = slope.section().units.length;
   const double near = close * (slope.right() - slope.left());
   const auto ends = find_ends(critical.surface);
   const bool slides_left = critical.cut.slides_left;
@@ -284,13 +285,13 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     for (double limit : range) {
       if (std::abs(x - limit) > near) continue;
       const bool edge = std::abs(limit - slope.left()) < near || std::abs(limit - slope.right()) < near;
-      add(edge ? fmt::format("the {} of the critical {} lies at x = {} m, the edge of the model; "
+      add(edge ? fmt::format("the {} of the critical {} lies at x = {}, the edge of the model; "
                              "extend the ground beyond it",
-                             end, what, format_coordinate(x))
-               : fmt::format("the {} of the critical {} lies at x = {} m, an end of the range "
-                             "searched ({} to {} m); widen [lem.entry_exit] {}",
-                             end, what, format_coordinate(x), format_coordinate(range[0]), format_coordinate(range[1]),
-                             key));
+                             end, what, format_coordinate(x, length))
+               : fmt::format("the {} of the critical {} lies at x = {}, an end of the range "
+                             "searched ({} to {}); widen [lem.entry_exit] {}",
+                             end, what, format_coordinate(x, length), format_coordinate(range[0] / length.si),
+                             format_coordinate(range[1], length), key));
     }
   };
   check(ends[slides_left ? 0 : 1], slides_left ? circles.left : circles.right, "exit", "exit");
@@ -300,15 +301,15 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
     if (bottom < base + near && c.centre[0] > ends[0] && c.centre[0] < ends[1])
       add(
-          fmt::format("the critical circle {} the base at {} m; a deeper model may give a smaller "
+          fmt::format("the critical circle {} the base at {}; a deeper model may give a smaller "
                       "factor unless firm ground begins there",
-                      bottom < base - near ? "is cut level at" : "touches", format_coordinate(base)));
+                      bottom < base - near ? "is cut level at" : "touches", format_coordinate(base, length)));
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
-    add(
-        fmt::format("the critical {} is as shallow as the smallest depth of {:.4g} m allows; the "
-                    "factor depends on it",
-                    critical.surface.circle ? "circle" : "polyline", options.checks.smallest_depth));
+    add(fmt::format(
+        "the critical {} is as shallow as the smallest depth of {} allows; the "
+        "factor depends on it",
+        critical.surface.circle ? "circle" : "polyline", format_value(options.checks.smallest_depth, length, 4)));
   if (result.grid && best_trial >= 0 && critical.circular) {
     const Circle& c = *circles.surfaces[static_cast<std::size_t>(best_trial)].circle;
     const GridSearch& g = *result.grid;
@@ -318,16 +319,17 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
                    tolerance = 1e-6 * (high - low);
       if (c.centre[a] < low + tolerance || c.centre[a] > high - tolerance)
         add(
-            fmt::format("the best trial circle has its centre on the border of the grid, at {} = {:.4g} "
-                        "m ({:.4g} to {:.4g} m searched); enlarge the corners of [lem.grid]",
-                        axis == 0 ? "x" : "y", c.centre[a], low, high));
+            fmt::format("the best trial circle has its centre on the border of the grid, at {} = {} "
+                        "({:.4g} to {} searched); enlarge the corners of [lem.grid]",
+                        axis == 0 ? "x" : "y", format_value(c.centre[a], length, 4), low / length.si,
+                        format_value(high, length, 4)));
     }
     const double bottom = c.centre[1] - c.radius, tolerance = 1e-6 * std::abs(*g.highest - *g.lowest);
     if (bottom<*g.lowest + tolerance&& * g.lowest> slope.section().base + near)
       add(
-          fmt::format("the best trial circle reaches down to {:.4g} m, the lowest level searched; lower the levels "
+          fmt::format("the best trial circle reaches down to {}, the lowest level searched; lower the levels "
                       "of [lem.grid]",
-                      bottom));
+                      format_value(bottom, length, 4)));
   }
   return hits;
 }
@@ -358,9 +360,9 @@ std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks,
                         s.lambda, key, limit));
   if (critical.cut.depth < 0.02 * find_relief(slope.section()))
     warnings.push_back(
-        fmt::format("the surface is a skin of {:.2g} m: without cohesion the shallowest surface is critical; "
+        fmt::format("the surface is a skin of {}: without cohesion the shallowest surface is critical; "
                     "give a smallest_depth",
-                    critical.cut.depth));
+                    format_value(critical.cut.depth, slope.section().units.length, 2)));
   const double near = close * (slope.right() - slope.left());
   const auto ends = find_ends(critical.surface);
   if (ends[0] < slope.left() + near || ends[1] > slope.right() - near)

@@ -136,8 +136,8 @@ void check_ground(const Section& section, Faults& faults) {
   if (!std::isfinite(section.base)) faults.push_back("the base is not a number");
   for (const Point& p : section.ground)
     if (section.base > p[1] + 1e-9 * (b[0] - a[0])) {
-      faults.push_back(
-          fmt::format("the base at elevation {:.6g} lies above the ground at {}", section.base, format_point(p)));
+      faults.push_back(fmt::format("the base at elevation {:.6g} lies above the ground at {}",
+                                   section.base / section.units.length.si, format_point(p, section.units.length)));
       break;
     }
 }
@@ -204,9 +204,9 @@ void check_loads(const Section& section, Faults& faults) {
         "the accelerations must be numbers, and k_v greater than -1: upwards they would lift the soil off");
   if (section.crack &&
       !(section.crack->depth >= 0 && section.crack->water >= 0 && section.crack->water <= section.crack->depth))
-    faults.push_back(
-        fmt::format("the tension crack is {:.6g} m deep with {:.6g} m of water: expected 0 <= water <= depth",
-                    section.crack->depth, section.crack->water));
+    faults.push_back(fmt::format("the tension crack is {} deep with {} of water: expected 0 <= water <= depth",
+                                 format_value(section.crack->depth, section.units.length),
+                                 format_value(section.crack->water, section.units.length)));
 }
 
 void check_drawdown(const Section& section, Faults& faults) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/methods.hpp"
+#include "base/shown_units.hpp"
 
 namespace talus::lem {
 
@@ -116,6 +117,7 @@ struct Section {
   double vertical_acceleration = 0;  ///< k_v over g, down positive [-]
   std::optional<TensionCrack> crack;
   std::optional<Drawdown> drawdown;
+  ShownUnits units;  ///< units of messages
 
   /// Returns `acceleration` as it acts on a mass, positive in the direction of sliding.
   double turn_to_sliding(double acceleration, bool slides_left) const {

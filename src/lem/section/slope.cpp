@@ -135,7 +135,8 @@ bool check_polygon(const Section& section, std::size_t number, double size, std:
     return false;
   }
   if (const auto place = mesh::find_self_contact(polygon, 1e-9 * size)) {
-    faults.push_back(fmt::format("{} crosses or touches itself at {}", name, format_point(*place)));
+    faults.push_back(
+        fmt::format("{} crosses or touches itself at {}", name, format_point(*place, section.units.length)));
     return false;
   }
   if (std::abs(mesh::compute_area(polygon)) < 1e-12 * size * size) {
@@ -161,6 +162,7 @@ bool check_polygon(const Section& section, std::size_t number, double size, std:
 /// Range of x with the same fault, reported in one sentence.
 struct Gap {
   const char* what;
+  const ShownUnit& length;
   double from = 0, to = 0;
   bool open = false;
 };
@@ -170,14 +172,16 @@ void extend_gap(Gap& gap, bool found, const Strip& strip, std::vector<std::strin
   if (found) gap.to = strip.right;
   if (!found && gap.open)
     faults.push_back(fmt::format("no soil {} between x = {} and x = {}: no region covers it", gap.what,
-                                 format_coordinate(gap.from), format_coordinate(gap.to)));
+                                 format_coordinate(gap.from / gap.length.si),
+                                 format_coordinate(gap.to / gap.length.si)));
   gap.open = found;
 }
 
 /// Adds faults for places under the ground that no region covers. Below the lowest soil lies the bottom of the model,
 /// which is no fault.
 void check_cover(const Slope::Strips& strips, double size, std::vector<std::string>& faults) {
-  Gap bare{"under the ground"}, hole{"in a hole of the regions"};
+  const ShownUnit& length = strips.section.units.length;
+  Gap bare{"under the ground", length}, hole{"in a hole of the regions", length};
   for (const Strip& strip : strips.strips) {
     const double half = 0.5 * (strip.right - strip.left);
     // There is nothing to cover where the ground meets the base.

@@ -107,18 +107,22 @@ void check_end(const Slope& slope, const std::string& name, const BaseLine& base
                std::vector<std::string>& faults) {
   const BasePiece& piece = left ? base.pieces.front() : base.pieces.back();
   const double x = left ? piece.from : piece.to, y = base.at(piece, x);
-  const std::string end = fmt::format("{}: its {} end {}", name, left ? "left" : "right", format_point(Point{x, y}));
+  const ShownUnit& length = slope.section().units.length;
+  const std::string end =
+      fmt::format("{}: its {} end {}", name, left ? "left" : "right", format_point(Point{x, y}, length));
   if (x < slope.left() - near || x > slope.right() + near) {
     faults.push_back(fmt::format("{} lies outside the ground, which runs from x = {} to {}", end,
-                                 format_coordinate(slope.left()), format_coordinate(slope.right())));
+                                 format_coordinate(slope.left() / length.si),
+                                 format_coordinate(slope.right() / length.si)));
   } else if (!base.ends_on_ground(slope.strips(), piece, x, near)) {
     const double off = y - slope.ground(x);
-    faults.push_back(
-        fmt::format("{} lies {:.4g} m {} the ground, expected on it", end, std::abs(off), off > 0 ? "above" : "below"));
+    faults.push_back(fmt::format("{} lies {} {} the ground, expected on it", end,
+                                 format_value(std::abs(off), length, 4), off > 0 ? "above" : "below"));
   }
 }
 
-bool check_shape(const Surface& surface, const std::string& name, std::vector<std::string>& faults) {
+bool check_shape(const Surface& surface, const std::string& name, const ShownUnit& length,
+                 std::vector<std::string>& faults) {
   if (surface.circle) {
     if (!(surface.circle->radius > 0)) faults.push_back(fmt::format("{}: its radius is not positive", name));
     if (!(surface.to > surface.from))
@@ -129,7 +133,7 @@ bool check_shape(const Surface& surface, const std::string& name, std::vector<st
       const Point &a = surface.line[i - 1], &b = surface.line[i];
       if (!(b[0] > a[0]))
         faults.push_back(fmt::format("{} runs backwards from {} to {}: x must grow from point to point", name,
-                                     format_point(a), format_point(b)));
+                                     format_point(a, length), format_point(b, length)));
     }
   }
   return faults.empty();
@@ -140,7 +144,7 @@ bool check_shape(const Surface& surface, const std::string& name, std::vector<st
 std::vector<std::string> find_faults(const Slope& slope, const Surface& surface) {
   std::vector<std::string> faults;
   const std::string name = name_surface(surface);
-  if (!check_shape(surface, name, faults)) return faults;
+  if (!check_shape(surface, name, slope.section().units.length, faults)) return faults;
   BaseLine base;
   if (base.lay(slope, surface, true) != Refusal::none) {
     faults.push_back(

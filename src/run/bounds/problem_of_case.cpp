@@ -55,11 +55,13 @@ void check_size(const input::Case& data) {
   const double size = *data.bounds.size, count = count_elements(mesh::resize(data.mesh, size)).soil,
                most = slack * data.bounds.triangles;
   if (!(count > most)) return;
-  const double fits = size * std::sqrt(count / most), unit = std::pow(10, std::floor(std::log10(fits)) - 1);
+  const ShownUnit& length = data.units().length;
+  const double fits = size / length.si * std::sqrt(count / most), unit = std::pow(10, std::floor(std::log10(fits)) - 1);
   throw Error(ExitCode::wrong_input,
-              fmt::format("'size' in [bounds] is {:g} m, with which the first mesh has about {:.2g} triangles, and "
-                          "'triangles' allows {} in the last one; {:g} m would do",
-                          size, count, data.bounds.triangles, std::ceil(fits / unit) * unit));
+              fmt::format("'size' in [bounds] is {}, with which the first mesh has about {:.2g} triangles, and "
+                          "'triangles' allows {} in the last one; {} would do",
+                          format_value(size, length), count, data.bounds.triangles,
+                          format_value(std::ceil(fits / unit) * unit * length.si, length)));
 }
 
 class ProblemBuilder {
@@ -75,7 +77,8 @@ class ProblemBuilder {
     if (!data_.mesh.polygons.empty()) {
       ground_ = ground::find_ground(data_.mesh);
       ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
-      for (std::string& note : ground::find_open_ends(ponds_, ground_)) made_.notes.push_back(std::move(note));
+      for (std::string& note : ground::find_open_ends(ponds_, ground_, data_.units().length))
+        made_.notes.push_back(std::move(note));
     }
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
     add_triangles();
@@ -325,8 +328,8 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
   }
   const double water = data.water.density * data.gravity.acceleration * (right - left);
   if (!(most > rounding_of_loads * largest + rounding_of_water * water)) return std::nullopt;
-  return fmt::format("at {} the load on the ground differs from that of the case by {:.3g} kPa: nothing is proven",
-                     format_point(where), most / 1e3);
+  return fmt::format("at {} the load on the ground differs from that of the case by {}: nothing is proven",
+                     format_point(where, data.units().length), format_value(most, data.units().stress, 3));
 }
 
 }  // namespace talus::run

@@ -292,8 +292,9 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
   run.seconds += found.seconds;
   if (coarse.size < least_ratio * fine.size)
     throw Error(ExitCode::wrong_input,
-                fmt::format("its elements have a mean size of {:.3g} m, hardly more than the {:.3g} m of the finer one",
-                            coarse.size, fine.size));
+                fmt::format("its elements have a mean size of {}, hardly more than the {} of the finer one",
+                            format_value(coarse.size, data_.units().length, 3),
+                            format_value(fine.size, data_.units().length, 3)));
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
   run.factor = extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor);
   run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));

@@ -92,6 +92,7 @@ class SolidBuilder {
   void build() {
     fem::SolidModel<D>& model = solid_.model;
     model.mesh = &mesh_;
+    model.units = data_.units();
     for (std::size_t d = 0; d < D; ++d) model.direction[d] = data_.gravity.direction[d];
     if constexpr (D == 2) find_plane();
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
@@ -110,7 +111,8 @@ class SolidBuilder {
     if (data_.mesh.polygons.empty()) return;  // a mesh from a file: only its sides carry loads
     ground_ = ground::find_ground(data_.mesh);
     ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
-    for (std::string& note : ground::find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
+    for (std::string& note : ground::find_open_ends(ponds_, ground_, data_.units().length))
+      solid_.notes.push_back(std::move(note));
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
   }
 

@@ -31,6 +31,7 @@ std::array<double, 2> get_range(const std::vector<double>& given, const std::arr
 /// circles are rounded. Throws if that would be another circle.
 void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Surface& surface) {
   constexpr double farthest = 0.02;  // over the radius
+  const ShownUnit& length = slope.section().units.length;
   lem::Circle& circle = *surface.circle;
   const lem::Point a{surface.from, slope.ground(surface.from)}, b{surface.to, slope.ground(surface.to)};
   const double dx = b[0] - a[0], dy = b[1] - a[1], chord = std::hypot(dx, dy), r = circle.radius,
@@ -38,9 +39,10 @@ void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Su
   const lem::Point centre{(a[0] + b[0]) / 2 - height * dy / chord, (a[1] + b[1]) / 2 + height * dx / chord};
   if (height < 0 || std::hypot(centre[0] - circle.centre[0], centre[1] - circle.centre[1]) > farthest * r)
     throw Error(ExitCode::wrong_input,
-                fmt::format("the circle '{}' about {} with radius {:g} m does not meet the ground at its ends, "
-                            "x = {} m and {} m",
-                            name, format_point(circle.centre), r, format_coordinate(a[0]), format_coordinate(b[0])));
+                fmt::format("the circle '{}' about {} with radius {} does not meet the ground at its ends, "
+                            "x = {} and {}",
+                            name, format_point(circle.centre, length), format_value(r, length),
+                            format_coordinate(a[0], length), format_coordinate(b[0], length)));
   circle.centre = centre;
 }
 
@@ -81,9 +83,10 @@ std::string describe_uplift(const lem::Slope& slope) {
   }
   if (worst <= 0) return "";
   return fmt::format(
-      "the ground floats: at {} m the pore pressure of {:.3g} kPa exceeds the weight above it, {:.3g} "
-      "kPa. It heaves there whatever the factor of a slip surface is",
-      format_point(place), (worst + worst_weight) / 1e3, worst_weight / 1e3);
+      "the ground floats: at {} {} the pore pressure of {} exceeds the weight above it, {}. It heaves there "
+      "whatever the factor of a slip surface is",
+      format_point(place, section.units.length), section.units.length.name,
+      format_value(worst + worst_weight, section.units.stress, 3), format_value(worst_weight, section.units.stress, 3));
 }
 
 /// Returns a warning of a tension crack that is less deep than given, or deeper than the slope is high; empty
@@ -91,14 +94,15 @@ std::string describe_uplift(const lem::Slope& slope) {
 std::string describe_crack(const lem::Slope& slope) {
   const auto& crack = slope.section().crack;
   if (!crack) return "";
+  const ShownUnit& length = slope.section().units.length;
   const std::vector<lem::Point>& ground = slope.section().ground;
   const auto [low, high] = std::minmax_element(ground.begin(), ground.end(),
                                                [](const lem::Point& a, const lem::Point& b) { return a[1] < b[1]; });
   if (!crack->limited)
     return crack->depth <= (*high)[1] - (*low)[1]
                ? ""
-               : fmt::format("the tension crack is {:.3g} m deep, and the slope {:.3g} m high", crack->depth,
-                             (*high)[1] - (*low)[1]);
+               : fmt::format("the tension crack is {} deep, and the slope {} high",
+                             format_value(crack->depth, length, 3), format_value((*high)[1] - (*low)[1], length, 3));
   // For a level crest the end towards the slope counts, not that of the section.
   const double middle = 0.5 * (slope.left() + slope.right());
   double crest = (*high)[0];
@@ -107,9 +111,9 @@ std::string describe_crack(const lem::Slope& slope) {
   const double depth = slope.crack_depth(crest);
   if (depth > (1 - least_limit) * crack->depth) return "";
   return fmt::format(
-      "the tension crack of {:.3g} m ends at {:.3g} m at the crest (x = {} m): deeper down the soil beside it is "
+      "the tension crack of {} ends at {} at the crest (x = {}): deeper down the soil beside it is "
       "not in tension{}. limit = false in [lem.tension_crack] keeps the depth that is given",
-      crack->depth, depth, format_coordinate(crest),
+      format_value(crack->depth, length, 3), format_value(depth, length, 3), format_coordinate(crest, length),
       crack->water > 0 ? ". A surface keeps the given depth where the water in the crack then makes it weaker" : "");
 }
 
@@ -189,12 +193,13 @@ lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& giv
     return surface;
   }
   const auto arcs = lem::find_arcs(slope, *surface.circle);
+  const ShownUnit& length = slope.section().units.length;
   if (arcs.empty())
     throw Error(ExitCode::wrong_input,
-                fmt::format("the circle '{}' about {} with radius {:g} m does not enter and leave the ground "
-                            "between x = {} m and {} m",
-                            given.name, format_point(*given.centre), *given.radius, format_coordinate(slope.left()),
-                            format_coordinate(slope.right())));
+                fmt::format("the circle '{}' about {} with radius {} does not enter and leave the ground "
+                            "between x = {} and {}",
+                            given.name, format_point(*given.centre, length), format_value(*given.radius, length),
+                            format_coordinate(slope.left(), length), format_coordinate(slope.right(), length)));
   const auto widest = std::max_element(arcs.begin(), arcs.end(),
                                        [](const auto& a, const auto& b) { return a[1] - a[0] < b[1] - b[0]; });
   surface.from = (*widest)[0];

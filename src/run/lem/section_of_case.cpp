@@ -262,6 +262,7 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
 void check_standing_water(const lem::Section& before, const lem::Section& after) {
   constexpr double noticeable = 1e-6;  // of the width of the ground, which is the accuracy of a traced water table
   const double near = noticeable * (after.ground.back()[0] - after.ground.front()[0]);
+  const ShownUnit& length = after.units.length;
   const auto level = [](const lem::Section& s, double x) {
     return s.water_table.empty() ? s.base : ground::find_water_table(s.water_table, x);
   };
@@ -271,10 +272,11 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
     const double x = 0.5 * (a[0] + b[0]), ground = 0.5 * (a[1] + b[1]);
     const double from = std::max(ground, level(before, x)), to = std::max(ground, level(after, x));
     if (to > from + near)
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("At x = {} m the water after drawdown ({} m) is above the water before it ({} m): "
-                              "lower [lem.drawdown] water_table there",
-                              format_coordinate(x), format_coordinate(to), format_coordinate(from)));
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("At x = {} the water after drawdown ({}) is above the water before it ({}): "
+                      "lower [lem.drawdown] water_table there",
+                      format_coordinate(x, length), format_coordinate(to, length), format_coordinate(from, length)));
   }
 }
 
@@ -311,12 +313,14 @@ SectionOfCase make_section(const input::Case& data) {
                 "methods of slices need the polygons of [geometry]; a ready mesh alone does not say what lies where");
   SectionOfCase result;
   lem::Section& section = result.section;
+  section.units = data.units();
   section.ground = ground::find_ground(data.mesh);
   section.base = ground::find_base(data.mesh);
   add_regions(data, section, result.notes);
   add_water(data, section, result.water);
   const double first = ground::find_first_time(data);
-  for (std::string& note : ground::find_open_ends(ground::find_ponds(data, section.ground, first), section.ground))
+  for (std::string& note :
+       ground::find_open_ends(ground::find_ponds(data, section.ground, first), section.ground, section.units.length))
     result.notes.push_back(std::move(note));
   add_surcharges(data, section);
   add_tractions(data, section, result.notes);
