@@ -61,11 +61,11 @@ std::optional<GoverningSurface> find_governing_surface(const RunResult& run) {
   return find_governing_surface(*run.slices, run.methods ? &*run.methods : nullptr);
 }
 
-std::string name_surface(const GoverningSurface& surface) {
+std::string name_surface(const GoverningSurface& surface, const ShownUnits& units) {
   switch (surface.source) {
     case SurfaceSource::critical:
       return surface.found->crack
-                 ? fmt::format("critical circle with a tension crack of {:.2g} m", *surface.found->crack)
+                 ? "critical circle with a tension crack of " + format_value(*surface.found->crack, units.length, 2)
                  : "critical circle";
     case SurfaceSource::noncircular:
       return "critical polyline";

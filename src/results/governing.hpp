@@ -35,7 +35,7 @@ std::optional<double> find_slices_factor(const SliceResult& slices, const Method
 std::optional<double> find_slices_factor(const RunResult& run);
 
 /// Returns a description such as "critical polyline" or "given surface 'bed'".
-std::string name_surface(const GoverningSurface& surface);
+std::string name_surface(const GoverningSurface& surface, const ShownUnits& units);
 
 /// Returns the factor of safety of MPM: at frozen geometry, otherwise by the first criterion of the displacement curve
 /// that gave one.

@@ -90,15 +90,15 @@ std::string format_start(const std::vector<Release>& releases) {
 
 }  // namespace
 
-std::string format_releases(const Timeline& t) {
+std::string format_releases(const Timeline& t, const ShownUnits& units) {
   if (t.releases.empty()) return "";
-  const auto say = [](const Release& r, const char* before) {
+  const ShownUnit& length = units.length;
+  const auto say = [&](const Release& r, const char* before) {
     if (r.error) return fmt::format("their run did not end: {}", *r.error);
-    return fmt::format("the soil {}moves {:.3g} m at most{}{}.", before, r.largest_displacement,
-                       r.front_advance > 0
-                           ? fmt::format(", its front {} m", format_uncertain(r.front_advance, r.front_uncertainty))
-                           : "",
-                       r.limits && r.limits->front ? ", where the box ends" : "");
+    return fmt::format(
+        "the soil {}moves {} at most{}{}.", before, format_value(r.largest_displacement, length, 3),
+        r.front_advance > 0 ? ", its front " + format_uncertain(r.front_advance, r.front_uncertainty, length) : "",
+        r.limits && r.limits->front ? ", where the box ends" : "");
   };
   const Release& first = t.releases.front();
   std::string text = format_loss(t);

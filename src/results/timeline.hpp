@@ -201,6 +201,6 @@ std::string format_failure(const Timeline& timeline);
 
 /// Returns sentences on the runouts of the releases and their dependence on the time of release; empty if there are
 /// none.
-std::string format_releases(const Timeline& timeline);
+std::string format_releases(const Timeline& timeline, const ShownUnits& units);
 
 }  // namespace talus::results

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "base/numbers.hpp"
-#include "base/units.hpp"
 #include "results/governing.hpp"
 
 namespace talus::run {
@@ -67,11 +66,12 @@ std::string write_main_factor(const results::RunResult& run) {
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
   const results::ElementRun* elements = results::find_governing_elements(run);
   const bool by_elements = !by_slices && elements != nullptr && elements->factor == factor;
-  return fmt::format("Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
-                     by_elements ? write_interval(elements->interval) : "",
-                     by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
-                     : by_elements ? "finite elements"
-                                   : "material points");
+  return fmt::format(
+      "Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
+      by_elements ? write_interval(elements->interval) : "",
+      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface, read_units(run)))
+      : by_elements ? "finite elements"
+                    : "material points");
 }
 
 /// Formats the stages of rapid drawdown before the governing one, on the same slip surface.
@@ -112,7 +112,36 @@ std::string write_method_table(const results::MethodComparison& methods) {
   return text;
 }
 
-std::string write_factors(const results::PointFactors& factors) {
+/// Formats lengths, volumes and suctions in the units of the case: cubic feet with lengths in feet or inches.
+class Units {
+ public:
+  explicit Units(const results::RunResult& run)
+      : units_(read_units(run)), volume_(units_.volume(run.mesh && run.mesh->dimension == 3 ? 3 : 2)) {}
+
+  std::string write_length(double metres, int digits = 3) const { return format_value(metres, units_.length, digits); }
+  std::string write_length(double metres, std::optional<double> uncertainty) const {
+    return format_uncertain(metres, uncertainty, units_.length);
+  }
+  std::string write_level(double y) const { return format_coordinate(y, units_.length); }
+  std::string write_stress(double pascals) const { return format_value(pascals, units_.stress, 3); }
+  /// In plane strain the volume is per metre or foot of the slope.
+  std::string write_volume(double volume, std::optional<double> uncertainty) const {
+    return format_uncertain(volume, uncertainty, volume_);
+  }
+  const std::string& volume_name() const { return volume_.name; }
+  std::string flow_name() const {
+    const std::string& foot = units_.span.name;
+    return foot + "³/s" + (volume_.name == foot + "³" ? "" : " per " + foot);
+  }
+  double volume_unit() const { return volume_.si; }
+  const ShownUnits& all() const { return units_; }
+
+ private:
+  ShownUnits units_;
+  ShownUnit volume_;
+};
+
+std::string write_factors(const results::PointFactors& factors, const Units& in) {
   std::string text;
   if (factors.frozen) {
     const results::FrozenFactor& f = *factors.frozen;
@@ -124,7 +153,7 @@ std::string write_factors(const results::PointFactors& factors) {
     } else if (f.extrapolated) {
       text += " (";
       for (const results::MeshFactor* m : f.list_found())
-        text += fmt::format("{:.3f} at h = {:g} m, ", *m->factor(), m->size);
+        text += fmt::format("{:.3f} at h = {}, ", *m->factor(), in.write_length(m->size, 6));
       text += fmt::format("extrapolated to h = 0; brackets ± {:.3f}{})", f.bracket,
                           f.mesh_effect ? fmt::format(", mesh ± {:.3f}", *f.mesh_effect) : "");
     } else {
@@ -143,45 +172,6 @@ std::string write_factors(const results::PointFactors& factors) {
   }
   return text;
 }
-
-/// Formats lengths, volumes and suctions in the units of the case: cubic feet with lengths in feet or inches.
-class Units {
- public:
-  explicit Units(const results::RunResult& run) : names_(run.units), is_solid_(run.mesh && run.mesh->dimension == 3) {}
-
-  std::string write_length(double metres) const { return fmt::format("{:.3g} {}", metres / length_, names_.length); }
-  std::string write_length(double metres, std::optional<double> uncertainty) const {
-    if (uncertainty) *uncertainty /= length_;
-    return format_uncertain(metres / length_, uncertainty) + " " + names_.length;
-  }
-  std::string write_level(double y) const { return format_coordinate(y / length_) + " " + names_.length; }
-  std::string write_stress(double pascals) const {
-    return fmt::format("{:.3g} {}", pascals / units::get_si_factor(names_.stress), names_.stress);
-  }
-  /// In plane strain the volume is per metre or foot of the slope.
-  std::string write_volume(double volume, std::optional<double> uncertainty) const {
-    if (uncertainty) *uncertainty /= volume_unit();
-    return format_uncertain(volume / volume_unit(), uncertainty) + " " + volume_name();
-  }
-  std::string volume_name() const {
-    const std::string foot = in_feet_ ? "ft" : "m";
-    return is_solid_ ? foot + "³" : foot + "³/" + foot;
-  }
-  std::string flow_name() const {
-    const std::string foot = in_feet_ ? "ft" : "m";
-    return is_solid_ ? foot + "³/s" : foot + "³/s per " + foot;
-  }
-  double volume_unit() const {
-    const double foot = in_feet_ ? units::get_si_factor("ft") : 1;
-    return is_solid_ ? foot * foot * foot : foot * foot;
-  }
-
- private:
-  results::DisplayUnits names_;
-  bool is_solid_;
-  double length_ = units::get_si_factor(names_.length);
-  bool in_feet_ = names_.length == "ft" || names_.length == "in";
-};
 
 std::string write_side(const results::RunoutSide& side, const results::RunoutUncertainty& about, const Units& in) {
   return fmt::format(
@@ -242,7 +232,7 @@ std::string write_state(const results::WaterState& state, const Units& in) {
   return text;
 }
 
-std::string write_timeline(const results::Timeline& t) {
+std::string write_timeline(const results::Timeline& t, const Units& in) {
   std::string text = "  " + pad("Time", t.start ? 30 : 15) + "Factor   Slip surface\n";
   for (const results::TimedFactor& f : t.factors)
     text += "  " + pad(results::format_moment(t, f.time), t.start ? 30 : 15) +
@@ -255,7 +245,7 @@ std::string write_timeline(const results::Timeline& t) {
               fmt::format("{:6.3f}   finite elements, {}{}\n", r.factor,
                           r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", write_interval(r.interval));
   text += results::format_failure(t) + "\n";
-  if (const std::string releases = results::format_releases(t); !releases.empty()) text += releases + "\n";
+  if (const std::string releases = results::format_releases(t, in.all()); !releases.empty()) text += releases + "\n";
   return text;
 }
 
@@ -298,13 +288,14 @@ std::string write_comparisons(const std::vector<results::Comparison>& comparison
 }  // namespace
 
 std::string write_digest(const results::RunResult& run) {
+  const Units units(run);
   std::string text = run.title + "\n";
   text += write_design_check(run);
   text += write_main_factor(run);
   text += write_drawdown(run);
   if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
-  if (run.timeline) text += write_timeline(*run.timeline);
+  if (run.timeline) text += write_timeline(*run.timeline, units);
   if (const auto& mesh = run.mesh)
     text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh->points, mesh->soil_elements,
                         mesh->critical_time_step);
@@ -314,8 +305,7 @@ std::string write_digest(const results::RunResult& run) {
                           stage.end == results::StageEnd::rest ? "at rest"
                           : stage.moving                       ? "time is up, and it still moves"
                                                                : "time is up");
-  if (run.factor_of_safety) text += write_factors(*run.factor_of_safety);
-  const Units units(run);
+  if (run.factor_of_safety) text += write_factors(*run.factor_of_safety, units);
   text += write_runouts(run, units);
   text += write_water(run, units);
   text += write_comparisons(run.comparisons);

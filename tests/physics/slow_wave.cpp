@@ -79,7 +79,7 @@ TEST(UndrainedWeight, IsSaidOfSoilAtRestUnderExcessPressure) {
     EXPECT_EQ(support::run_plan(body, support::make_rest_stage(data, body, 20, settings)), results::StageEnd::rest);
     const run::CarriedWeight after = run::find_carried_weight(body);
     const double buoyant = 0.6 * (2650 - 1000) * 9.81 * height / 2;
-    const std::string said = run::describe_undrained_weight(body, "gravity", before).value_or("");
+    const std::string said = run::describe_undrained_weight(body, "gravity", before, {}).value_or("");
     if (is_held) {
       EXPECT_NEAR(after.grains, buoyant, 0.03 * buoyant);
       EXPECT_EQ(said, "");

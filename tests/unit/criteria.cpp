@@ -77,12 +77,12 @@ TEST(Bilinear, RefinedStretchesDoNotCountMore) {
 }
 
 TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
-  const results::Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3);
+  const results::Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3, {"m", 1});
   ASSERT_TRUE(c.factor);
   EXPECT_NEAR(*c.factor, 1.45, 1e-12);
   EXPECT_EQ(c.lower, 1.4);
   EXPECT_EQ(c.upper, 1.5);
-  EXPECT_FALSE(find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}}, 0.3).factor);
+  EXPECT_FALSE(find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}}, 0.3, {"m", 1}).factor);
 }
 
 TEST(JumpCriterion, FindsTheIntervalOfFastestGrowthAndIgnoresElasticNoise) {
@@ -158,7 +158,7 @@ TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
                            }));
   EXPECT_TRUE(found.undecided);
   EXPECT_NEAR(found.factor().value(), 1.5, 0.01);
-  EXPECT_NE(describe_undecided(found, {}).find("and a factor that was not found. A longer 'window'"),
+  EXPECT_NE(describe_undecided(found, {}, {"m", 1}).find("and a factor that was not found. A longer 'window'"),
             std::string::npos);
 }
 
@@ -173,7 +173,7 @@ TEST(FrozenSearch, WarnsOfUndecidedTrialsWhereTheyLeaveTheFactorOpen) {
                                                              return t;
                                                            }));
     EXPECT_TRUE(found.undecided);
-    EXPECT_EQ(describe_undecided(found, {}).empty(), runs_away < 1.53) << "2 % of the factor";
+    EXPECT_EQ(describe_undecided(found, {}, {"m", 1}).empty(), runs_away < 1.53) << "2 % of the factor";
     // The interval reaches the factor at which a trial ran away, not the one that was counted as failed.
     const results::FrozenFactor frozen = join_meshes({found});
     EXPECT_GE(*frozen.factor + frozen.bracket, runs_away);

@@ -48,7 +48,7 @@ TEST(NarrowBand, SaysWhatToDo) {
   const auto tell = [&](double thickness, double size, std::optional<double> length) {
     run::StageState state;
     state.soft_band = thickness, state.soft_size = size;
-    return run::describe_narrow_band(body, state, length).value_or("");
+    return run::describe_narrow_band(body, state, length, {}).value_or("");
   };
   EXPECT_EQ(tell(0, 0, {}), "");
   EXPECT_EQ(tell(2, 0.1, {}), "");

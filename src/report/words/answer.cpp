@@ -324,7 +324,7 @@ void format_state(const results::RunResult& run, json& sentences) {
 void format_timeline(const results::RunResult& run, json& sentences) {
   if (!run.timeline) return;
   sentences.push_back(results::format_failure(*run.timeline));
-  if (std::string releases = results::format_releases(*run.timeline); !releases.empty())
+  if (std::string releases = results::format_releases(*run.timeline, read_units(run)); !releases.empty())
     sentences.push_back(std::move(releases));
 }
 

@@ -101,7 +101,7 @@ class Warnings {
       const std::optional<Followed> followed = find_followed(least, *circle);
       warnings_.push_back(fmt::format(
           "{}: the {} has the factor {:.3f}, the critical circle {:.3f}, {:.0f} % more. {} The smaller one governs; {}",
-          title, results::name_surface(*governing_), f, of_circle, 100 * (of_circle / f - 1),
+          title, results::name_surface(*governing_, data_.units()), f, of_circle, 100 * (of_circle / f - 1),
           followed ? fmt::format("The weaker surface lies in '{}' for {:.0f} % of its length, which no circle can.",
                                  followed->soil, 100 * followed->share)
                    : "The weaker surface is no circle.",
@@ -128,7 +128,7 @@ class Warnings {
     warnings_.push_back(fmt::format(
         "{}: the {} is a skin of {}, and the search took no shallower one. Soil without cohesion slides so, and "
         "soil beside the edge of a load. If such slides do not matter, give a larger smallest_depth in [lem].",
-        get_title(governing_->found->surface.method), results::name_surface(*governing_),
+        get_title(governing_->found->surface.method), results::name_surface(*governing_, data_.units()),
         format_length(run_, depth, 2)));
   }
 
@@ -141,7 +141,7 @@ class Warnings {
     std::vector<Part> parts;
     if (governing_)
       parts.push_back({fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
-                                   results::name_surface(*governing_)),
+                                   results::name_surface(*governing_, data_.units())),
                        *governing_->found->surface.factor});
     if (const results::ElementRun* elements = results::find_governing_elements(run_))
       parts.push_back({fmt::format("finite elements ({})", describe_flow(*elements)), elements->factor});
@@ -175,7 +175,7 @@ class Warnings {
                              : "";
     if (governing_ && !run_.slices->referee) {
       const std::string words = fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
-                                            results::name_surface(*governing_));
+                                            results::name_surface(*governing_, data_.units()));
       warn_outside(words, *governing_->found->surface.factor, {}, tension,
                    "The surface that was found may not be admissible: look at its forces.");
     }

@@ -53,7 +53,7 @@ class Reading {
         surface_ = governing->found;
         slices_ = surface_->surface.factor;
         name_ = governing->source == results::SurfaceSource::critical ? title : title + "'s polyline";
-        place_ = fmt::format("the {} of {}", results::name_surface(*governing), title);
+        place_ = fmt::format("the {} of {}", results::name_surface(*governing, data.units()), title);
       }
     }
     if (run.elements)

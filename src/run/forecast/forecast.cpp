@@ -394,8 +394,8 @@ std::optional<double> find_size_that_fits(const input::Case& data, input::Method
       size *= growth;
       continue;
     }
-    const double scale = std::pow(10, std::floor(std::log10(size)) - 1);
-    return std::ceil(size / scale - 1e-9) * scale;
+    const double si = data.units().length.si, scale = std::pow(10, std::floor(std::log10(size / si)) - 1);
+    return std::ceil(size / si / scale - 1e-9) * scale * si;
   }
   return std::nullopt;  // refinements alone need more
 }
@@ -413,14 +413,15 @@ void refuse_above_memory(const input::LoadedCase& loaded) {
                                     loaded.data.bounds.triangles, write_need(f), write_bytes(*free))});
       continue;
     }
+    const ShownUnit& length = loaded.data.units().length;
     const bool has_own = f.method == input::Method::fem && loaded.data.fem.size;
     const std::string key = has_own ? "fem.size" : "mesh.size";
     const input::Place place = loaded.places.find(key);
     const auto fitting = find_size_that_fits(loaded.data, f.method, *free);
     faults.push_back({place.file, place.line, place.column,
-                      fmt::format("{} with elements of {:g} m need {}, and {} are free: {}", get_title(f.method),
-                                  f.size, write_need(f), write_bytes(*free),
-                                  fitting ? fmt::format("'{}' of {:.2g} m would fit", key, *fitting)
+                      fmt::format("{} with elements of {} need {}, and {} are free: {}", get_title(f.method),
+                                  format_value(f.size, length), write_need(f), write_bytes(*free),
+                                  fitting ? fmt::format("'{}' of {} would fit", key, format_value(*fitting, length, 2))
                                           : std::string("make [[mesh.refine]] coarser"))});
   }
   if (!faults.empty()) throw InputError(std::move(faults));

@@ -310,10 +310,11 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     if (plan.until_rest && report.end != results::StageEnd::rest) report.moving = find_moving_soil(body_);
     if (!state.setbacks.empty()) report.setbacks = state.setbacks;
     warn_about(stage, report, i + 1 == count);
-    if (const auto undrained =
-            before && plan.until_rest ? describe_undrained_weight(body_, stage.name, *before) : std::nullopt)
+    if (const auto undrained = before && plan.until_rest
+                                   ? describe_undrained_weight(body_, stage.name, *before, data_.units())
+                                   : std::nullopt)
       warnings_.push_back(*undrained);
-    if (const auto narrow = describe_narrow_band(body_, state, data_.softening_length))
+    if (const auto narrow = describe_narrow_band(body_, state, data_.softening_length, data_.units()))
       warnings_.push_back(fmt::format("stage '{}': {}", stage.name, *narrow));
     if (is_equilibrium_stage(data_, i))
       if (const results::Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)
@@ -335,7 +336,7 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
     for (const results::Retry& setback : *report.setbacks)
       warnings_.push_back(describe_setback(fmt::format("stage '{}'", stage.name), setback));
   if (report.moving) {
-    warnings_.push_back(describe_restless(stage, report));
+    warnings_.push_back(describe_restless(stage, report, data_.units()));
   } else if (stage.until == input::Until::time && report.force_ratio > restless_force_ratio &&
              (!last || data_.analysis == input::AnalysisKind::strength_reduction)) {
     warnings_.push_back(fmt::format(

@@ -103,6 +103,19 @@ template class LoadBalance<3>;
 
 }  // namespace talus::run
 
+namespace talus {
+
+template <class Visit>
+void visit_members(Visit&& visit, Like<ShownUnit> auto& u) {
+  visit(u.name, u.si);
+}
+template <class Visit>
+void visit_members(Visit&& visit, Like<ShownUnits> auto& u) {
+  visit(u.length, u.displacement, u.stress, u.stiffness, u.unit_weight, u.line_force, u.span);
+}
+
+}  // namespace talus
+
 namespace talus::results {
 
 template <class Visit>
@@ -123,7 +136,7 @@ template <class Visit, class P>
 requires Like<P, StagePlan<2>> || Like<P, StagePlan<3>>
 void visit_members(Visit&& visit, P& p) {
   visit(p.name, p.cohesion, p.strength_factor, p.duration, p.until_rest, p.step, p.rest, p.gravity, p.gravity_ramp);
-  visit(p.soil_height, p.failed_displacement, p.equalises_mass, p.threads);
+  visit(p.soil_height, p.failed_displacement, p.equalises_mass, p.threads, p.units);
 }
 
 namespace {

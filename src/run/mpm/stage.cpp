@@ -170,12 +170,6 @@ Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
   return {mesh::to_global(body.mesh(), e, centre), body.monitor.speed, "soil that has swollen beyond bounds"};
 }
 
-/// "(1.2, 3.4) m"
-template <int D>
-std::string show_place(const Vec<D>& x) {
-  return fmt::format("({:.4g}) m", fmt::join(x, ", "));
-}
-
 /// Throws Error (unstable) if a UMAT failed in the last step. `save` stores the last good state and returns its place.
 template <int D>
 void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
@@ -185,7 +179,7 @@ void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
     if (!failure) continue;
     std::string place;
     if (failure->point >= 0 && mpm::is_present(body, failure->point))
-      place = " at " + show_place<D>(mpm::view_point(body, failure->point).position);
+      place = " at " + format_place(mpm::view_point(body, failure->point).position, plan.units.length);
     const std::string saved = save();
     throw Error(ExitCode::unstable,
                 fmt::format("stage '{}', step {}: {}{}", plan.name, body.step_count, failure->describe(place),
@@ -195,10 +189,11 @@ void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
 
 /// "the grid at (1, 2) m, in material 'sand', has 900 m/s, while compression waves run at 200 m/s".
 template <int D>
-std::string describe(const Runaway<D>& r, const mpm::Body<D>& last_good, double wave_speed) {
-  const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
-  return fmt::format("{} at {}, in material '{}', has {}, while compression waves run at {:.3g} m/s", r.what,
-                     show_place<D>(r.place), find_nearest_material<D>(last_good, r.place), speed, wave_speed);
+std::string describe(const Runaway<D>& r, const mpm::Body<D>& last_good, double wave_speed, const ShownUnits& units) {
+  const std::string speed = std::isfinite(r.speed) ? format_value(r.speed, units.speed(), 3) : "no finite speed";
+  return fmt::format("{} at {}, in material '{}', has {}, while compression waves run at {}", r.what,
+                     format_place(r.place, units.length), find_nearest_material<D>(last_good, r.place), speed,
+                     format_value(wave_speed, units.speed(), 3));
 }
 
 template <int D>
@@ -292,6 +287,7 @@ StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, doubl
   plan.gravity_ramp = stage.gravity_ramp;
   plan.soil_height = soil_height;
   plan.threads = threads;
+  plan.units = data.units();
   return plan;
 }
 
@@ -358,7 +354,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   };
   // Retries from a good state with a smaller step, or throws Error (unstable).
   const auto recover = [&](const Runaway<D>& runaway) {
-    const std::string reason = describe<D>(runaway, good.good_body(), state.wave_speed);
+    const std::string reason = describe<D>(runaway, good.good_body(), state.wave_speed, plan.units);
     if (!good.go_back(body, state, reason)) throw_unstable(body, plan, state, reason, save_last_good());
     plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
     options = make_options(plan);

@@ -71,6 +71,7 @@ struct StagePlan {
   bool equalises_mass = false;     ///< small elements do not limit the step (frozen_body.hpp)
   int threads = 1;
   Helpers<D>* helpers = nullptr;  ///< the other ranks, if only this one has the body
+  ShownUnits units;               ///< units of messages
 };
 
 /// State of a stage. Together with the body it suffices to resume bitwise identically.

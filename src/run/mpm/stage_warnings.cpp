@@ -66,14 +66,16 @@ results::MovingSoil find_moving_soil(const mpm::Body<D>& body) {
   return moving;
 }
 
-std::string describe_restless(const input::Stage& stage, const results::Stage& report) {
+std::string describe_restless(const input::Stage& stage, const results::Stage& report, const ShownUnits& units) {
   std::string moved;
   if (report.moving && !report.moving->place.empty())
     moved = fmt::format(
-        ": '{}' at ({:.4g}) m still moves at {:.2g} m/s, {:.0f} % of the mass moves faster than {:.2g} m/s, and "
-        "the largest displacement is {:.3g} m",
-        report.moving->material, fmt::join(report.moving->place, ", "), report.moving->speed,
-        100 * report.moving->share, moving_share * report.moving->speed, report.displacement);
+        ": '{}' at {} still moves at {}, {:.0f} % of the mass moves faster than {}, and "
+        "the largest displacement is {}",
+        report.moving->material, format_place(report.moving->place, units.length),
+        format_value(report.moving->speed, units.speed(), 2), 100 * report.moving->share,
+        format_value(moving_share * report.moving->speed, units.speed(), 2),
+        format_value(report.displacement, units.length, 3));
   return fmt::format(
       "stage '{}' was not at rest after {:g} s{}; its unbalanced force is {:.2g} of gravity. Where displacements still "
       "grow, the soil there fails, which is a result; where the speed goes up and down, give the stage more damping or "
@@ -212,25 +214,26 @@ StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks) {
 
 template <int D>
 std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const StageState& state,
-                                                std::optional<double> length) {
+                                                std::optional<double> length, const ShownUnits& units) {
   const bool depends = length ? state.soft_size > coarse * *length : state.soft_band <= thin;
   if (state.soft_band == 0 || !depends) return std::nullopt;
   std::vector<std::string> soils;
   for (std::size_t m = 0; m < body.laws.size(); ++m)
     if (material::get_traits(body.laws[m]).softens) soils.push_back("'" + body.material_names[m] + "'");
   return fmt::format(
-      "soil that softens ({}) sheared in a band of {:.2g} elements of {:.2g} m: when it moves, and how deep, depend on "
+      "soil that softens ({}) sheared in a band of {:.2g} elements of {}: when it moves, and how deep, depend on "
       "their size. {}",
-      fmt::join(soils, ", "), std::max(1.0, state.soft_band), state.soft_size,
-      length ? fmt::format("mesh.softening_length = {:g} m must be at least twice that", *length)
-             : "Give mesh.softening_length, at least twice that");
+      fmt::join(soils, ", "), std::max(1.0, state.soft_band), format_value(state.soft_size, units.length, 2),
+      length
+          ? fmt::format("mesh.softening_length = {} must be at least twice that", format_value(*length, units.length))
+          : "Give mesh.softening_length, at least twice that");
 }
 
 #define TALUS_INSTANTIATE(D)                                                                          \
   template std::optional<SoftBand> find_soft_band<D>(const mpm::Body<D>&);                            \
   template StageHooks<D> watch_bands<D>(const mpm::Body<D>&, StageHooks<D>);                          \
   template std::optional<std::string> describe_narrow_band<D>(const mpm::Body<D>&, const StageState&, \
-                                                              std::optional<double>);
+                                                              std::optional<double>, const ShownUnits&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
@@ -303,8 +306,8 @@ std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const S
     if (law.wet && conductivity > open_soil)
       return fmt::format(
           "stage '{}': water = \"seeps\" leaves out the inertia of the water itself, which matters in '{}' with a "
-          "conductivity of {:g} m/s where the flow changes within seconds; water = \"flows\" has it",
-          plan.name, body.material_names[m], conductivity);
+          "conductivity of {} where the flow changes within seconds; water = \"flows\" has it",
+          plan.name, body.material_names[m], format_value(conductivity, plan.units.speed()));
   }
   return std::nullopt;
 }
@@ -327,16 +330,16 @@ CarriedWeight find_carried_weight(const mpm::Body<D>& body) {
 
 template <int D>
 std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, const std::string& stage,
-                                                     const CarriedWeight& before) {
+                                                     const CarriedWeight& before, const ShownUnits& units) {
   const CarriedWeight now = find_carried_weight(body);
   const double excess = now.water - before.water, weight = excess + now.grains - before.grains;
   if (!(excess > largest_excess * weight) || !(weight > 0)) return std::nullopt;
   return fmt::format(
       "stage '{}': at its end the pore water carries {:.0f} % of the weight that the stage brought on (mean excess "
-      "pressure {:.3g} kPa): the soil is at rest, not drained, and its effective stresses are too low. Leave `water` "
+      "pressure {}): the soil is at rest, not drained, and its effective stresses are too low. Leave `water` "
       "and "
       "`geometry` of a weight stage out, which holds the pore pressures, or give the water time to drain",
-      stage, 100 * std::min(1.0, excess / weight), excess / 1e3);
+      stage, 100 * std::min(1.0, excess / weight), format_value(excess, units.stress, 3));
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                \
@@ -345,7 +348,7 @@ std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, c
   template std::optional<std::string> describe_fast_water<D>(const mpm::Body<D>&, const StagePlan<D>&);     \
   template CarriedWeight find_carried_weight<D>(const mpm::Body<D>&);                                       \
   template std::optional<std::string> describe_undrained_weight<D>(const mpm::Body<D>&, const std::string&, \
-                                                                   const CarriedWeight&);
+                                                                   const CarriedWeight&, const ShownUnits&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

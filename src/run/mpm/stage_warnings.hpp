@@ -22,7 +22,7 @@ template <int D>
 results::MovingSoil find_moving_soil(const mpm::Body<D>& body);
 
 /// "stage 'slide' did not come to rest within 40 s: …", with a remedy.
-std::string describe_restless(const input::Stage& stage, const results::Stage& report);
+std::string describe_restless(const input::Stage& stage, const results::Stage& report, const ShownUnits& units);
 
 /// "stage 'slide' became unstable at t = 3 s: …", with the settings of the retry and a remedy. `what`: "stage
 /// 'slide'".
@@ -50,7 +50,7 @@ StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks);
 /// at most half as large as that.
 template <int D>
 std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const StageState& state,
-                                                std::optional<double> length);
+                                                std::optional<double> length, const ShownUnits& units);
 
 /// Time scales of a stage that mass scaling must keep apart (theory 5).
 struct DrainedWave {
@@ -84,6 +84,6 @@ CarriedWeight find_carried_weight(const mpm::Body<D>& body);
 /// weight is drained.
 template <int D>
 std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, const std::string& stage,
-                                                     const CarriedWeight& before);
+                                                     const CarriedWeight& before, const ShownUnits& units);
 
 }  // namespace talus::run

@@ -204,7 +204,7 @@ results::TimedFactor make_moment_result(const lem::SearchOptions& options, const
   if (const auto governing = results::find_governing_surface(slices, nullptr)) {
     result.factor = governing->found->surface.factor;
     result.surface = governing->found->surface;
-    result.source = results::name_surface(*governing);
+    result.source = results::name_surface(*governing, moment.slope->section().units);
     result.refusal = governing->found->checks.refusal;
   } else if (const auto proven = results::find_slices_factor(slices, nullptr)) {
     result.factor = proven;

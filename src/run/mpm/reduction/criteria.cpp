@@ -107,7 +107,8 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
   return b;
 }
 
-results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement) {
+results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement,
+                                               const ShownUnit& length) {
   results::Criterion c;
   c.kind = results::CriterionKind::displacement;
   for (std::size_t i = 1; i < curve.size(); ++i) {
@@ -119,7 +120,7 @@ results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& cu
     c.upper = b.factor;
     return c;
   }
-  c.note = fmt::format("no computed factor moves the slope by {:.3g} m", displacement);
+  c.note = fmt::format("no computed factor moves the slope by {}", format_value(displacement, length, 3));
   return c;
 }
 

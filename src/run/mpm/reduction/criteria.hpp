@@ -28,8 +28,10 @@ struct Bilinear {
 std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve, const std::vector<double>& first = {},
                                            const std::vector<double>& last = {});
 
-/// Returns the factor at which the displacement reaches `displacement` [m], by linear interpolation.
-results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement);
+/// Returns the factor at which the displacement reaches `displacement` [m], by linear interpolation; `length` is the
+/// unit of its note.
+results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement,
+                                               const ShownUnit& length);
 
 /// Returns the interval in which ln u grows fastest; displacements below `floor` [m] are elastic and disregarded.
 results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);

@@ -99,14 +99,15 @@ mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings
   return mesh::refine_corners(mesh::resize(std::move(plan), size), settings.corner_refinement, corner_reach);
 }
 
-std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings) {
+std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings,
+                               const ShownUnit& length) {
   if (!mesh.undecided || !mesh.lower) return "";
   const double failed = find_smallest_failed(mesh);
   if (failed < (1 + doubtful) * *mesh.lower) return "";
   return fmt::format(
-      "at h = {:g} m trials neither rested nor ran away within {:g} s and count as failed: the factor lies between "
+      "at h = {} trials neither rested nor ran away within {:g} s and count as failed: the factor lies between "
       "{:.3f} and {}. A longer 'window' under [strength_reduction.frozen] decides them",
-      mesh.size, settings.window, *mesh.lower,
+      format_value(mesh.size, length), settings.window, *mesh.lower,
       std::isfinite(failed) ? fmt::format("{:.3f}", failed) : std::string("a factor that was not found"));
 }
 

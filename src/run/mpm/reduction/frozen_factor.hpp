@@ -13,7 +13,8 @@
 namespace talus::run {
 
 /// Returns a warning if undecided trials leave the factor of a mesh uncertain by 2 % or more; empty otherwise.
-std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings);
+std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings,
+                               const ShownUnit& length);
 
 /// Returns the plan of a mesh for the factor: every element size of `plan` halved `halvings` times (−1: doubled),
 /// re-entrant corners refined.

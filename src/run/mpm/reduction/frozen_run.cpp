@@ -110,13 +110,15 @@ class FrozenMesh {
     factor.points = state_.points.size();
     factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, choice_.halvings)
                                           : mesh::measure_quality(state_.mesh()).mean_size;
-    if (std::string undecided = describe_undecided(factor, settings_); !undecided.empty())
+    const ShownUnit& length = data_.units().length;
+    if (std::string undecided = describe_undecided(factor, settings_, length); !undecided.empty())
       warnings.push_back(std::move(undecided));
     for (const results::Trial& trial : factor.trials)
       if (trial.setbacks)
         for (const results::Retry& setback : *trial.setbacks)
           warnings.push_back(describe_setback(
-              fmt::format("at h = {:g} m the frozen trial at SRF {:.4g}", factor.size, trial.factor), setback));
+              fmt::format("at h = {} the frozen trial at SRF {:.4g}", format_value(factor.size, length), trial.factor),
+              setback));
     remove_file(folder_ / recording_.checkpoint_name);
     remove_file(folder_ / stage_start);
     return factor;

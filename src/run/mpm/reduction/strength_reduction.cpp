@@ -180,16 +180,17 @@ std::pair<double, double> find_dilatancy_range(const input::Case& data) {
 
 std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& points,
                                               const std::optional<Bilinear>& bilinear,
-                                              const input::DisplacementCurve& settings, double slope_height) {
+                                              const input::DisplacementCurve& settings, double slope_height,
+                                              const ShownUnit& length) {
   std::vector<results::Criterion> criteria;
   if (bilinear)
     criteria.push_back(bilinear->criterion);
   else
     criteria.push_back({results::CriterionKind::bilinear, {}, {}, {}, "too few factors in the branches"});
-  criteria.push_back(find_displacement_criterion(points, settings.displacement_ratio * slope_height));
+  criteria.push_back(find_displacement_criterion(points, settings.displacement_ratio * slope_height, length));
   if (criteria.back().factor)
-    criteria.back().note =
-        fmt::format("largest displacement reaches {:g} H, H = {:g} m", settings.displacement_ratio, slope_height);
+    criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {}", settings.displacement_ratio,
+                                       format_value(slope_height, length));
   criteria.push_back(find_jump_criterion(points, elastic_share * slope_height));
   return criteria;
 }
@@ -215,7 +216,7 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     const std::vector<CurvePoint> points = found.points();
     const auto bilinear = construct_bilinear(points, settings.curve.initial_branch, settings.curve.final_branch);
     results::DisplacementCurve& curve = run.curve.emplace();
-    curve.criteria = find_criteria(points, bilinear, settings.curve, slope_height);
+    curve.criteria = find_criteria(points, bilinear, settings.curve, slope_height, data.units().length);
     factors.criteria = curve.criteria;
     if (bilinear && bilinear->criterion.factor)
       curve.bilinear = results::BilinearLines{*bilinear->criterion.factor, bilinear->first, bilinear->last};
