@@ -93,7 +93,7 @@ void write_sampling(const input::LoadedCase& base, const std::filesystem::path& 
   result.study.sampling = set.summary;
   write_atomically(folder / "samples.csv", write_samples(set));
   results::write_file(folder / "study.json", result.study);
-  result.markdown = write_sampling_markdown(base.data.title, set.summary);
+  result.markdown = write_sampling_markdown(base.data.title, set.summary, base.data.units().length);
   write_atomically(folder / "study.md", make_printable(result.markdown, true));
 }
 

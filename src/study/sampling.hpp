@@ -71,8 +71,9 @@ results::StudyResult make_runs_result(const input::LoadedCase& base, const Study
 /// Completes `set.summary` with the statistics of the samples.
 void make_samples_result(const input::Sampling& asked, SampleSet& set);
 
-/// Formats study.md.
-std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling);
+/// Formats study.md with lengths in the unit `length`.
+std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling,
+                                    const ShownUnit& length);
 
 /// Formats one row per sample: its number, the values in the units of their keys, and its result.
 std::string write_samples(const SampleSet& set);

@@ -299,7 +299,8 @@ std::string show_rank(const std::optional<std::vector<results::RankCorrelation>>
 
 }  // namespace
 
-std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling) {
+std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling,
+                                    const ShownUnit& length) {
   std::string text =
       fmt::format("# {}\n\n{} samples ({}, seed {}), {}: {:.1f} s.\n\n| number | distribution |\n|---|---|\n",
                   title.empty() ? "Study" : title, sampling.samples,
@@ -343,12 +344,14 @@ std::string write_sampling_markdown(const std::string& title, const results::Sam
   }
   if (const auto& r = sampling.runout) {
     text += fmt::format(
-        "\nRunout beyond the toe: mean {:.3g} m, deviation {:.3g} m, {:.3g} to {:.3g} m.\n\n"
+        "\nRunout beyond the toe: mean {}, deviation {}, {:.3g} to {}.\n\n"
         "| farther than | probability | from | to |\n|--:|--:|--:|--:|\n",
-        r->values.mean, r->values.deviation, r->values.smallest, r->values.largest);
+        format_value(r->values.mean, length, 3), format_value(r->values.deviation, length, 3),
+        r->values.smallest / length.si, format_value(r->values.largest, length, 3));
     for (const results::Exceedance& e : r->exceedance)
-      text += fmt::format("| {:.3g} m | {} | {} | {} |\n", e.distance, show_probability(e.share.probability),
-                          show_probability(e.share.lower), show_probability(e.share.upper));
+      text += fmt::format("| {} | {} | {} | {} |\n", format_value(e.distance, length, 3),
+                          show_probability(e.share.probability), show_probability(e.share.lower),
+                          show_probability(e.share.upper));
   }
   if (const auto& t = sampling.failure_time; t && t->count > 0)
     text += fmt::format("\nTime of failure of the {} samples that fail: mean {:.3g} days, {:.3g} to {:.3g} days.\n",

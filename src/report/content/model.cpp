@@ -107,7 +107,7 @@ std::string describe_factor(const input::TimeTable& table) {
   return text;
 }
 
-std::string describe_boundary(const input::Boundary& b, std::size_t dimension) {
+std::string describe_boundary(const input::Boundary& b, std::size_t dimension, const ShownUnit& speed) {
   switch (b.fix) {
     case input::Fix::full:
       return "fixed: no motion";
@@ -118,19 +118,22 @@ std::string describe_boundary(const input::Boundary& b, std::size_t dimension) {
     case input::Fix::friction:
       return fmt::format("rough wall with μ = {:g}: the soil may leave it but not cross it", b.friction);
     case input::Fix::velocity:
-      return fmt::format("prescribed velocity {} m/s{}{}", show_vector(b.velocity, dimension),
+      return fmt::format("prescribed velocity {} {}{}{}", show_vector(b.velocity, dimension, speed.si), speed.name,
                          b.smooth ? " across it, free along it" : "", describe_factor(b.factor));
   }
   return "";
 }
 
-json list_boundaries(const input::Case& data, std::size_t dimension, const std::optional<mesh::Mesh<2>>& mesh) {
+json list_boundaries(const input::Case& data, std::size_t dimension, const std::optional<mesh::Mesh<2>>& mesh,
+                     const ShownUnit& speed) {
   json list = json::array();
   for (const input::Boundary& b : data.boundaries) {
     json lines = json::array();
     if (dimension == 2) lines = find_boundary_lines(b.on, data.mesh, mesh);
-    list.push_back(
-        {{"on", b.on}, {"fix", input::get_word(b.fix)}, {"text", describe_boundary(b, dimension)}, {"lines", lines}});
+    list.push_back({{"on", b.on},
+                    {"fix", input::get_word(b.fix)},
+                    {"text", describe_boundary(b, dimension, speed)},
+                    {"lines", lines}});
   }
   return list;
 }
@@ -377,7 +380,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
              {"bounds", find_bounds(folder, dimension, plane, space)},
              {"slope_height", folder.run.slope_height.value_or(0)},
              {"polygons", polygons},
-             {"boundaries", list_boundaries(data, dimension, plane)},
+             {"boundaries", list_boundaries(data, dimension, plane, units.speed())},
              {"loads", loads},
              {"surcharges", list_surcharges(data)},
              {"water", list_water_states(folder)},

@@ -36,7 +36,7 @@ json make_sampling(const results::Sampling& sampling) {
   return results::to_json(sampling);
 }
 
-void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences) {
+void format_sampling(const results::Sampling& sampling, const ShownUnit& length, std::vector<std::string>& sentences) {
   if (const auto& failure = sampling.failure)
     sentences.push_back(
         fmt::format("The probability of failure is {}, between {} and {} with {:g} % confidence{}.",
@@ -51,8 +51,8 @@ void format_sampling(const results::Sampling& sampling, std::vector<std::string>
         keep_finite(factor->largest)));
   if (sampling.runout)
     for (const results::Exceedance& e : sampling.runout->exceedance)
-      sentences.push_back(fmt::format("The soil comes farther than {} m with a probability of {} ({} to {}).",
-                                      show_number(e.distance), show_share(e.share.probability),
+      sentences.push_back(fmt::format("The soil comes farther than {} with a probability of {} ({} to {}).",
+                                      show(e.distance, length), show_share(e.share.probability),
                                       show_share(e.share.lower), show_share(e.share.upper)));
   if (const auto& t = sampling.failure_time; t && t->count > 0)
     sentences.push_back(fmt::format("The {} samples that fail do so after {} to {} days, {} in the mean.", t->count,
@@ -363,7 +363,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   content.first = take_first(runs, study);
   content.status = find_status(study);
   std::vector<std::string>& sentences = content.sentences;
-  if (study.sampling) format_sampling(*study.sampling, sentences);
+  if (study.sampling) format_sampling(*study.sampling, units.length, sentences);
   if (study.extrapolation) format_extrapolation(*study.extrapolation, sentences);
   format_ranges(study.columns, sentences);
   if (!rows.empty()) {

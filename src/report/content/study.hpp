@@ -18,7 +18,7 @@ namespace talus::report {
 nlohmann::json make_sampling(const results::Sampling& sampling);
 
 /// Adds the sentences of the answer on the samples, the most important first.
-void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences);
+void format_sampling(const results::Sampling& sampling, const ShownUnit& length, std::vector<std::string>& sentences);
 
 /// A variant with stored frames.
 struct PictureSource {

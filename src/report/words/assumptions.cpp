@@ -203,8 +203,9 @@ class Assumptions {
 
   void add_ground() {
     if (dimension_ == 2)
-      add("Plane strain: a section without sides, per metre of thickness. A slide between flanks is stronger than its "
-          "section.");
+      add("Plane strain: a section without sides, per {} of thickness. A slide between flanks is stronger than its "
+          "section.",
+          read_units(run_).span.name == "ft" ? "foot" : "metre");
     else
       add("Three dimensions: the section is extruded along z between walls. Tetrahedra lock more than triangles, and "
           "factors of safety in 3D have not been compared with other methods beyond a slab and an upper bound.");

@@ -120,9 +120,10 @@ class WaterAssumptions {
                                          100 * lowest, 100 * real);
     const bool bounds_step =
         std::any_of(parts_.begin(), parts_.end(), [](const WaterPart& p) { return p.has_inertia(); });
-    add("The bulk modulus of the water is {} MPa, {} times less than that of real water (2200 MPa){}. "
+    add("The bulk modulus of the water is {}, {} times less than that of real water ({}){}. "
         "{}: excess pore pressures from shearing are too small.",
-        show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3),
+        show(modulus, units_.stiffness, 4), show_number(ratio, ratio < 10 ? 2 : 3),
+        show(real_modulus, units_.stiffness, 4),
         bounds_step ? ", for a longer time step" : ", though the time step does not depend on it", effect);
   }
 
@@ -186,8 +187,8 @@ class WaterAssumptions {
           lowered);
     const double measured = data_.water.drag_gravity, gravity = data_.gravity.acceleration;
     if (std::abs(gravity / measured - 1) > 1e-3)
-      add("Conductivities hold at {:g} m/s² while gravity is {:g} m/s²: water flows in proportion to gravity.",
-          measured, gravity);
+      add("Conductivities hold at {} while gravity is {}: water flows in proportion to gravity.",
+          format_value(measured, units_.acceleration()), format_value(gravity, units_.acceleration()));
   }
 
   void add_surfaces() {
