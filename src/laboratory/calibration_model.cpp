@@ -159,7 +159,7 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
     std::string fault = find_fault(data_.tests[test].material, soil);
     if (fault.empty()) {
       try {
-        curves[test] = run_point_test(soil, data_.tests[test]);
+        curves[test] = run_point_test(soil, data_.tests[test], data_.units().stress);
         ++runs_;
         continue;
       } catch (const Error& error) {

@@ -111,15 +111,12 @@ using input::PointQuantityKind;
 using input::PointTest;
 using input::PointTestKind;
 
-std::string in_kpa(double stress) {
-  return fmt::format("{:.6g} kPa", stress / 1e3);
-}
-
 std::string in_per_cent(double strain) {
   return fmt::format("{:.6g} %", strain * 100);
 }
 
-std::string join(const std::vector<double>& values, std::string (*write)(double)) {
+template <class Write>
+std::string join(const std::vector<double>& values, const Write& write) {
   std::string text;
   for (const double v : values) text += (text.empty() ? "" : ", ") + write(v);
   return text;
@@ -130,12 +127,13 @@ bool extends(const PointTest& test) {
   return !test.axial_stress.empty() && test.confining_pressure && test.axial_stress.front() < *test.confining_pressure;
 }
 
-std::string describe_goal(const PointTest& test) {
-  if (test.kind == PointTestKind::wetting) return "suction " + join(test.suction, in_kpa);
+std::string describe_goal(const PointTest& test, const ShownUnit& stress) {
+  const auto in_stress = [&](double value) { return format_value(value, stress); };
+  if (test.kind == PointTestKind::wetting) return "suction " + join(test.suction, in_stress);
   const bool shears = test.kind == PointTestKind::simple_shear;
   if (test.control == PointControl::strain)
     return (shears ? "to a shear strain of " : "to an axial strain of ") + join(test.goals(), in_per_cent);
-  return (shears ? "to a shear stress of " : "to an axial stress of ") + join(test.goals(), in_kpa);
+  return (shears ? "to a shear stress of " : "to an axial stress of ") + join(test.goals(), in_stress);
 }
 
 /// "drained triaxial compression", "oedometer".
@@ -163,16 +161,17 @@ std::string name_kind(const PointTest& test) {
 }
 
 /// "from 100 kPa radial and 100 kPa axial stress to an axial strain of 25 %".
-std::string describe_path(const PointTest& test) {
+std::string describe_path(const PointTest& test, const ShownUnit& stress) {
   const auto [axial, radial] = find_start(test);
-  std::string text = radial == axial ? fmt::format("from {} all round", in_kpa(axial))
-                                     : fmt::format("from {} axial and {} radial stress", in_kpa(axial), in_kpa(radial));
+  std::string text = radial == axial ? fmt::format("from {} all round", format_value(axial, stress))
+                                     : fmt::format("from {} axial and {} radial stress", format_value(axial, stress),
+                                                   format_value(radial, stress));
   text += test.kind == PointTestKind::wetting ? "; " : " ";
-  text += describe_goal(test);
+  text += describe_goal(test, stress);
   if (test.kind != PointTestKind::wetting) {
     text += test.control == PointControl::strain ? ", strain-controlled" : ", stress-controlled";
     if (!test.suction.empty() && test.suction.front() > 0)
-      text += fmt::format(", at a suction of {}", in_kpa(test.suction.front()));
+      text += fmt::format(", at a suction of {}", format_value(test.suction.front(), stress));
   }
   return text;
 }
@@ -253,13 +252,14 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
   return std::nullopt;
 }
 
-results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file) {
+results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file,
+                                       const ShownUnit& stress) {
   const PointRow& peak = find_peak(curve);
   results::PointTest result;
   result.name = test.name;
   result.material = test.material;
   result.kind = name_kind(test);
-  result.path = describe_path(test);
+  result.path = describe_path(test, stress);
   result.set = describe_settings(test);
   result.file = file;
   result.steps = curve.rows.size() - 1;

@@ -36,7 +36,8 @@ std::set<std::size_t> choose_drawn(const PointCurve& curve, std::size_t most);
 std::optional<double> find_point_result(const PointCurve& curve, const input::PointTest& test,
                                         const input::PointResultName& name);
 
-/// Summarises name, path, peak and end of a test; `file` is its table.
-results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file);
+/// Summarises name, path, peak and end of a test; `file` is its table, `stress` the unit of its path.
+results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file,
+                                       const ShownUnit& stress);
 
 }  // namespace talus::laboratory

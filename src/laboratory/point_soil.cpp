@@ -12,7 +12,7 @@
 
 namespace talus::laboratory {
 
-PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction)
+PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction, const ShownUnit& unit)
     : law_(input::make_law(material)),
       retention_(input::make_retention(material.water)),
       is_wet_(material.water.is_wet()),
@@ -31,14 +31,13 @@ PointSoil::PointSoil(const input::Material& material, const Voigt& stress, doubl
     jump = std::max(jump, std::abs(same.stress[i] - start_.stress[i]));
   }
   if (!(jump <= 1e-6 * largest))
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("the soil does not carry the stress at the start, {:.6g} kPa axial and {:.6g} kPa radial: it "
-                    "is outside the yield surface{}",
-                    -start_.stress[1] / 1e3, -start_.stress[0] / 1e3,
-                    find_preconsolidation(start_) > 0 ? fmt::format(", whose preconsolidation pressure is {:.6g} kPa",
-                                                                    find_preconsolidation(start_) / 1e3)
-                                                      : ""));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the soil does not carry the stress at the start, {} axial and {} radial: it "
+                            "is outside the yield surface{}",
+                            format_value(-start_.stress[1], unit), format_value(-start_.stress[0], unit),
+                            find_preconsolidation(start_) > 0 ? ", whose preconsolidation pressure is " +
+                                                                    format_value(find_preconsolidation(start_), unit)
+                                                              : ""));
 }
 
 void PointSoil::set_start_state(const input::Material& material) {

@@ -26,7 +26,7 @@ struct PointState {
 class PointSoil {
  public:
   /// `stress`: initial net stress [Pa]. Throws Error (wrong_input) if it exceeds the strength of the soil.
-  PointSoil(const input::Material& material, const Voigt& stress, double suction);
+  PointSoil(const input::Material& material, const Voigt& stress, double suction, const ShownUnit& unit);
 
   const PointState& start() const { return start_; }
   /// Returns the state after the strain increment `d_epsilon`, with the final `suction` [Pa]. If an external model

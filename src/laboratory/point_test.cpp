@@ -173,28 +173,28 @@ std::string describe_place(const PointTest& test, const PointRow& row) {
                      100 * (shears ? row.shear_strain : row.axial_strain));
 }
 
-std::string describe_stop(const PointTest& test, const PointRow& row, double goal) {
+std::string describe_stop(const PointTest& test, const PointRow& row, double goal, const ShownUnit& stress) {
   const std::string at = describe_place(test, row);
   if (test.kind == PointTestKind::wetting)
-    return fmt::format("the soil does not carry the net stress below a suction of {:.4g} kPa ({})", row.suction / 1e3,
-                       at);
+    return fmt::format("the soil does not carry the net stress below a suction of {} ({})",
+                       format_value(row.suction, stress, 4), at);
   if (test.control == PointControl::strain)
     return fmt::format("the test ends at {}: no stress state of the soil satisfies the constraints of the apparatus",
                        at.substr(3));
   if (test.kind == PointTestKind::simple_shear)
-    return fmt::format("the soil carries a shear stress of {:.4g} kPa and no more ({}); {:.4g} kPa were asked for",
-                       row.shear_stress / 1e3, at, goal / 1e3);
-  return fmt::format("the soil carries an axial stress of {:.4g} kPa and no more ({}); {:.4g} kPa were asked for",
-                     (row.axial_stress + row.pore_pressure) / 1e3, at, goal / 1e3);
+    return fmt::format("the soil carries a shear stress of {} and no more ({}); {} were asked for",
+                       format_value(row.shear_stress, stress, 4), at, format_value(goal, stress, 4));
+  return fmt::format("the soil carries an axial stress of {} and no more ({}); {} were asked for",
+                     format_value(row.axial_stress + row.pore_pressure, stress, 4), at, format_value(goal, stress, 4));
 }
 
 }  // namespace
 
-PointCurve run_point_test(const input::Material& material, const PointTest& test) try {
+PointCurve run_point_test(const input::Material& material, const PointTest& test, const ShownUnit& stress) try {
   const Cell start = find_start(test);
   const bool wets = test.kind == PointTestKind::wetting;
   double suction = test.suction.empty() ? 0 : test.suction.front();
-  const PointSoil soil(material, {-start.radial, -start.axial, -start.radial, 0, 0, 0}, suction);
+  const PointSoil soil(material, {-start.radial, -start.axial, -start.radial, 0, 0, 0}, suction, stress);
   std::vector<std::size_t> reached;
   const std::vector<double> values = list_values(test, reached);
   PointController controller(soil);
@@ -226,7 +226,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
         throw Error(ExitCode::unstable, fmt::format("the model of '{}' gives no number {}, however small the step",
                                                     test.material, describe_place(test, curve.rows.back())));
       }
-      curve.stopped = describe_stop(test, curve.rows.back(), test.goals().back());
+      curve.stopped = describe_stop(test, curve.rows.back(), test.goals().back(), stress);
       break;
     }
   }

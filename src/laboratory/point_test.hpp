@@ -46,10 +46,12 @@ struct PointCurve {
   std::string stopped;             ///< why the test ended before its goal, one sentence; empty if it did not
 };
 
-/// Runs `test` on the soil `material` (from Case::test_soils, with the settings of the test). A soil that fails before
+/// Runs `test` on the soil `material` (from Case::test_soils, with the settings of the test); `stress` is the unit of
+/// messages. A soil that fails before
 /// the end gives the curve up to there. Throws Error (wrong_input) if the initial stress exceeds the strength of the
 /// soil, and Error (unstable) with the name of the test if the model returns NaN.
-PointCurve run_point_test(const input::Material& material, const input::PointTest& test);
+PointCurve run_point_test(const input::Material& material, const input::PointTest& test,
+                          const ShownUnit& stress = ShownUnits{}.stress);
 
 /// Returns a quantity of a row by its name, one of input::list_point_quantities().
 double get_quantity(const PointRow& row, const std::string& name);

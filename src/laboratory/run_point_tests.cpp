@@ -95,7 +95,7 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   std::vector<PointCurve> curves;
   for (const std::size_t i : choose_tests(loaded, options.names)) {
     tests.push_back(loaded.data.tests[i]);
-    curves.push_back(run_point_test(loaded.data.test_soils[i], tests.back()));
+    curves.push_back(run_point_test(loaded.data.test_soils[i], tests.back(), loaded.data.units().stress));
   }
   const fs::path folder = options.folder / "point";
   const input::Output& shown_as = loaded.data.output;
@@ -108,7 +108,7 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   for (std::size_t i = 0; i < tests.size(); ++i) {
     const std::string file = take_file_name(tests[i].name, "test", files) + ".csv";
     write_atomically(join_name(folder, file), write_point_table(curves[i], shown_as.stress_unit));
-    result.tests.push_back(describe_point_test(tests[i], curves[i], file));
+    result.tests.push_back(describe_point_test(tests[i], curves[i], file, loaded.data.units().stress));
     if (!curves[i].stopped.empty())
       result.warnings.push_back(fmt::format("Test '{}' ended early: {}.", tests[i].name, curves[i].stopped));
   }

@@ -27,24 +27,21 @@ struct Laws {
   double relative_at(double suction) const { return material::find_relative_conductivity(relative, at(suction)).value; }
 };
 
-std::string in_kpa(double pressure) {
-  return fmt::format("{:.4g} kPa", pressure / 1e3);
-}
-
 std::string describe_limits(const input::PoreWater& soil) {
   return fmt::format("S from {:.4g} to {:.4g}", soil.maximum_saturation, soil.minimum_saturation);
 }
 
-std::string describe_retention(const input::PoreWater& soil) {
+std::string describe_retention(const input::PoreWater& soil, const ShownUnit& stress) {
   using enum input::RetentionCurve;
   switch (soil.retention) {
     case van_genuchten:
-      return fmt::format("van Genuchten, p_ref = {}, λ = {:.4g}, {}", in_kpa(soil.reference_pressure), soil.lambda,
-                         describe_limits(soil));
+      return fmt::format("van Genuchten, p_ref = {}, λ = {:.4g}, {}", format_value(soil.reference_pressure, stress, 4),
+                         soil.lambda, describe_limits(soil));
     case linear:
-      return fmt::format("linear, {} at {}", describe_limits(soil), in_kpa(soil.dry_suction));
+      return fmt::format("linear, {} at {}", describe_limits(soil), format_value(soil.dry_suction, stress, 4));
     case exponential:
-      return fmt::format("exponential, α = {:.4g} 1/kPa, {}", soil.decay * 1e3, describe_limits(soil));
+      return fmt::format("exponential, α = {:.4g} 1/{}, {}", soil.decay * stress.si, stress.name,
+                         describe_limits(soil));
     case table:
       return fmt::format("table of {} pairs", soil.retention_table.size());
     case dry:
@@ -54,17 +51,18 @@ std::string describe_retention(const input::PoreWater& soil) {
   return fmt::format("saturated at any suction, S = {:.4g}", soil.maximum_saturation);
 }
 
-std::string describe_relative(const input::PoreWater& soil) {
+std::string describe_relative(const input::PoreWater& soil, const ShownUnit& stress) {
   using enum input::ConductivityCurve;
   const std::string measure = soil.measure == input::SaturationShare::total ? "S" : "S_e";
   switch (soil.relative_conductivity) {
     case mualem:
-      return fmt::format("Mualem in {}, λ = {:.4g}{}", measure, soil.lambda,
-                         soil.air_entry.value_or(0) > 0 ? ", air entry " + in_kpa(*soil.air_entry) : "");
+      return fmt::format(
+          "Mualem in {}, λ = {:.4g}{}", measure, soil.lambda,
+          soil.air_entry.value_or(0) > 0 ? ", air entry " + format_value(*soil.air_entry, stress, 4) : "");
     case hillel:
       return fmt::format("Hillel in {}, r = {:.4g}", measure, soil.exponent);
     case exponential:
-      return fmt::format("exponential, α = {:.4g} 1/kPa", soil.decay * 1e3);
+      return fmt::format("exponential, α = {:.4g} 1/{}", soil.decay * stress.si, stress.name);
     case table:
       return fmt::format("table of {} pairs", soil.conductivity_table.size());
     case constant:
@@ -80,10 +78,12 @@ std::string shorten(double value) {
   return at == std::string::npos ? text : text.erase(at + 2, 1);
 }
 
-std::string describe_conductivity(const input::PoreWater& soil, double saturated) {
+std::string describe_conductivity(const input::PoreWater& soil, double saturated, const ShownUnits& units) {
+  const ShownUnit area = units.area(), speed = units.speed();
   const std::string source =
-      soil.conductivity ? "" : fmt::format(" (κ = {} m²)", shorten(soil.permeability.value_or(0)));
-  return fmt::format("{}, k = {} m/s when saturated{}", describe_relative(soil), shorten(saturated), source);
+      soil.conductivity ? "" : fmt::format(" (κ = {} {})", shorten(soil.permeability.value_or(0) / area.si), area.name);
+  return fmt::format("{}, k = {} {} when saturated{}", describe_relative(soil, units.stress),
+                     shorten(saturated / speed.si), speed.name, source);
 }
 
 /// Returns Bishop's χ after Khalili and Khabbaz (1998).
@@ -122,11 +122,12 @@ std::pair<int, int> find_decades(const std::vector<std::pair<const input::Materi
 }
 
 WaterCurves sample(const std::string& name, const input::PoreWater& soil, const Laws& laws, double saturated,
-                   std::pair<int, int> decades) {
+                   std::pair<int, int> decades, const ShownUnits& units) {
   WaterCurves curves;
+  curves.units = units;
   curves.material = name;
-  curves.retention = describe_retention(soil);
-  curves.conductivity = describe_conductivity(soil, saturated);
+  curves.retention = describe_retention(soil, units.stress);
+  curves.conductivity = describe_conductivity(soil, saturated, units);
   curves.saturated_conductivity = saturated;
   const bool has_chi = soil.chi == input::BishopChi::khalili_khabbaz;
   const int steps = (decades.second - decades.first) * steps_per_decade;
@@ -164,21 +165,25 @@ std::vector<WaterCurves> sample_water_curves(const input::Case& data) {
     const input::PoreWater& soil = soils[i].first->water;
     // The measured conductivity refers to the gravity of the laboratory.
     const double saturated = input::find_saturated_conductivity(soil, data.water, data.water.drag_gravity);
-    curves.push_back(sample(names[i], soil, soils[i].second, saturated, decades));
+    curves.push_back(sample(names[i], soil, soils[i].second, saturated, decades, data.units()));
   }
   return curves;
 }
 
 std::string make_water_table(const std::vector<WaterCurves>& soils) {
-  std::string text =
-      "material,suction [kPa],saturation [-],saturation_slope [1/kPa],bishop_chi [-],relative_conductivity [-],"
-      "conductivity [m/s]\n";
+  const ShownUnits units = soils.empty() ? ShownUnits{} : soils.front().units;
+  const ShownUnit &stress = units.stress, speed = units.speed();
+  std::string text = fmt::format(
+      "material,suction [{0}],saturation [-],saturation_slope [1/{0}],bishop_chi [-],relative_conductivity [-],"
+      "conductivity [{1}]\n",
+      stress.name, speed.name);
   for (const WaterCurves& soil : soils)
     for (std::size_t i = 0; i < soil.suction.size(); ++i)
-      text += fmt::format("{},{},{},{},{},{},{}\n", quote_field(soil.material), to_shortest(soil.suction[i] / 1e3),
-                          to_shortest(soil.saturation[i]), to_shortest(soil.slope[i] * 1e3),
-                          to_shortest(soil.chi.empty() ? soil.saturation[i] : soil.chi[i]),
-                          to_shortest(soil.relative[i]), to_shortest(soil.relative[i] * soil.saturated_conductivity));
+      text +=
+          fmt::format("{},{},{},{},{},{},{}\n", quote_field(soil.material), to_shortest(soil.suction[i] / stress.si),
+                      to_shortest(soil.saturation[i]), to_shortest(soil.slope[i] * stress.si),
+                      to_shortest(soil.chi.empty() ? soil.saturation[i] : soil.chi[i]), to_shortest(soil.relative[i]),
+                      to_shortest(soil.relative[i] * soil.saturated_conductivity / speed.si));
   return text;
 }
 
@@ -208,10 +213,11 @@ std::string open_panel(Place place, double row_top, double height, const std::st
 }
 
 /// Writes the pairs of a table; a pair at suction 0 is drawn at the left end of the logarithmic axis.
-std::string make_pairs(const std::string& name, const std::vector<std::array<double, 2>>& pairs, double least,
-                       double factor) {
+std::string make_pairs(const std::string& name, const std::vector<std::array<double, 2>>& pairs,
+                       const WaterCurves& soil, double factor) {
   std::vector<double> x, y;
-  for (const auto& pair : pairs) x.push_back(std::max(pair[0], least) / 1e3), y.push_back(pair[1] * factor);
+  for (const auto& pair : pairs)
+    x.push_back(std::max(pair[0], soil.suction.front()) / soil.units.stress.si), y.push_back(pair[1] * factor);
   return make_data(name, {x, y});
 }
 
@@ -220,9 +226,14 @@ std::vector<double> scale(std::vector<double> values, double factor) {
   return values;
 }
 
+/// Returns the saturated conductivity in the unit of display.
+double find_shown_conductivity(const WaterCurves& soil) {
+  return soil.saturated_conductivity / soil.units.speed().si;
+}
+
 /// Returns the smallest range of decades that contains the curve and the saturated conductivity.
 std::array<double, 2> find_conductivity_range(const WaterCurves& soil) {
-  const double saturated = soil.saturated_conductivity;
+  const double saturated = find_shown_conductivity(soil);
   double least = saturated;
   for (const double k : soil.relative) least = std::min(least, k * saturated);
   for (const auto& pair : soil.relative_pairs) least = std::min(least, pair[1] * saturated);
@@ -255,10 +266,11 @@ std::string draw_saturation(const WaterCurves& soil, std::size_t row, double row
 }
 
 std::string draw_conductivity(const WaterCurves& soil, std::size_t row, double row_top, double height) {
-  std::string script = open_panel(conductivity_place, row_top, height, "conductivity k [m/s]");
+  std::string script =
+      open_panel(conductivity_place, row_top, height, fmt::format("conductivity k [{}]", soil.units.speed().name));
   script += write_label(soil.conductivity, conductivity_place.left, row_top + 40, height);
   const auto [low, high] = find_conductivity_range(soil);
-  const double step = std::max(1.0, std::ceil((high - low) / 8)), saturated = soil.saturated_conductivity;
+  const double step = std::max(1.0, std::ceil((high - low) / 8)), saturated = find_shown_conductivity(soil);
   script += fmt::format(
       "set border 11\nset logscale y\nset yrange [1e{0:g}:1e{1:g}]\nset ytics 1e{2:g}\nset format y '10^{{%L}}'\n"
       "set logscale y2\nset y2range [{3:.10g}:{4:.10g}]\nset y2tics 1e{2:g}\nset my2tics 1\nset format y2 '10^{{%L}}'\n"
@@ -270,7 +282,7 @@ std::string draw_conductivity(const WaterCurves& soil, std::size_t row, double r
     script += fmt::format(
         "set arrow from {0:.10g}, graph 0 to {0:.10g}, graph 1 nohead linewidth 1.5 dashtype 2 linecolor rgb "
         "'#666666'\n",
-        *soil.air_entry / 1e3);
+        *soil.air_entry / soil.units.stress.si);
   script += fmt::format("plot $curve{} using 1:3 with lines linewidth 2.5 linecolor rgb '{}' title 'k'", row,
                         line_colours[1]);
   if (soil.air_entry)
@@ -295,22 +307,22 @@ void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
     if (!(soil.saturated_conductivity > 0))
       throw Error(ExitCode::wrong_input,
                   fmt::format("the conductivity of '{}' cannot be drawn: it is not above 0", soil.material));
-    const std::vector<double> suction = scale(soil.suction, 1e-3);
-    script += make_data("curve" + row, {suction, soil.saturation, scale(soil.relative, soil.saturated_conductivity)});
+    const double saturated = find_shown_conductivity(soil);
+    const std::vector<double> suction = scale(soil.suction, 1 / soil.units.stress.si);
+    script += make_data("curve" + row, {suction, soil.saturation, scale(soil.relative, saturated)});
     if (!soil.chi.empty()) script += make_data("chi" + row, {suction, soil.chi});
-    if (!soil.saturation_pairs.empty())
-      script += make_pairs("pairs" + row, soil.saturation_pairs, soil.suction.front(), 1);
+    if (!soil.saturation_pairs.empty()) script += make_pairs("pairs" + row, soil.saturation_pairs, soil, 1);
     if (!soil.relative_pairs.empty())
-      script +=
-          make_pairs("relative_pairs" + row, soil.relative_pairs, soil.suction.front(), soil.saturated_conductivity);
+      script += make_pairs("relative_pairs" + row, soil.relative_pairs, soil, saturated);
   }
   const std::vector<double>& s = plot.soils.front().suction;
+  const ShownUnit& stress = plot.soils.front().units.stress;
   script += fmt::format(
       "set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.6,0.3 textcolor rgb '{0}'\n"
       "set grid xtics ytics linetype 1 linewidth 0.7 linecolor rgb '{1}'\nset key textcolor rgb '{0}'\n"
       "set logscale x\nset xrange [{2:.10g}:{3:.10g}]\nset xtics 10\nset mxtics 10\nset format x '%g'\n"
-      "set xlabel 'suction [kPa]' textcolor rgb '{0}'\n",
-      text_colour, grid_colour, s.front() / 1e3, s.back() / 1e3);
+      "set xlabel 'suction [{4}]' textcolor rgb '{0}'\n",
+      text_colour, grid_colour, s.front() / stress.si, s.back() / stress.si, stress.name);
   script += "set multiplot\n";
   for (std::size_t i = 0; i < plot.soils.size(); ++i) {
     const double row_top = top + row_height * static_cast<double>(i);

@@ -16,8 +16,8 @@ namespace talus::output {
 /// Curves of one soil at the values of `suction`, with their parameters. SI units.
 struct WaterCurves {
   std::string material;
-  std::string retention;                                ///< name and parameters of the law, in engineering units
-  std::string conductivity;                             ///< name and parameters of the law, in engineering units
+  std::string retention;                                ///< name and parameters of the law, in `units`
+  std::string conductivity;                             ///< name and parameters of the law, in `units`
   std::vector<double> suction;                          ///< [Pa], increasing, equally spaced in log s
   std::vector<double> saturation, slope;                ///< S [-], dS/ds [1/Pa]
   std::vector<double> chi;                              ///< Bishop's χ [-]; empty if χ = S
@@ -26,6 +26,7 @@ struct WaterCurves {
   std::vector<std::array<double, 2>> saturation_pairs;  ///< given pairs: suction [Pa], S [-]
   std::vector<std::array<double, 2>> relative_pairs;    ///< given pairs: suction [Pa], k_r [-]
   std::optional<double> air_entry;                      ///< air entry suction in Mualem's k_r [Pa]
+  ShownUnits units;                                     ///< of texts, table and plot; the same for all soils
 };
 
 /// Returns the curves of all wet materials of a case, by name, over a common range of suction: whole decades within
@@ -33,8 +34,8 @@ struct WaterCurves {
 /// at least two. Returns an empty list for a dry case.
 std::vector<WaterCurves> sample_water_curves(const input::Case& data);
 
-/// Returns the curves as comma-separated text with one row per material and suction: `material,suction [kPa],saturation
-/// [-],...`.
+/// Returns the curves as comma-separated text with one row per material and suction, in the units of display:
+/// `material,suction [kPa],saturation [-],...`.
 std::string make_water_table(const std::vector<WaterCurves>& soils);
 
 struct WaterPlot {
