@@ -7,7 +7,6 @@
 #include <locale.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -33,11 +32,18 @@ class PlainNumbers {
   locale_t before_;
 };
 
+/// Reads the number that the text [first, last) begins with. Returns the place behind it, or nullptr if there is none
+/// or it is out of range.
+const char* parse_number(const char* first, const char* last, double& value);
+
+/// Writes the shortest text that reads as the same number.
+std::string write_shortest(double value);
+
 /// Returns the number at the beginning of `text`, after blanks; NaN if there is none.
 inline double read_number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(text.data(), text.data() + text.size(), value);
+  parse_number(text.data(), text.data() + text.size(), value);
   return value;
 }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -190,9 +189,10 @@ Quantity parse_quantity(const std::string& text) {
   while (end != begin && is_blank(end[-1])) --end;
   const char* digits = begin != end && *begin == '+' ? begin + 1 : begin;
   Quantity quantity;
-  const auto [rest, failure] = std::from_chars(digits, end, quantity.value);
+  const char* parsed = parse_number(digits, end, quantity.value);
+  const char* rest = parsed != nullptr ? parsed : digits;
   if (has_decimal_comma(rest, end)) throw Error(ExitCode::wrong_input, explain_decimal_comma(text));
-  if (failure != std::errc{} || !std::isfinite(quantity.value))
+  if (parsed == nullptr || !std::isfinite(quantity.value))
     throw Error(ExitCode::wrong_input, fmt::format("'{}' does not begin with a finite number", text));
   const char* unit = rest;
   while (unit != end && is_blank(*unit)) ++unit;

@@ -19,6 +19,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/numbers.hpp"
 #include "input/case/case.hpp"
 #include "input/case/complete.hpp"
 #include "input/case/material.hpp"
@@ -197,8 +198,7 @@ std::string write_value(const json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_number_float()) return value.dump();
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value.get<double>()).ptr};
+  return write_shortest(value.get<double>());
 }
 
 json strip_given(const json& echo) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"
@@ -54,8 +54,7 @@ std::optional<double> read_time(const std::string& name) {
   if (!name.starts_with(factor_at) || !name.ends_with("]")) return std::nullopt;
   double time = 0;
   const char *first = name.data() + factor_at.size(), *last = name.data() + name.size() - 1;
-  const auto [stop, error] = std::from_chars(first, last, time);
-  return error == std::errc() && stop == last ? std::optional(time) : std::nullopt;
+  return parse_number(first, last, time) == last ? std::optional(time) : std::nullopt;
 }
 
 class Values {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
 #include "results/elements.hpp"
 #include "results/runout.hpp"
 #include "results/slices.hpp"

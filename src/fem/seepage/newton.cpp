@@ -78,9 +78,6 @@ bool SeepageNewton<D>::switch_faces(SeepageState& state, bool balanced) {
   return switched;
 }
 
-template bool SeepageNewton<2>::switch_faces(SeepageState&, bool);
-template bool SeepageNewton<3>::switch_faces(SeepageState&, bool);
-
 namespace {
 
 constexpr int switches_allowed = 6;  ///< limit of all iterations of a solve, as a multiple of most_iterations

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/limit_equilibrium.hpp"
@@ -28,8 +28,7 @@ std::optional<double> read_number_between(const std::string& text, const std::st
   if (!text.starts_with(prefix) || close == std::string::npos) return std::nullopt;
   double number = 0;
   const char *first = text.data() + prefix.size(), *last = text.data() + close;
-  const auto [stop, error] = std::from_chars(first, last, number);
-  return error == std::errc() && stop == last ? std::optional(number) : std::nullopt;
+  return parse_number(first, last, number) == last ? std::optional(number) : std::nullopt;
 }
 
 NamedValue name_trial(const std::string& name, double factor) {

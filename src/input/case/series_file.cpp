@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -71,7 +70,7 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
 void TextTable::read_header(std::string_view line) {
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
   separator_ = has(';') ? ';' : has('\t') ? '\t' : ',';
-  const auto columns = static_cast<std::size_t>(std::ranges::count(line, separator_)) + 1;
+  const auto columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), separator_)) + 1;
   if (columns > most_columns)
     report_fault(fmt::format("'{}' has {} columns; a table has at most {}", file_, columns, most_columns));
   for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
@@ -109,8 +108,7 @@ double TextTable::number(std::size_t row, std::size_t column) const {
   if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
   double value = 0;
   const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
-  const auto [end, failure] = std::from_chars(begin, text.data() + text.size(), value);
-  if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+  if (parse_number(begin, text.data() + text.size(), value) != text.data() + text.size() || !std::isfinite(value))
     report_fault(fmt::format("{}: '{}' is no number", place(row), text));
   return value;
 }

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 
@@ -72,8 +73,8 @@ std::optional<std::string> explain_bare_value(const std::string& value) {
   const std::size_t sign = !value.empty() && (value[0] == '+' || value[0] == '-') ? 1 : 0;
   double number = 0;
   const char* last = value.data() + value.size();
-  const auto [end, failure] = std::from_chars(value.data() + sign, last, number);
-  if (failure != std::errc{} || end == last) return std::nullopt;
+  const char* end = parse_number(value.data() + sign, last, number);
+  if (end == nullptr || end == last) return std::nullopt;
   const std::string unit = trim(std::string(end, last));
   if (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 || unit.find_first_of(".:_-+") == 0) return std::nullopt;
   return fmt::format("put the value with its unit in quotation marks: \"{}\"", value);
@@ -109,7 +110,7 @@ void check_encoding(const std::string& text, const std::string& name) {
 /// Throws InputError if the text has more values than any section: the parser needs a hundred bytes for each.
 void check_extent(const std::string& text, const std::string& name) {
   constexpr std::ptrdiff_t most_values = 1'000'000;
-  const auto values = std::ranges::count_if(text, [](char c) { return c == ',' || c == '=' || c == '['; });
+  const auto values = std::count_if(text.begin(), text.end(), [](char c) { return c == ',' || c == '=' || c == '['; });
   if (values > most_values)
     throw InputError({{name, 0, 0,
                        fmt::format("the file has about {} values, and a case has at most {}; tables in time stand in a "
@@ -151,7 +152,7 @@ std::size_t skip_string(std::string_view text, std::size_t at) {
 TextPlace find_place(std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
   const std::size_t last = before.rfind('\n');
-  return {1 + static_cast<int>(std::ranges::count(before, '\n')),
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
           static_cast<int>(last == std::string_view::npos ? at + 1 : at - last)};
 }
 

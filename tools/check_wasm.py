@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks that the parts that a page in a browser needs compile for WebAssembly: without POSIX, HDF5, Gmsh and OpenMP.
+
+Usage: tools/check_wasm.py BUILD [FILE …]
+
+Compiles the sources of PARTS with `em++ -fsyntax-only` (Debian: emscripten). BUILD is a configured build folder, for
+generated headers. Ends with 1 and the first errors of each file that does not compile, and with 77 where there is no em++.
+"""
+import concurrent.futures
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PARTS = ["results", "input", "lem", "fem/seepage", "bounds"]
+# Libraries of headers only, behind the headers of emscripten itself.
+INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]
+OPTIONS = ["-std=c++20", "-fsyntax-only", "-DTOML_HEADER_ONLY=0", "-Wno-everything"]
+
+
+def compile_file(path, build):
+    done = subprocess.run(["em++", *OPTIONS, *INCLUDES, f"-I{build / 'generated'}", str(path)], cwd=ROOT, capture_output=True, text=True)
+    return [line for line in done.stderr.splitlines() if "error:" in line][:3] if done.returncode != 0 else []
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    if shutil.which("em++") is None:
+        print("SKIP: there is no em++ (Debian: emscripten): the sources were NOT compiled for WebAssembly")
+        return 77
+    build = pathlib.Path(sys.argv[1]).resolve()
+    files = [pathlib.Path(name) for name in sys.argv[2:]] or sorted(
+        path.relative_to(ROOT) for part in PARTS for path in (ROOT / "src" / part).rglob("*.cpp"))
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        faults = dict(zip(files, pool.map(lambda path: compile_file(path, build), files)))
+    for path, errors in faults.items():
+        if errors:
+            print(f"{path}:", *errors, sep="\n  ")
+    failed = sum(bool(errors) for errors in faults.values())
+    print(f"{len(files) - failed} of {len(files)} sources compile for WebAssembly")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
