@@ -35,17 +35,17 @@ KINDS = ("circle", "polyline", "elements")
 REASONS = {
     **dict.fromkeys(("ACADS-1d", "DW-71b", "GL-4-0.6", "GL-4-1.0"), "the weakest surface is no circle"),
     **dict.fromkeys(("ACADS-3a", "ACADS-3b", "ACADS-4"), "no circle follows the weak seam"),
-    **dict.fromkeys(("ACADS-2a", "ACADS-2b"), "slices searched the upstream face; the downstream face is weaker, tan 45°/tan β = 1.669"),
-    "ACADS-1b": "slices have a tension crack, bounds do without",
+    **dict.fromkeys(("ACADS-2a", "ACADS-2b"), "LEM searched the upstream face; the downstream face is weaker, tan 45°/tan β = 1.669"),
+    "ACADS-1b": "LEM has a tension crack, limit analysis has none",
     "LOW-1": "Spencer's method has spurious branches; Bishop's 1.148 and the published 1.17 lie at the lower end and inside",
-    "LL-36": "side forces of slices are an assumption, and no bound",
-    "DW-78": "the base circle passes close to the ends of the section, where bounds and elements slide freely",
+    "LL-36": "interslice forces are an assumption, and not a bound",
+    "DW-78": "the base circle passes close to the ends of the section, where limit analysis and FEM slide freely",
     "GL-6-wet": "pressures are linear in the triangles of the first mesh: with `size = 1.5`, 1.891 … 1.918",
 }
 SLICES_BELOW = "polyline: kinks without resistance"
-WITHIN_BRACKETS = "elements: within their brackets"
-BEYOND_BRACKETS = "elements: the extrapolation over two meshes goes too far"
-TOO_COARSE = "elements: too few in the weak seam"
+WITHIN_BRACKETS = "FEM: within its brackets"
+BEYOND_BRACKETS = "FEM: the extrapolation over two meshes goes too far"
+TOO_COARSE = "FEM: too few elements in the weak seam"
 
 
 def make_section(name, polygon, soil, more=""):
@@ -235,7 +235,7 @@ def run_wet(runner, slopes, options):
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         rows = list(pool.map(lambda entry: check_wet(runner, entry, options), [e for e in slopes if e["id"] in WET]))
     text = "\n".join([
-        "# Proven bounds under water and loads", "",
+        "# Lower and upper bounds under water and loads", "",
         f"Published slopes with water, loads or an earthquake, `tools/verify_bounds.py PROGRAM --wet --gap {options.gap} --triangles {options.triangles} --write`, with tension "
         "up to the apex c/tan φ and without tensile strength; seconds of one core beside other work.", "",
         "| problem | apex | gap | seconds | no tension | gap | seconds | |", "|---|---|--:|--:|---|--:|--:|---|", *(line + " |" for line, _ in rows)]) + "\n"
@@ -267,20 +267,20 @@ def main():
             of_forms = list(pool.map(lambda form: check_form(runner, form, options), forms))
             of_slopes = list(pool.map(lambda entry: check_slope(runner, entry, options), slopes))
     lines = [f"Made by `tools/verify_bounds.py PROGRAM --gap {options.gap} --triangles {options.triangles} --write`; seconds of one core beside other "
-             "work. [What they are](../theory/21-proven-bounds.md).", "", "## Closed forms", "",
+             "work. [Theory](../theory/21-proven-bounds.md).", "", "## Closed forms", "",
              "| problem | exact | proven | gap | triangles | seconds |", "|---|---|---|--:|--:|--:|", *(line for line, _, _ in of_forms), "",
-             "## Published slopes", "", "Factors of Spencer's critical circle and polyline and of finite elements, and where they lie: inside, or by how much below or above.",
-             "", "| problem | proven for ψ = φ | gap | circle | polyline | finite elements | triangles | seconds | what explains it |",
+             "## Published slopes", "", "Factors of Spencer's critical circle and polyline and of FEM, and their position: inside, or the distance below or above.",
+             "", "| problem | proven for ψ = φ | gap | circle | polyline | FEM | triangles | seconds | explanation |",
              "|---|---|--:|---|---|---|--:|--:|---|", *(line for line, _, _ in of_slopes)]
     counts = []
     for kind in KINDS:
         places = [outside[kind] for _, _, outside in of_slopes if kind in outside]
-        counts.append(f"{kind}: {places.count('inside')} of {len(places)} inside, {sum(p.startswith('-') for p in places)} below, "
+        counts.append(f"{'FEM' if kind == 'elements' else kind}: {places.count('inside')} of {len(places)} inside, {sum(p.startswith('-') for p in places)} below, "
                       f"{sum(p.startswith('+') for p in places)} above")
-    lines += ["", "; ".join(counts) + ".", "", "*Kinks without resistance*: no stress in equilibrium supports so low a factor. Interslice forces do not hold what a mass "
-              "dissipates at the kinks of its base ([T18.10](../theory/18-limit-equilibrium.md#eq-t18-10)); the check of wedges leaves 3 %. The error is to the safe side.",
-              "*Within their brackets*: the factor of elements is extrapolated from two meshes, and their last brackets hold the end of the interval."]
-    text = "# Proven bounds against closed forms and published slopes\n\n" + "\n".join(lines) + "\n"
+    lines += ["", "; ".join(counts) + ".", "", "*Kinks without resistance*: no stress in equilibrium supports so low a factor. Interslice forces do not account for the "
+              "dissipation at the kinks of the base ([T18.10](../theory/18-limit-equilibrium.md#eq-t18-10)); the check of wedges leaves 3 %. The error is to the safe side.",
+              "*Within its brackets*: the FEM factor is extrapolated from two meshes, and their last brackets contain the end of the interval."]
+    text = "# Lower and upper bounds against closed forms and published slopes\n\n" + "\n".join(lines) + "\n"
     print(text)
     if options.write:
         TABLE.write_text(text, encoding="utf-8")

@@ -29,29 +29,28 @@ from published.runs import Broken
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "docs" / "verification_data"
 COLUMNS = ["given surfaces", "circles", "polylines", "seepage", "timeline", "fem", "bounds", "mpm"]
-TITLES = dict(zip(COLUMNS, ["slices, given surfaces", "critical circles", "critical polylines", "seepage", "through time", "finite elements", "limit analysis",
-                            "material points"]))
+TITLES = dict(zip(COLUMNS, ["LEM, given surfaces", "critical circles", "critical polylines", "seepage", "in time", "FEM", "limit analysis", "MPM"]))
 BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-5}
-# Gmsh meshes these otherwise. Factors with an interval must then share a part of it; the others stay within the error of such coarse meshes.
+# Gmsh makes other meshes for these. The intervals of factors must then overlap; other results stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
 ERROR_OF_MESH = {"seepage": 0.02, "timeline": 0.02, "mpm": 0.02}
 WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
 ROUNDING = 1e-12
-EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside finite elements")
+EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside FEM")
 REASONS = {
     "critical circles, 1e-4": "a search ends where a round gains less than that: rounding of the coordinates ends two of them at two places of one flat minimum.",
     "critical polylines, 1e-2": "the same with 18 variables and a factor with kinks, and a search that is shortened for this campaign (8 vertices, 8 by 8 ends); "
                                 "whole searches scatter by [0.2 %](search.md).",
-    "soils split, given surfaces, 1e-3": "slices end at borders of soils, so that one more border moves their sides.",
+    "soils split, given surfaces, 1e-3": "sides of slices are at borders of soils, so that one more border moves them.",
     "soils split, circles, 2e-3": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
                                   "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
-                    "differ, as they do 10 times as large (not 16 times, a power of two). Intervals of factors must share a part; seepage and material "
-                    "points may differ by 2 %, with four to eight elements over the height.",
+                    "differ, as they do 10 times as large (not 16 times, a power of two). Intervals of factors must overlap; seepage and MPM "
+                    "may differ by 2 %, with four to eight elements over the height.",
     "limit analysis, 5e-3": "the lower bound is the largest factor that a program proved, and the search may end at another one between the bounds.",
-    "through time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
-    "through time and material points, 1e-5": "steps that are just accepted or refused, and points that just cross a side of an element, carry rounding on "
-                                              "(1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
+    "in time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
+    "in time and MPM, 1e-5": "steps that are just accepted or rejected, and points that just cross a side of an element, amplify rounding "
+                             "(1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
 }
 
 
@@ -129,7 +128,7 @@ class Judge:
             self.compare("lem", "alone", base, self.calculate("lem", f"alone_{method}", own)[:2])
         both = MAKE["fem"](self.number) | {"lem": case["lem"]}
         both["analysis"]["methods"] = ["lem", "fem"]
-        self.compare("lem", "beside finite elements", base, self.calculate("lem", "beside", both)[:2])
+        self.compare("lem", "beside FEM", base, self.calculate("lem", "beside", both)[:2])
 
     def check_order(self, summary):
         """What the methods' order is on one surface, of circles that are not as shallow as the search allows."""
@@ -170,11 +169,11 @@ def write_cell(worst, change, column):
 
 def write_page(judges, worst, count):
     changes = list(dict.fromkeys(change for change, _ in worst))
-    lines = ["# Slopes that are written otherwise", "",
+    lines = ["# Rewritten slopes", "",
              f"{len(judges)} random slopes with layers, water, loads and earthquakes, `tools/verify_invariance.py build/release/bin/talus --count {count} --write`: "
              "the largest relative difference from the slope as drawn, and the slope on which it occurs. "
              + ", ".join(f"{TITLES[c]} {max((w[4] for k, w in worst.items() if k[1] == c), default=0)}" for c in COLUMNS) + " slopes.", "",
-             "| written | " + " | ".join(TITLES[c] for c in COLUMNS) + " |", "|---|" + "---|" * len(COLUMNS)]
+             "| rewritten | " + " | ".join(TITLES[c] for c in COLUMNS) + " |", "|---|" + "---|" * len(COLUMNS)]
     lines += [f"| {change} | " + " | ".join(write_cell(worst, change, c) for c in COLUMNS) + " |" for change in changes]
     lines += ["", "Bands: 1e-9 on given surfaces, 1e-6 for what is meshed anew, none where names or threads differ, a method runs alone or others beside it "
               "(rounding, 1e-12, where outlines are turned). Wider are, each for a reason:", ""]

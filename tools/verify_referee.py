@@ -86,22 +86,22 @@ def make_page(rows, reasons):
     lines = ["# The referee on random slopes", "",
              f"{len(rows)} slopes with layers, water, loads and earthquakes, drawn by `tools/verify_referee.py PROGRAM --count {len(rows)} --write`. "
              "*Without* is the smallest factor of Spencer and Morgenstern–Price, which would govern without the referee; *governs* is the one that does, "
-             "– where the end of the interval stands first. Finite elements: ψ = φ, two meshes, their interval. Seconds: one thread, beside other work.", "",
+             "– where the end of the interval governs. FEM: ψ = φ, two meshes, their interval. Seconds: one thread, beside other work.", "",
              f"- Governing factors outside the proven interval: {sum(bool(r['faults']) for r in judged)} of {len(judged)}.",
              f"- Without the referee: {sum(is_outside(r, 0) for r in judged)} of {len(judged)} outside, {sum(is_outside(r, 0.02) for r in judged)} outside the interval widened by 2 %.",
-             f"- No factor of limit equilibrium inside, so that the end of the interval is the answer: {len(judged) - len(own)}.",
+             f"- No LEM factor inside, so that the end of the interval governs: {len(judged) - len(own)}.",
              f"- Intervals wider than 3 %: {len(wide)}.",
-             f"- Intervals of finite elements that miss the proven one: {sum(r['misses'] for r in judged)}.",
+             f"- FEM intervals that miss the proven one: {sum(r['misses'] for r in judged)}.",
              f"- No interval: {len(rows) - len(judged)}.",
              f"- Printed factors that fail a gate, or govern outside: {sum(len(r['faults']) for r in rows)}.",
-             f"- Governing factor and finite elements within {100 * AGREE:.0f} %: {len(own) - sum(map(is_apart, own))} of {len(own)}."]
+             f"- Governing factor and FEM within {100 * AGREE:.0f} %: {len(own) - sum(map(is_apart, own))} of {len(own)}."]
     if judged:
         lines.append(f"- Seconds of the referee: median {statistics.median(r['seconds'] for r in judged):.1f}, largest {max(r['seconds'] for r in judged):.1f}; "
                      f"of the search: median {statistics.median(r['lem_seconds'] for r in judged):.1f}.")
     notes = [r for r in rows if r in wide or r["misses"] or is_apart(r)]
-    lines += ["", "| stands out | why |", "|--:|---|"]
+    lines += ["", "| outlier | reason |", "|--:|---|"]
     lines += [f"| {r['slope']}, {r['what']} | {reasons.get(str(r['slope']), 'not looked into')} |" for r in notes]
-    lines += ["", "| slope | what | proven | gap | without | governs | finite elements | seconds |", "|--:|---|---|--:|--:|--:|---|--:|"]
+    lines += ["", "| slope | content | proven | gap | without | governs | FEM | seconds |", "|--:|---|---|--:|--:|--:|---|--:|"]
     for r in rows:
         interval = f"{write_number(r.get('lower'))} … {write_number(r.get('upper'))}"
         gap = "–" if r.get("gap") is None else f"{100 * r['gap']:.1f} %"

@@ -95,7 +95,7 @@ def write_page(sizes, steps):
     lines = ["# A hillside on a weak bed in a storm: mesh and steps", "",
              "Made by `tools/verify_storm_hillside.py build/release/bin/talus --write`, of `tests/data/storm_hillside.toml`: three days of 5 mm/h, Spencer's polylines.", "",
              "The factor found by searches, and the time of failure; in brackets with the scatter of searches, 0.3 %:", "",
-             "| elements | 0 | 1 day | 2 days | 3 days | falls below 1 | steps of the water | water closes to |",
+             "| elements | 0 | 1 day | 2 days | 3 days | falls below 1 | steps of the water | water balance error |",
              "|--:|--:|--:|--:|--:|---|--:|--:|"]
     for row in sizes:
         lines.append(f"| {row['size']:g} m | {show(row['searched'])} | {row['failure']} | {row['steps']} | {abs(row['error']):.0e} |")

@@ -67,9 +67,9 @@ def make_case(when):
 
 def write_page(rows):
     lines = ["# A hillside on a weak bed after a storm: how far it runs", "",
-             "Made by `tools/verify_storm_runout.py build/release/bin/talus --write`, of `tests/data/storm_hillside.toml` with the stages of that program: three days of 5 mm/h. Slices or finite elements say when, material points begin with the water of that time "
-             "and the stress of finite elements, are let go, and followed for 10 s or to rest. *Strength* is what these elements multiply the strength by to stand. *Held*: the points begin with the stress of a level ground instead and are held for 20 s or to rest; displacements count from when they are let go.", "",
-             "| elements | time | let go after | F by slices | strength | largest displacement | front | moved |", "|--:|---|--:|--:|--:|--:|--:|--:|"]
+             "Made by `tools/verify_storm_runout.py build/release/bin/talus --write`, of `tests/data/storm_hillside.toml` with the stages of that program: three days of 5 mm/h. LEM or FEM determines the time of release; MPM starts from the water of that time "
+             "and the stress of FEM, without a holding stage, and runs for 10 s or to rest. *Strength* is the factor of FEM on the strength that gives equilibrium. *Held*: MPM starts from the stress of a level ground instead, with a holding stage of 20 s or to rest; displacements count from the release.", "",
+             "| elements | time | released after | F by LEM | strength | largest displacement | front | moved |", "|--:|---|--:|--:|--:|--:|--:|--:|"]
     for size, when, releases in rows:
         for r in sorted(releases, key=lambda r: r["time"]):
             factor = "–" if r["factor"] is None else f"{r['factor']:.4f}"

@@ -37,7 +37,7 @@ def show(value, unit):
 
 HEADING = """# Coupled water: every number
 
-Written by `tools/verify_water.py PROGRAM FOLDER`. What it means stands in [the summary](water_summary.md).
+Written by `tools/verify_water.py PROGRAM FOLDER`. The results are discussed in [the summary](water_summary.md).
 Times are processor times of one thread of the machine it ran on.
 """
 

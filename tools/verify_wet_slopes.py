@@ -130,13 +130,13 @@ def is_apart(row):
 
 def write_page(rows, reasons):
     apart = [r for r in rows if is_apart(r)]
-    lines = ["# Random wet slopes through points, elements and slices", "",
-             f"{len(rows)} slopes with a water table and suction above it, drawn by `tools/verify_wet_slopes.py build/release/bin/talus --write`. Points: the "
-             f"frozen factor, on two meshes, H/{LEVEL} and half of it. Elements: two meshes too, with the ψ of the soil and with ψ = φ. Slices: the smaller of "
-             "Spencer and Morgenstern–Price. They assume ψ = φ, so the points are held against them only there.", "",
+    lines = ["# Random wet slopes by MPM, FEM and LEM", "",
+             f"{len(rows)} slopes with a water table and suction above it, drawn by `tools/verify_wet_slopes.py build/release/bin/talus --write`. MPM: the "
+             f"frozen factor, on two meshes, H/{LEVEL} and half of it. FEM: two meshes too, with the ψ of the soil and with ψ = φ. LEM: the smaller of "
+             "Spencer and Morgenstern–Price. LEM assumes ψ = φ, so MPM is compared with it only there.", "",
              f"- No factor: {sum(r['points'] is None for r in rows)}.",
              f"- Within {100 * AGREE:.0f} %: {len(rows) - len(apart)} of {len(rows)}.", "",
-             "| slope | φ | ψ | suction | points | elements | elements, ψ = φ | slices | points over elements | over slices | |",
+             "| slope | φ | ψ | suction | MPM | FEM | FEM, ψ = φ | LEM | MPM over FEM | over LEM | |",
              "|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|"]
     for r in rows:
         points = "–" if r["points"] is None else f"{r['points']:.3f} ± {r['uncertainty']:.3f}"

@@ -16,7 +16,7 @@ MEASURED = {
 
 HEADING = """# Centrifuge slope: every number
 
-Written by `tools/verify_centrifuge.py PROGRAM FOLDER --variants`. What it means stands in
+Written by `tools/verify_centrifuge.py PROGRAM FOLDER --variants`. The results are discussed in
 [the example](../../examples/centrifuge_slope/README.md). Times are processor times of one thread.
 
 """
@@ -44,7 +44,7 @@ def compare(fallow, rooted, suffix=""):
         if fallow.onset is None or end <= fallow.onset:
             add_pressures(rows, stage, fallow.pressures(end), suffix)
     if rooted.onset is None:  # it stands: what the last raise brings to a slope at rest
-        add_pressures(rows, "rise 4", rooted.pressures(rooted.time[-1]), " (the rooted slope, which stands)" + suffix)
+        add_pressures(rows, "rise 4", rooted.pressures(rooted.time[-1]), " (the rooted slope, which is stable)" + suffix)
     if fallow.onset is not None:
         add_pressures(rows, "failure", fallow.pressures(fallow.onset), suffix)
         rows.append(Row("raise after which the fallow slope moves" + suffix, fallow.stage_at(fallow.onset), 4, 4, 4, ""))

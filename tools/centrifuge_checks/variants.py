@@ -22,13 +22,13 @@ VARIANTS = [
     ("rooted, K0 = 0.43, elastic", "rooted.toml", ["initial.k0=0.4286"]),
     fallow("K0 = 1", "initial.k0=1"),
     fallow("integration on points", "stage.injection.integration=points", "stage.spin-up.integration=points"),
-    fallow("water with a velocity of its own", *(f"stage.{stage}.{key}" for stage, damping in (("spin-up", 0.05), ("injection", 0.02))
+    fallow("two-velocity formulation", *(f"stage.{stage}.{key}" for stage, damping in (("spin-up", 0.05), ("injection", 0.02))
                                                 for key in ("water=flows", f"water_damping={damping}", "damped_force=without_drag"))),
     fallow("strain smoothing", STRAIN),
     fallow("strain smoothing, K0 = 1", STRAIN, "initial.k0=1"),
     fallow("mesh: meshadapt", "mesh.algorithm=meshadapt"),
     fallow("mesh: frontal", "mesh.algorithm=frontal"),
-    fallow("spin-up frozen, water held", "stage.spin-up.water=held", "stage.spin-up.geometry=frozen", "stage.spin-up.until=rest",
+    fallow("spin-up frozen, drained water", "stage.spin-up.water=held", "stage.spin-up.geometry=frozen", "stage.spin-up.until=rest",
            "stage.spin-up.mass_scaling=1", "stage.spin-up.damping=0.75"),
     fallow("real water", "water.bulk_modulus=2.2 GPa"),
     fallow("smallest pressure 5 kPa", "materials.fill.smallest_pressure=5"),

@@ -32,7 +32,7 @@ NOT_COVERED = {
 
 def tell(entry):
     name = entry["id"]
-    reason = ELSEWHERE.get(name) and f"held elsewhere: {ELSEWHERE[name]}"
+    reason = ELSEWHERE.get(name) and f"verified elsewhere: {ELSEWHERE[name]}"
     reason = reason or NOT_COVERED.get(name) or "not verified by this command"
     return [Row(name, entry.get("title", "drawdown"), "", None, None, "", NOTE, None, reason)]
 

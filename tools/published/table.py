@@ -94,7 +94,7 @@ def write_csv(rows, path):
 
 SECTIONS = {
     "slices": "Limit equilibrium: published problems",
-    "coupled": "Seepage, then slices",
+    "coupled": "Seepage, then LEM",
     "fem": "Finite elements: published problems",
     "seepage": "Seepage: published problems",
     "closed": "Closed forms and identities",
@@ -141,7 +141,7 @@ def make_table(rows):
 HEADING = """# Published problems: every number
 
 Written by `tools/verify_published.py PROGRAM --fem --out FOLDER` from
-[tests/data/published](../../tests/data/published/README.md). What it means stands in
+[tests/data/published](../../tests/data/published/README.md). The results are discussed in
 [verification](../verification.md#published-problems).
 """
 

@@ -41,7 +41,7 @@ def find_setup(slopes):
     mesh, start = bare.summary["mesh"], bare.frame(0)
     layer = int((start["material"] == start["material"].max()).sum())
     points_differ = abs(mesh["points"] / 3009 - 1)
-    yield Statement("4.4.1", "1,798 triangles, 959 nodes; 1,003 hold soil, 3,009 points, 990 of them in the layer",
+    yield Statement("4.4.1", "1,798 triangles, 959 nodes; 1,003 with soil, 3,009 points, 990 of them in the layer",
                     f"{mesh['elements']:,}, {mesh['nodes']:,}; {mesh['soil_elements']}, {mesh['points']:,}, {layer}",
                     judge(points_differ < 0.02, points_differ < 0.1),
                     "the layer of 0.5 m takes two rows of elements; of 0.21 m each it would be 990 points; size of the box not printed")
@@ -119,7 +119,7 @@ def find_movement(slopes, longer, lower_conductivity):
     ordered = longer is not None and None not in [longer.onset(m) for m in MONITORS] and longer.pattern == "upwards"
     yield Statement("4.4.2", "bare: toe first, mid-face follows, crest joins last", f"{onsets(bare)} s{later}",
                     judge(first_two and order[2] is not None and order[2] > order[1], first_two and ordered),
-                    "by 560 s the slide has not worked up to the crest; it does if the rain goes on")
+                    "by 560 s the slide has not reached the crest; it does if the rain continues")
     text = "; ".join(f"{name} {onsets(slopes[name])}" for name in ROOTED)
     yield Statement("", "rooted: all three start together, as one block", f"{text} s",
                     judge(all(slopes[n].pattern == "together" for n in ROOTED)), "together: first and last within 10 %")

@@ -8,14 +8,14 @@ from .variants import PAIR
 THRESHOLDS = (0.04, 0.1, 0.2, 0.5)  # [m]
 HEADING = """# Vegetated slope: every number
 
-Written by `tools/verify_roots.py PROGRAM FOLDER`. What it means stands in [its reading](vegetated_reading.md).
+Written by `tools/verify_roots.py PROGRAM FOLDER`. The results are discussed in [its reading](vegetated_reading.md).
 Times count from the start of the rain; onset: displacement above 0.1 m; toe / mid-face / crest, and – where it does not come by the end.
 Processor times are those of one thread of the machine it ran on, beside other work.
 """
 SIZES_HEADING = """# Vegetated slope in elements of four sizes
 
-Written by `tools/verify_roots.py PROGRAM FOLDER --only sizes`: water that seeps, 2.2 GPa, mass scaling 80, rain for 700 s. What it means stands in
-[its reading](vegetated_reading.md#what-softens-and-the-size-of-the-elements). Onset: displacement above 0.1 m; toe / mid-face / crest, and – where it does not
+Written by `tools/verify_roots.py PROGRAM FOLDER --only sizes`: Darcy formulation, 2.2 GPa, mass scaling 80, rain for 700 s. The results are discussed in
+[its reading](vegetated_reading.md#softening-and-the-size-of-the-elements). Onset: displacement above 0.1 m; toe / mid-face / crest, and – where it does not
 come by the end. Processor times are those of one thread of the machine it ran on, beside other work.
 """
 

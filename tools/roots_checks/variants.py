@@ -49,7 +49,7 @@ CHOICES = (
     Variant("strain smoothing", {"stage.rain.smoothing": "strain"}),
     Variant("damping 0.02", {"stage.rain.damping": 0.02}),
     Variant("time step halved", {"stage.rain.courant": 0.45}),
-    Variant("water with a velocity of its own", {WATER: "flows"}),
+    Variant("two-velocity formulation", {WATER: "flows"}),
 )
 
 CRUTCHES = (  # water as stiff as water is; no inertia added
@@ -61,10 +61,10 @@ CRUTCHES = (  # water as stiff as water is; no inertia added
     Variant("2,200 MPa, β = 1", {MODULUS: "2.2 GPa", SCALING: 1}),
 )
 
-# Water as stiff as it is, and elements of several sizes, with and without a length of what softens.
+# Real stiffness of water and elements of several sizes, with and without a nonlocal length [m].
 REAL = {MODULUS: "2.2 GPa", "stage.rain.duration": 700}
 SIZES = tuple(
-    Variant(f"elements × {size:g}" + (f", softening over {length} m" if length else ""),
+    Variant(f"elements × {size:g}" + (f", nonlocal length {length} m" if length else ""),
             REAL | {"mesh.size": 0.29 * size, "mesh.refine.0.size": 0.21 * size} | ({"mesh.softening_length": length} if length else {}),
             PAIR if length else ("bare",))
     for length in (None, 0.3) for size in (1, 0.7, 0.5, 0.35)

@@ -27,7 +27,7 @@ def find_discharge():
 SIZES = (0.1, 0.05, 0.025)
 STYLES = ("-", "--", ":")
 LOCKS = "locks, and falls further with time"
-LIMITED = "what passes between elements in a step is limited: less in large steps"
+LIMITED = "the exchange between elements in a step is limited: less in large steps"
 # label, settings, element sizes, known miss; the first three are drawn
 VARIANTS = (("coupled", {}, SIZES, LIMITED),
             ("coupled, without exchange", {"stage__flow__water_exchange": "false"}, SIZES, LOCKS),

@@ -123,13 +123,13 @@ def compare(runner, body, axes):
                 axes[1].plot(place, pressure / body.undrained, ".", ms=3, label=f"T = {factor:.2g}")
                 axes[1].plot(line, find_pressure(body, line, frame.time), "k-", lw=0.6)
         first = min(errors)
-        coarse = {"known_miss": True, "note": "few elements over what has drained"} if size == SIZES[0] else {}
+        coarse = {"known_miss": True, "note": "few elements over the drained zone"} if size == SIZES[0] else {}
         later = max(e for f, e in errors.items() if f > first)
         rows.append(Row(name, f"largest difference of p over p0, T = {first:.2f}", errors[first], 0, 0.01, run=run, **coarse))
         rows.append(Row(name, "the same, later", later, 0, 0.01, run=run, **(coarse if body is Strip else {})))
         if borne:
             worst = max(borne, key=lambda b: abs(b - 1))
-            rows.append(Row(name, "what the plate bears over the load, farthest from 1", worst, 1, 0.01, run=run, **coarse))
+            rows.append(Row(name, "load on the plate over the given load, farthest from 1", worst, 1, 0.01, run=run, **coarse))
         rows.append(budget_row(name, run))
         axes[0].plot(*zip(*middle), ".", ms=4, label=f"{size} m")
     times = np.linspace(0.003, 0.5, 200) * body.square / SPEED

@@ -14,7 +14,7 @@ STEADY = (("flow round a corner", "corner/case.toml", (0.1, 0.05, 0.025)), ("flo
 #: name, what is changed, mass scaling
 WATERS = (("water of 20 MPa", {}, 1000), ("water of 2.2 GPa", {"water__bulk_modulus": REAL}, 1000),
           ("water of 2.2 GPa, a third of the step", {"water__bulk_modulus": REAL}, 100))
-COARSE = "the outermost element is integrated where its points are"
+COARSE = "the outermost element is integrated by its points"
 SETTLING = ((0.1, "none"), (0.1, "strain"), (0.07, "strain"), (0.05, "strain"), (0.05, "stable"))
 
 

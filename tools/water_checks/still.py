@@ -7,8 +7,8 @@ from .runs import WATER_WEIGHT, Row, budget_row, by_element
 SETTLEMENT = 0.6 * 1650 * 9.81 * 2**2 / 2 / (1e6 * 0.7 / (1.3 * 0.4))
 
 
-LEFT_OVER = "one pressure in an element, and points that pass from element to element"
-FLUTTERS = "flutters where points pass from element to element"
+LEFT_OVER = "one pressure in an element, and points that cross elements"
+FLUTTERS = "oscillates where points cross elements"
 # what is changed, settings, element size, why the pressure may miss
 SETTLING = (("", {}, 0.1, ""), (", elements of 0.05 m", {"mesh__size": 0.05}, 0.05, LEFT_OVER),
             (", pressure smoothing", {"stage__settling__pressure_smoothing": "true"}, 0.1, FLUTTERS),

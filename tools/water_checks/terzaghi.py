@@ -70,7 +70,7 @@ def check(runner, draw):
         name = f"Terzaghi, {label}, first {duration:g} s"
         if scaling == 40:
             rows.append(Row(name, "critical time step (2.85)", run.step / 0.98, PRINTED_STEP, 5e-8, "s", run=run,
-                            known_miss=True, note="it knows damping, which the printed one does not"))
+                            known_miss=True, note="it includes damping, which the printed one does not"))
         last = run.frames()[-1]
         exact = float(find_degree(SPEED * last.time)[0])
         whole = 800 / duration * run.seconds
