@@ -75,8 +75,8 @@ TEST(ColumnCollapse, KeepsItsMassAndItsGroundAndGainsNoEnergy) {
   EXPECT_EQ(c.lost, 0u);
   EXPECT_EQ(c.after.points, c.before.points);
   EXPECT_NEAR(c.after.mass, c.before.mass, 1e-12 * c.before.mass);
-  // The space under the heap's surface is that of the column. The surface is drawn through the highest points, half a
-  // point above them, and the loose front stands higher than its mass: that is the 25 %.
+  // The area below the heap's surface is that of the column. The surface is drawn half a point above the highest
+  // points, and the loose front is higher than its mass, which explains the 25 %.
   double area = 0;
   for (const double height : c.profile.height) area += height * c.profile.bin;
   EXPECT_GT(area, 2.0);

@@ -29,7 +29,7 @@ input::Case make_case(const Load& load) {
   return input::read_case_text(text, "slope.toml", {}).data;
 }
 
-/// Force and moment about the origin of what stands on a side of the ground: midpoints of many parts.
+/// Force and moment about the origin of the load on a side of the ground, by midpoints of many parts.
 std::array<double, 3> sum_load(const Load& load, double weight, const Vec<2>& a, const Vec<2>& b) {
   constexpr int parts = 400;
   std::array<double, 3> sum{};

@@ -51,7 +51,7 @@ grain_density = 2700
 porosity = 0.37
 )";
 
-/// A key that names a file, in a case where FILE stands for the file, and the name that the file must have.
+/// A key that names a file, in a case with FILE in place of the name, and the name that the file must have.
 struct Key {
   const char* what;
   std::string text;

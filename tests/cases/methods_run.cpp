@@ -69,7 +69,7 @@ resolution = 0.02
 TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
   const std::string text = write_case("\"lem\"", few_circles);
   run(text);
-  // As if the run had been stopped after the slices: the file tells whether they were calculated again.
+  // The state of a run that was stopped after LEM; the file shows whether LEM was calculated again.
   json kept = json::parse(std::ifstream(folder_ / "lem.json"));
   kept["summary"]["seconds"] = 12345.0;
   leave("lem.json", kept);
@@ -100,7 +100,7 @@ resolution = 0.1
   EXPECT_EQ(again.at("fem").at("runs").at(1).at("factor"), whole.at("fem").at("runs").at(1).at("factor"));
   EXPECT_EQ(json::parse(std::ifstream(folder_ / "fem.json")).at("runs").size(), 2u);
 
-  // Ctrl-C itself: the slices are there, the status says what happened.
+  // After Ctrl-C the results of LEM are there, and the status is that of an interruption.
   request_interrupt();
   EXPECT_THROW(run(text), Error);
   request_interrupt(false);

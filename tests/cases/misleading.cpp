@@ -18,7 +18,7 @@ using nlohmann::json;
 
 class Misleading : public MethodsTest {
  protected:
-  /// Without the referee of limit equilibrium, unless a test asks for it: tests/cases/referee.cpp has its cases.
+  /// Runs a case without the referee of LEM, unless a test selects it: tests/cases/referee.cpp has its cases.
   json run_case(const std::string& name, const std::vector<input::Override>& overrides = {}) {
     std::ifstream file(TALUS_SOURCE_DIR "/tests/data/misleading/" + name + ".toml");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -39,7 +39,7 @@ class Misleading : public MethodsTest {
 
 TEST_F(Misleading, TheBedGovernsAndNotTheCircleAboveIt) {
   const json summary = run_case("bedding_storm", {{"lem.referee", "true"}});
-  // Spencer's polyline along the bed has 1.006, 1.3 % below the proven lower bound: the bound is the answer.
+  // Spencer's polyline along the bed has 1.006, 1.3 % below the lower bound, so the bound governs.
   const json& referee = summary.at("lem").at("referee");
   EXPECT_NEAR(summary.at("lem").at("noncircular").at(0).at("factor").get<double>(), 1.006, 0.01);
   EXPECT_NEAR(referee.at("lower").get<double>(), 1.02, 0.01);
@@ -165,13 +165,13 @@ TEST_F(Misleading, MethodsOnBothSidesOfOneAreTheFirstWarningAndTheSmallestFactor
   EXPECT_TRUE(warns(summary, {"unstable by inspection", "φ = 37.1°", "0.60"})) << warnings;
 }
 
-/// Enough of slices where the water is what is asked.
+/// A short LEM search for tests of the water.
 const std::vector<input::Override> few_surfaces{{"lem.noncircular", "false"},
                                                 {"lem.methods", "[\"bishop\"]"},
                                                 {"lem.entry_exit.entries", "12"},
                                                 {"lem.entry_exit.exits", "12"}};
 
-/// The level of the water that stands on the ground at the toe [m].
+/// Level of the ponded water at the toe [m].
 double find_pond(const json& state) {
   double level = 0;
   for (const json& pond : state.at("ponds"))
@@ -341,7 +341,8 @@ TEST_F(Misleading, TheCrestOfAnEmbankmentRetreatsToItsMiddleOnEachSide) {
 }
 
 TEST_F(Misleading, TheLineOfTheUnsaturatedSlopeReachesTheCrest) {
-  // It began in the face, at (15.6, 13.2): the toe moves faster than the head, and one limit held for both.
+  // Before, it started in the face, at (15.6, 13.2), because the toe moves faster than the head and one limit applied
+  // to both.
   std::ifstream file(TALUS_SOURCE_DIR "/examples/unsaturated_slope/three_methods.toml");
   const json summary = run(std::string{std::istreambuf_iterator<char>(file), {}}, {{"analysis.methods", "[\"fem\"]"},
                                                                                    {"fem.flow", "as_given"},

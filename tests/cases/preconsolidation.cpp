@@ -159,7 +159,7 @@ to = 6
 resolution = 0.5
 )",
                            "reduced");
-  // Soil that stayed elastic would stand whatever the factor.
+  // Soil that stayed elastic would be stable at every factor.
   const double factor = summary.at("factor_of_safety").at("frozen").at("factor");
   EXPECT_GT(factor, 1);
   EXPECT_LT(factor, 6);

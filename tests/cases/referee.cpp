@@ -79,7 +79,7 @@ TEST_F(RefereeTest, WhatGovernsIsProvenPossible) {
   }
 }
 
-/// Water that stands on soil without tensile strength: before, 0.000 to 0.228.
+/// Ponded water on soil without tensile strength: before, 0.000 to 0.228.
 TEST_F(RefereeTest, BoundsHoldUnderThePondOfADam) {
   const json summary =
       run_file("dam_pond", {{"analysis.methods", "[\"bounds\"]"}, {"bounds.gap", "0.08"}, {"bounds.size", "3"}});
@@ -114,7 +114,7 @@ TEST_F(RefereeTest, CanBeLeftOutAndSaysSo) {
   EXPECT_TRUE(says(summary, "referee = false"));
 }
 
-/// A load that ends inside an edge, on soil without tensile strength: methods of slices have 1.63 to 1.67.
+/// A load that ends inside an edge, on soil without tensile strength: LEM has 1.63 to 1.67.
 TEST_F(RefereeTest, BoundsHoldUnderALoadOnPartOfTheCrest) {
   const json summary = run_file("crest_strip", {{"bounds.gap", "0.06"}});
   const auto [lower, upper] = read_interval(summary, "bounds");

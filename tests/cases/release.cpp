@@ -116,7 +116,7 @@ TEST_F(Release, NothingMovesOnASlopeThatStands) {
   }
   for (const auto& release : {releases[1], releases[2]})
     EXPECT_TRUE(std::filesystem::exists(folder_ / release.at("folder").get<std::string>() / "summary.json"));
-  // The rain has gone into the soil before the points begin, and goes on.
+  // The rain infiltrates before MPM starts, and continues.
   const auto start = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0\napart = 0\n"));
   EXPECT_EQ(start.at("timeline").at("releases").size(), 1u);
   EXPECT_GT(summary.at("water").at("initial").get<double>(), 1.02 * start.at("water").at("initial").get<double>());
@@ -338,7 +338,7 @@ TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
           .at("timeline")
           .at("elements");
   ASSERT_EQ(elements.size(), 2u);
-  // Loads that come on at full strength and strength that is divided afterwards are two ways to one answer.
+  // Loading at full strength and reducing the strength afterwards leads to the same equilibrium.
   constexpr double resolution = 0.005;
   EXPECT_GE(elements[0].at("runs")[0].at("stable").get<double>(), 1 - resolution);
   EXPECT_LE(elements[1].at("runs")[0].at("failed").get<double>(), 1 + resolution);
@@ -355,7 +355,7 @@ TEST_F(Release, SaysWhatACaseLacks) {
   has("times = [0.5]\n[timeline.release]\ntime = 0.2\n", {}, "is not one of [timeline] times");
   has("[timeline.release]\ntime = 0.5\ncriterion = \"equilibrium\"\n", {}, "no criterion finds it");
   EXPECT_FALSE(std::filesystem::exists(folder_));
-  // Samples are taken by slices alone: what else the case asks of its timeline does not stand in their way.
+  // Samples are calculated by LEM only: other settings of the timeline are ignored.
   EXPECT_EQ(find_fault(write_bank("[timeline]\nduration = 1\nelement_times = [0.5]\n[timeline.release]\n"),
                        {{"analysis.methods", "['lem']"},
                         {"study.mode", "'sample'"},

@@ -138,7 +138,7 @@ TEST(SamplingSlices, TrescaHasTheFactorsOfFrictionlessSoil) {
   }
 }
 
-/// A key that slices take from the section: every sample has a search of its own, and a deeper crack never helps here.
+/// A key of the section for LEM: every sample is searched anew, and a deeper crack never raises the factor here.
 TEST(SamplingSlices, AKeyOfTheSectionIsSearchedSampleBySample) {
   const json block = run(sample + R"(samples = 6
 [[study.random]]
@@ -187,7 +187,7 @@ TEST(SamplingSlices, SaysWhatItCannotDo) {
   EXPECT_NE(refuse(sampling_slope::read(study)).find("is not empty"), std::string::npos);
 }
 
-/// A normal cohesion near zero: no sample is negative, and it is said how much was cut.
+/// A normal cohesion near zero: no sample is negative, and a note states the probability that was cut.
 TEST(SamplingSlices, NoSampleLeavesWhatItsKeyAllows) {
   const json block = run(sample + R"(samples = 200
 [[study.random]]

@@ -27,7 +27,7 @@ TEST(Season, MonthsWeatherAddsUpAndIsWhereTheRunBegins) {
   const WaterRun run(example, shorten("30 day"));
   const nlohmann::json& season = run.summary.at("season");
   EXPECT_LT(std::abs(season.at("error").get<double>()), 1e-8);
-  // 14 m of ground: 20 days of 4 mm and 10 of 2 mm are asked for; 6 h of 1 mm/h and 6 h of 2 mm/h fall.
+  // 14 m of ground: 20 days of 4 mm and 10 of 2 mm are the potential; 6 h of 1 mm/h and 6 h of 2 mm/h fall.
   EXPECT_NEAR(season.at("potential").get<double>(), 14 * 0.1, 1e-9);
   const double drawn = season.at("transpired").get<double>(), in = season.at("inflow").get<double>(),
                out = season.at("outflow").get<double>(), growth = season.at("growth").get<double>();

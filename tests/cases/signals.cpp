@@ -16,9 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-/// How often a calculation looks for signals; asks it to end at one of these looks.
+/// Counts how often a calculation checks for signals, and requests its end at one of these checks.
 struct Looks {
-  static inline long count = 0, last = -1;       ///< so far, and at which it is asked to end
+  static inline long count = 0, last = -1;       ///< checks so far, and the check at which the end is requested
   static inline double largest = 0, before = 0;  ///< processor time between two looks, and at the one before [s]
 
   static double read_clock() {

@@ -61,9 +61,9 @@ struct Plane {
 };
 const std::vector<Plane> planes = {{"case.toml", "bottom", {1, 0}}, {"inclined.toml", "plane", {cosine, -sine}}};
 
-// The difference that stays is the block's own vibration: the mean pressure on the plane over one second is not quite
-// g cos θ, and points of the base that stand for a moment rub with less than μ times their pressure. Without friction
-// neither matters, and the momentum along the plane is exact.
+// The remaining difference is the vibration of the block: the mean pressure on the plane over one second is not quite
+// g cos θ, and the friction at points of the base that stick for a moment is less than μ times their pressure. Without
+// friction neither matters, and the momentum along the plane is exact.
 TEST(SlidingBlock, AccelerationIsThatOfCoulombsLaw) {
   for (const Plane& plane : planes) {
     EXPECT_NEAR(run_example(plane.file, plane.name, 0, plane.along).acceleration, gravity * sine, 1e-9) << plane.file;

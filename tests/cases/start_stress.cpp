@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-/// The dry slope of the source in elements of 1 m, let go at once on moving geometry.
+/// The dry slope of the source in elements of 1 m, released at once on moving geometry.
 std::string write_dry(const std::string& stress, const std::string& more = "") {
   return support::write_slope("dry", {"mesh.size=1", "initial.stress='" + stress + "'", "materials.sand.cohesion=6"}) +
          "[analysis]\nmethods = [\"mpm\"]\n" + more;
@@ -67,7 +67,7 @@ TEST_F(StartStress, ASlopeThatFallsBeginsWithTheLeastStrengthThatHoldsIt) {
   EXPECT_LT(result.factor, 1);
   EXPECT_GT(result.factor, 0.5);
   EXPECT_LT(result.force_residual, 1e-4);
-  // The strength that is missing: with it the slope stands, with a hundredth less it does not.
+  // The missing strength: with it the slope is stable, with a hundredth less it is not.
   EXPECT_TRUE(run::find_balance(divide(result.factor), 1).stands);
   EXPECT_FALSE(run::find_balance(divide(result.factor + 0.0101), 1).stands);
 }

@@ -157,7 +157,8 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   EXPECT_FALSE(fs::exists(jobs / "study.json"));
   for (const int job : {1, 3, 4}) calculate_job(jobs, job, 1, nullptr);
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
-  // A job whose samples failed, as its result tells it: there is no statistics of the others, and it can be repeated.
+  // A job with failed samples: its result records the failure, there are no statistics of the others, and it can be
+  // repeated.
   const std::string samples = read_file(jobs / "samples.csv");
   auto failed = *results::read_file<results::JobResult>(jobs / "jobs/2/result.json");
   failed.code = static_cast<int>(ExitCode::wrong_input);
@@ -171,7 +172,7 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   EXPECT_EQ(read_file(jobs / "samples.csv"), samples);
 }
 
-/// Results that stand in each other's place are not taken, whatever the jobs calculate.
+/// Swapped results are not accepted, whatever the jobs calculate.
 TEST(StudyJobs, AResultOfAnotherJobIsNamed) {
   for (const std::string& text : {slice_samples, cohesion_study}) {
     const fs::path folder = make_test_folder(), jobs = folder / "jobs";
@@ -194,7 +195,7 @@ TEST(StudyJobs, AResultOfAnotherJobIsNamed) {
   }
 }
 
-/// The runs of two jobs stand in each other's place, and a file of a third is lost.
+/// The runs of two jobs are swapped, and a file of a third is lost.
 TEST(StudyJobs, RunsThatAreSwappedOrNotWholeAreFailures) {
   const fs::path folder = make_test_folder(), jobs = folder / "jobs";
   prepare(cohesion_study, jobs, 0);
@@ -292,7 +293,7 @@ TEST(StudyJobs, PreparingAgainKeepsTheSameJobsAndRefusesOthers) {
   EXPECT_EQ(list_jobs(jobs).missing.size(), 5u);
 }
 
-/// The copies stand to each other as the files do; the jobs need the originals no more.
+/// The copies have the relative paths of the files; the jobs no longer need the originals.
 TEST(StudyJobs, TheFolderHoldsTheFilesOfTheCase) {
   const fs::path folder = make_test_folder(), examples = fs::path(TALUS_SOURCE_DIR) / "examples";
   fs::create_directories(folder / "site/data");

@@ -12,7 +12,7 @@ std::vector<std::string> list_names(const StudyPlan& plan) {
   return names;
 }
 
-/// The sentences of all faults.
+/// Messages of all faults.
 std::vector<std::string> find_faults(const std::string& text) {
   try {
     plan_text(text);

@@ -19,7 +19,7 @@ class Timeline : public MethodsTest {
     std::ifstream file(TALUS_SOURCE_DIR "/examples/reservoir_drawdown/case.toml");
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  /// The dam as it stands, without a timeline.
+  /// The dam without a timeline.
   static std::string read_still() {
     std::string text = read_dam();
     text.erase(text.find("[timeline]"), text.find("[analysis]") - text.find("[timeline]"));

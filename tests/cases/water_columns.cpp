@@ -39,7 +39,8 @@ TEST(WaterColumns, UndrainedWaveHasThePublishedStepHeightAndTimes) {
   EXPECT_LT(run.budget_error, 1e-11);
 }
 
-/// Net damping strengthens explicit drag by its share; a step that did not know it burst within forty steps.
+/// Net damping increases explicit drag by its fraction; a time step without this factor was unstable within forty
+/// steps.
 TEST(WaterColumns, ExplicitDragUnderHeavyDampingNeedsNoSmallerStep) {
   for (const char* permeability : {"1.0214e-12", "1.0214e-15"}) {
     const WaterRun run("terzaghi/case.toml", {{"stage.consolidation.drag", "explicit"},
@@ -131,7 +132,7 @@ TEST(WaterColumns, DischargeThroughLayersIsDarcys) {
   for (const char* geometry : {"\"frozen\"", "\"moving\""}) {
     const WaterRun run("darcy/case.toml", {{"stage.flow.geometry", geometry}, {"stage.flow.mass_scaling", "1e4"}});
     const bool frozen = geometry[1] == 'f';
-    const double bound = frozen ? 1e-5 : 1e-3;  // moving: the surface rises, standing water does not
+    const double bound = frozen ? 1e-5 : 1e-3;  // moving: the surface of the soil rises, the standing water does not
     EXPECT_NEAR(run.last("bottom.inflow") / exact, 1, bound) << geometry;
     EXPECT_NEAR(run.last("top.outflow") / exact, 1, bound) << geometry;
     if (!frozen) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double weight = 9810;  // of water [N/m³]
 
-/// Srivastava and Yeh (1991): suction [m] at height z [m] after t [s] of 0.9 k_s on a soil that knew 0.1 k_s.
+/// Srivastava and Yeh (1991): suction [m] at height z [m] after t [s] of rain of 0.9 k_s, with 0.1 k_s before.
 double find_suction(double z, double t) {
   const double l = 10, zs = 10 * z, ts = 10 * (0.01 / 3600) * t / 0.34;
   double sum = 0;

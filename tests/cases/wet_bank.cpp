@@ -83,7 +83,7 @@ TEST_F(WetBank, SteadyRainEntersAsFiniteElementsSay) {
 }
 
 TEST_F(WetBank, RainOnDrySoilEntersOrRunsOffAndIsAllCounted) {
-  // It begins while the weight comes on and the pressures are held; only what falls on flowing water counts.
+  // Rain starts while the weight is applied at constant pressures; only rain during stages with moving water counts.
   const json summary = run({{"hydraulic.2.rate", "[[0, 0], [0.3, 0], [0.3, 20000]]"}});
   const json& stage = summary.at("stages")[1];
   const double lasts = stage.at("time").get<double>() - stage.at("start").get<double>();

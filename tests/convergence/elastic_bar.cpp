@@ -77,7 +77,7 @@ TEST(ElasticBar, SettlementUnderSelfWeightIsOfSecondOrderAndStressOfFirst) {
   }
 }
 
-/// Error of the first mode after a quarter of `periods`, with the step a fixed share of the critical one.
+/// Error of the first mode after a quarter of `periods`, with the step a fixed fraction of the critical one.
 double measure_mode_error(int cells, double courant, double periods) {
   const double wave = std::numbers::pi / (2 * length), speed = std::sqrt(find_modulus() / density),
                omega = wave * speed, v0 = 1e-4;

@@ -16,5 +16,5 @@ if grep -iE 'warn|deprecat|problem' <<<"$log"; then
   exit 1
 fi
 "$here/check_site.py" "$program" "$site"
-# Without a browser the rest has been tested all the same; the last line says what was not.
+# Without a browser all other parts are tested; the last line lists the skipped ones.
 node "$here/browse_site.mjs" "$site" "${@:3}" || { code=$?; [ $code = 77 ] || exit $code; }

@@ -52,7 +52,7 @@ def check_equations(page: Path, root: Path) -> list[str]:
 
 
 def check_references(page: Path, root: Path) -> list[str]:
-    """[T2.3](...#eq-t2-3): text and target say the same."""
+    """[T2.3](...#eq-t2-3): text and target agree."""
     faults = []
     plain = drop_code(page.read_text())
     for found in re.finditer(r"\[(T\d+\.\d+)\]\(([^)]*)\)", plain):

@@ -3,8 +3,8 @@
 """The tutorial and the how-to pages stay correct: run_tutorial.py PROGRAM.
 
 The blocks of docs/manual/tutorial.md are put together to the case files that a reader writes. `talus check` must print
-what the page says, word for word; every run and the study must succeed, on a coarse mesh, and support the conclusions
-of the page: the bank stands, the weak one does not, the factor is near Taylor's, and it falls with the cohesion.
+the output of the page, word for word; every run and the study must succeed, on a coarse mesh, and support the conclusions
+of the page: the bank is stable, the weak one is not, the factor is near Taylor's, and it falls with the cohesion.
 The blocks of the how-to pages must be accepted in that case.
 """
 
@@ -33,7 +33,7 @@ def find_blocks(page: Path, language: str) -> list[str]:
 
 
 def write_cases(folder: Path) -> None:
-    """The files of the tutorial: before section 6 stands bank.toml, then two lines for factor.toml, and so on."""
+    """The files of the tutorial: bank.toml before section 6, then two lines for factor.toml, and so on."""
     blocks = find_blocks(MANUAL / "tutorial.md", "toml")
     at = next(i for i, block in enumerate(blocks) if block.startswith("analysis"))
     bank, (analysis, study, names) = "\n".join(blocks[:at]), blocks[at : at + 3]
@@ -57,7 +57,7 @@ def drop_time(text: str) -> str:
 
 
 def check_what_is_shown(folder: Path) -> list[str]:
-    """Every `$ talus check` of the page prints what stands below it, apart from estimated times."""
+    """Every `$ talus check` of the page prints the output below it, apart from estimated times."""
     faults = []
     shown = "\n".join(find_blocks(MANUAL / "tutorial.md", ""))
     for words, output in re.findall(r"^\$ talus (check [^\n]+)\n((?:(?!\$ ).+\n)+)", shown, flags=re.M):
@@ -74,7 +74,7 @@ def read_factor(output: str) -> float:
 
 
 def run_all(folder: Path) -> list[str]:
-    """Runs what the page runs, with its own `--set`, and tests what the page says about the results."""
+    """Runs the commands of the page, with their `--set`, and tests the statements of the page about the results."""
     faults = []
     shown = "\n".join(find_blocks(MANUAL / "tutorial.md", ""))
     commands = re.findall(r"^\$ talus ((?:run|plot) .+)$", shown, flags=re.M)

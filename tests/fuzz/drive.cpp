@@ -93,7 +93,7 @@ void change(Bytes& bytes, const std::vector<Bytes>& all, Chance& chance) {
     case 2:
       bytes.erase(place, place + static_cast<std::ptrdiff_t>(here));
       break;
-    case 3: {  // once more what stands here
+    case 3: {  // repeats the bytes at this place
       const Bytes part(place, place + static_cast<std::ptrdiff_t>(here));
       bytes.insert(place, part.begin(), part.end());
       break;

@@ -47,7 +47,7 @@ Difference compare(const reference::Body<D>& plain, const mpm::Body<D>& body) {
   return r;
 }
 
-/// Steps both bodies and asks for the same to 1e-10 of the largest value of each field.
+/// Steps both bodies and expects agreement to 1e-10 of the largest value of each field.
 template <int D>
 void expect_same(reference::Body<D> plain, const PlainVariant& v, int steps, bool must_move) {
   mpm::Body<D> body = translate(plain, 3);

@@ -59,7 +59,8 @@ class StartFromResult : public testing::Test {
     run::run_stage(body, run::make_plan<D>(loaded.data, stage, 2.5, 1), state);
   }
 
-  /// Both stages on one body, and the second one on the body that starts from the end of the first: the same bits.
+  /// Expects both stages on one body to be bitwise identical to the second one on a body that starts from the end of
+  /// the first.
   template <int D>
   void expect_same_bits(Bank bank, const std::string& water = "") {
     bank.stages += water;
@@ -201,7 +202,8 @@ TEST_F(StartFromResult, TakesAnotherStrengthAndGoesOnFromThere) {
   EXPECT_EQ(last_frame("three").ids.size(), last_frame("one").ids.size());
 }
 
-/// One elastic soil, then two of another law: the points get room for what the new law remembers, from zero.
+/// One elastic soil, then two of another law: the points get the state variables of the new law, with initial value
+/// zero.
 TEST_F(StartFromResult, TakesAnotherLaw) {
   Bank bank{.wet_base = true, .wet_bank = true};
   std::string text = golden::write_bank(bank);
@@ -260,8 +262,8 @@ TEST_F(StartFromResult, KeepsThePressuresOfAnotherRetentionCurve) {
               1e-9 * first.at("water").at("stored").get<double>());
 }
 
-/// Strength reduction from a result: the curve is that of one run, and the frozen factor, whose stages begin with the
-/// soil where the result left it, is that of one run to its resolution.
+/// Strength reduction from a result: the curve is that of one run, and the frozen factor, whose stages start from the
+/// state of the result, is that of one run to its resolution.
 TEST_F(StartFromResult, ReducesTheStrengthFromThere) {
   Bank bank{.cohesion = 8, .stages = golden::come_to_rest};
   run(bank, "one");
@@ -289,7 +291,7 @@ TEST_F(StartFromResult, ReducesTheStrengthFromThere) {
   EXPECT_NEAR(get_factor(second), get_factor(whole), 0.06);
   EXPECT_GT(get_factor(second), 1.05);
   EXPECT_NE(second.at("warnings").dump().find("cannot be halved"), std::string::npos);
-  // The work of a runout goes on from that of its stages, not from that of the result.
+  // The work of a runout continues from that of its stages, not from that of the result.
   const output::HistoryTable history = output::read_history(folder_ / "two" / "trials" / "srf_1.6000" / "history.csv");
   for (std::size_t c = 0; c < history.columns.size(); ++c)
     EXPECT_TRUE(history.columns[c].name != "external_work" ||
@@ -357,7 +359,7 @@ TEST_F(StartFromResult, SaysWhatDoesNotFit) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::folder_exists);
   }
-  // Another mesh than that of the result has no effect, which must be said.
+  // A mesh other than that of the result has no effect, with a warning.
   const json other = run(dry, "finer", {{"initial.result", "one"}, {"mesh.size", "0.2"}});
   EXPECT_NE(other.at("warnings").dump().find("the mesh is that of the result"), std::string::npos);
 }

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-/// FNV-1a over the bits of everything that a point shows, the lost points and the sums of the run.
+/// FNV-1a hash of all point fields, the lost points and the sums of the run.
 template <int D>
 std::uint64_t hash_body(const mpm::Body<D>& body) {
   std::uint64_t h = 14695981039346656037u;

@@ -49,8 +49,8 @@ double stable_step(const reference::WetBody<D>& body, reference::Drag drag = ref
   return 0.4 * reference::critical_step(soil, reference::smallest_altitude(body.mesh), 1, drag);
 }
 
-/// Every kind of condition along the slope: from the crest to the toe evaporation that its suction limits, a given
-/// inflow, a skin, an open surface, rain on the surface itself, a pressing and a drawing pressure, standing water.
+/// Every kind of condition along the slope, from the crest to the toe: evaporation limited by suction, a given inflow,
+/// an impervious skin, an open surface, rain, a positive and a negative given pressure, standing water.
 template <int D>
 reference::WetBody<D> make_many_conditions() {
   reference::WetBody<D> body = make_moving_slope<D>();

@@ -100,8 +100,8 @@ TEST(WetCheckpoint, SeepingWaterGoesOnBitForBit) {
   compare<3>(settings, 0.6);
 }
 
-/// The step of water that seeps keeps the pressure of the pool among the loads of the nodes, that of water that flows
-/// has it beside them: once, whatever went before.
+/// The Darcy step stores the pressure of the pool in the nodal loads, the two-velocity step stores it separately: it
+/// must act once, whatever step ran before.
 TEST(WetCheckpoint, ThePoolPressesOnceAfterWaterThatSeeped) {
   const input::Case data = make_rained_step<2>();
   mpm::Body<2> one = run::prepare<2>(data, make_step_mesh<2>());

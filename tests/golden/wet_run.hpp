@@ -68,7 +68,7 @@ inline void expect_close(const std::vector<FieldDifference>& fields, std::vector
   }
 }
 
-/// Steps both bodies and asks for the same after every step.
+/// Steps both bodies and expects agreement after every step.
 template <int D>
 Seen expect_same(reference::WetBody<D> plain, const Variant& v, int steps,
                  const reference::Curves& curves = reference::wet_slope_curves()) {
@@ -82,8 +82,8 @@ Seen expect_same(reference::WetBody<D> plain, const Variant& v, int steps,
   for (int s = 1; s <= steps && !testing::Test::HasFatalFailure(); ++s) {
     reference::step(plain, v.settings);
     mpm::step(body, options);
-    // The engine stores the points of full elements with the water that they share; here that would come with the next
-    // step, and doing it before changes nothing.
+    // The engine stores the common water of the points of full elements; the reference averages it in the next step,
+    // and doing so now changes nothing.
     reference::classify_wet_elements(plain, v.settings);
     for (const reference::WetCell& cell : plain.cells)
       if (cell.full && cell.wet) reference::distribute_water(plain, cell);

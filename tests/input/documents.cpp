@@ -105,7 +105,7 @@ TEST(Schema, SaysTypesRangesAndWords) {
   const json& fix = schema["properties"]["boundary"]["items"]["properties"]["fix"]["enum"];
   EXPECT_EQ(fix, json::array({"full", "normal", "plane", "friction", "velocity"}));
   EXPECT_EQ(schema["properties"]["gravity"]["properties"]["acceleration"]["default"], 9.81);
-  // Every model of Mohr and Coulomb needs a cohesion; of the others the schema says nothing.
+  // Every Mohr–Coulomb model needs a cohesion; the schema has no rule for the others.
   json models = json::array();
   for (const json& rule : material["allOf"]) {
     if (rule["then"]["required"] != json::array({"cohesion"})) continue;

@@ -59,7 +59,7 @@ TEST(Drawdown, NeedsASoilThatHoldsItsWater) {
 
 TEST(Drawdown, StandsAlone) {
   expect_fault(with_elements + envelope + water + "@@" + three_stages, "by slices alone");
-  // Keys of a method that is not asked for may stay.
+  // Keys of a method that is not selected may stay.
   EXPECT_TRUE(find_faults(change(with_elements, "[\"lem\", \"fem\"]", "[\"fem\"]") + water + three_stages).empty());
   expect_fault(drawn + "[earthquake]\nhorizontal = 0.1\n@@" + three_stages, "not with [earthquake]");
   expect_fault(drawn + "[lem]\nyield_acceleration = @@true\n" + three_stages, "not with [lem.drawdown]");

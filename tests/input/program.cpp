@@ -114,7 +114,7 @@ TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {
   EXPECT_EQ(summary.at("warnings").dump().find(sentence) == std::string::npos, false) << summary.at("warnings");
 }
 
-/// The program in a process of its own, which says its errors into the file `said`.
+/// Starts the program in its own process, with its errors written to the file `said`.
 pid_t start_program(std::vector<const char*> arguments, const std::string& said) {
   const pid_t child = fork();
   if (child != 0) return child;

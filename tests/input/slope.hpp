@@ -40,7 +40,7 @@ struct Marked {
   int column = 0;
 };
 
-/// Takes the mark @@ out of a text and says where it was.
+/// Removes the mark @@ from a text and returns its position.
 inline Marked take_mark(std::string text) {
   Marked marked;
   const auto at = text.find("@@");

@@ -53,7 +53,7 @@ TEST(Bounds, PrandtlsStripWithFriction) {
   expect_holds(find_bounds(make_strip(30, 9, 5, 2), until(0.06, 1200)), 1, 0.06);
 }
 
-/// Reissner (1924): beside a strip on soil with neither weight nor cohesion stands q; the strip carries N_q q.
+/// Reissner (1924): a strip on soil without weight and cohesion, beside a surcharge q, carries N_q q.
 TEST(Bounds, ReissnersStripBesideALoad) {
   const double phi = 20 * pi / 180;
   Problem p = make_columns(divide(0, {{1, 3}, {6, 6}}), 5, -3, [](double) { return 0.0; });
@@ -149,7 +149,8 @@ TEST(Bounds, SaysWhyThereIsNone) {
   EXPECT_NE(found.no_lower, "");
   p = make_slope(1e9, 0, 18000);
   found = find_bounds(p, until(0.05, 100));
-  // The fields of the largest factor that is tried prove more than was asked: both bounds stay, and the end is told.
+  // The fields of the largest factor tried prove a larger one: both bounds stay, and the message names the end of the
+  // range.
   EXPECT_EQ(found.stopped, "the slope is stable at every factor up to 20");
   EXPECT_GT(found.lower, 20);
   EXPECT_GT(found.upper, found.lower);

@@ -180,7 +180,7 @@ TEST(CalibrationLimits, CurvesOfNoWeightAreShownAndNotFitted) {
 }
 
 TEST(CalibrationLimits, ATestKeepsTheNumberThatItSets) {
-  // The second specimen was weaker; its test says so, and the fit must not touch it.
+  // The second specimen is weaker by its `set`, which the fit must not change.
   Laboratory lab(sand + write_sand_test("a", 100) + write_sand_test("b", 100) + "set = { friction_angle = 20 }\n");
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.friction_angle", 0.4, 0.2, 0.8);

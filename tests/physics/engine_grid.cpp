@@ -183,7 +183,7 @@ TYPED_TEST(EngineGrid, TooLargeAStepIsFoundAndSaidWithStageTimeAndPlace) {
   const input::Case data = support::make_box_case<D>(support::make_elastic(10e6));
   mpm::Body<D> body = run::prepare<D>(data, mesh);
   auto plan = support::make_stage(
-      data, body, 5, {.geometry = input::Geometry::frozen, .courant = 40});  // three halvings do not mend it
+      data, body, 5, {.geometry = input::Geometry::frozen, .courant = 40});  // three halvings are not enough
   plan.name = "shaking";
   run::StageState state;
   run::StageHooks<D> hooks;

@@ -156,8 +156,8 @@ TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheSlopesShareO
       const auto t = mpm::sum_points(body, {});
       // Rollers push along the normal only: the momentum along the slope is that of gravity, whatever the block does.
       const double along = (-std::cos(theta) * t.momentum[0] - std::sin(theta) * t.momentum[1]) / t.mass;
-      // Damping takes no share of what the rollers bear, or they would rub. The block bounces at first, and damping
-      // acts by component: 4 % of it.
+      // Damping does not act on the reactions of the rollers; otherwise they would cause friction. The block bounces at
+      // first, and damping acts by component: 4 %.
       EXPECT_NEAR(along, (1 - damping) * gravity * std::sin(theta) * 0.5, damping > 0 ? 0.1 : 1e-9);
       const double off = std::abs(-std::sin(theta) * t.momentum[0] + std::cos(theta) * t.momentum[1]) / t.mass;
       EXPECT_LT(off, 0.05) << "the block stays on the plane";
@@ -170,7 +170,7 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
   Vec<D> size;
   cells.fill(1);
   size.fill(1);
-  // Every node is on the boundary, so the soil moves as told.
+  // Every node is on the boundary, so the soil has the prescribed motion.
   auto mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>&) { return 0; });
   input::Case data = support::make_box_case<D>(support::make_elastic());
   data.boundaries.clear();
@@ -268,7 +268,7 @@ TYPED_TEST(EngineWalls, TwoSmoothPlatesPressFromTwoSides) {
   EXPECT_NEAR(stress[0], modulus * (x + share * y) / (1 - share * share), 2e-4 * std::abs(exact));
 }
 
-/// A smooth plate goes down, and the soil beside it slides along a plane that is held.
+/// A smooth plate moves down, and the soil beside it slides along a fixed plane.
 TEST(EnginePlates, PlateThatMeetsAnInclinedPlaneMovesAlongIt) {
   PressedBlock<2> block;
   input::Boundary plane = support::make_boundary("right", input::Fix::plane);

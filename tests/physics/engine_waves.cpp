@@ -25,7 +25,7 @@ struct Bar {
   double wave_speed() const { return std::sqrt(modulus() / density); }
 };
 
-/// A bar along x between frictionless walls, so in uniaxial strain; the end at 0 is held, the other free.
+/// A bar along x between frictionless walls, so in uniaxial strain; the end at 0 is fixed, the other free.
 mpm::Body<2> make_bar(const Bar& bar, const support::Start<2>& start) {
   const Vec<2> size{bar.length + 2 * bar.length / bar.cells, bar.width};
   mpm::Body<2> body = support::fill_body<2>(
@@ -81,7 +81,7 @@ TEST(EngineWaves, FrontOfAPushRunsWithTheWaveSpeedAndCarriesItsStress) {
   bar.cells = 200;
   bar.courant = 0.8;
   mpm::Body<2> body = make_bar(bar, {});
-  // The held end is pushed with a velocity v from the start: σ = -ρ c v behind the front.
+  // The fixed end is pushed with a velocity v from the start: σ = -ρ c v behind the front.
   const double v = 1e-3, at = 2.5;
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
     if (body.mesh().nodes[i][0] < 1e-9) support::move_node<2>(body, i, {v, 0});
@@ -197,7 +197,7 @@ TEST(EngineEnergy, FallIsPaidForByPotentialEnergy) {
 }
 
 TEST(EngineEnergy, PlasticCollapseDissipatesWhatItsFallSetFree) {
-  // A weak block that stands on a floor slumps until it rests; gravity's work is then plastic dissipation but for the
+  // A weak block on a floor slumps until it is at rest; gravity's work is then plastic dissipation but for the
   // residual of the mapping, which is bounded here.
   const material::MohrCoulomb soil(material::LinearElastic::from_young(2e6, 0.3), {500, 0.4, 0.0, 300});
   mpm::Body<2> body = support::fill_body<2>(support::make_mesh<2>({40, 12}, {4, 1.2}), {{soil, 1800}}, 3,

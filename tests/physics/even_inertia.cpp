@@ -32,7 +32,7 @@ input::StepSettings freeze() {
           .water = input::WaterMotion::held};
 }
 
-/// At rest, with and without even inertia.
+/// Expects the same state of rest with and without equalised mass.
 void expect_same_rest(const input::Case& data, const mesh::Mesh<2>& mesh) {
   const auto rest = [&](bool evens) {
     auto body = run::prepare<2>(data, mesh);

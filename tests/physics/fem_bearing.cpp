@@ -14,7 +14,7 @@ namespace {
 
 constexpr double half_width = 1, cohesion = 10e3;
 
-constexpr double pressure = 4 * cohesion;  ///< stands at full strength
+constexpr double pressure = 4 * cohesion;  ///< stable at full strength
 
 /// Half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip.
 fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {

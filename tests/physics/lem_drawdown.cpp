@@ -131,7 +131,7 @@ TEST(LemDrawdownUsace, ThreeStagesGiveThePublishedFactor) {
   EXPECT_DOUBLE_EQ(second.factor, found.undrained);
   EXPECT_NEAR(solve_usace(DrawdownMethod::three_stage, Method::bishop).factor, 1.44, 0.01 * 1.44);
   EXPECT_NEAR(solve_usace(DrawdownMethod::three_stage, Method::morgenstern_price).factor, 1.44, 0.01 * 1.44);
-  // Another print has the pool at the crest: also within 1 %, so that this factor does not tell the two apart.
+  // Another edition has the pool at the crest: also within 1 %, so this factor does not discriminate between the two.
   EXPECT_NEAR(solve_usace(DrawdownMethod::three_stage, Method::spencer, 110).factor, 1.431, 0.002);
 }
 
@@ -225,7 +225,7 @@ TEST(LemDrawdown, TheThirdStageOnlyLowersTheFactor) {
           lower += with < 0.999 * without;
         }
     }
-  EXPECT_GT(lower, 20);  // it does take part
+  EXPECT_GT(lower, 20);  // the third stage governs some surfaces
 }
 
 TEST(LemDrawdown, BBarOfZeroKeepsThePressuresAndOfOneTakesTheWaterOff) {

@@ -115,7 +115,7 @@ TEST(LemSliceTable, GeometryAndWeightAreExact) {
   EXPECT_NEAR(area, 24 + 32 + 40 + 160, 1e-9);
   EXPECT_NEAR(cut.area, area, 1e-9);
   EXPECT_DOUBLE_EQ(cut.depth, 16);
-  // Sides stand at every break of the ground, of the base, at the layer and at the water table.
+  // Sides of slices are at every break of the ground and of the base, at the layer and at the water table.
   for (const double x : {4.0, 6.0, 8.0, 10.0, 20.0, 22.0, 24.0, 36.0}) {
     bool found = false;
     for (const Slice& slice : cut.slices)

@@ -230,7 +230,7 @@ TEST(LemInvariance, SplitAndRepeatedRegionsChangeNothing) {
   section.regions.push_back({2, {{14, 6}, {26, 5}, {18, 8.5}}});
   section.regions.push_back({2, {{18, 8.5}, {26, 5}, {30, 7}}});
   const Slope slope(make_full_section()), other(std::move(section));
-  // The slices' sides may stand elsewhere: the areas are exact, the factors near.
+  // The sides of slices may differ: the areas are exact, the factors close.
   for (const Surface& surface : make_surfaces(slope)) {
     double weight = 0, other_weight = 0;
     for (const Slice& slice : cut_surface(slope, surface, 400, report_only()).slices) weight += slice.weight;

@@ -38,7 +38,7 @@ Section make_acads_layers() {
   return section;
 }
 
-// ACADS problems, Giam and Donald 1989; referee's answers 1.00, 1.65-1.70, 1.39, 1.00, 2.29, 1.24-1.27.
+// ACADS problems, Giam and Donald 1989; referee values 1.00, 1.65-1.70, 1.39, 1.00, 2.29, 1.24-1.27.
 TEST(LemAcads, HomogeneousDry) {
   expect_factors(make_section(acads, make_soil(3, 19.6, 20), 20),
                  make_arc({29.543601, 53.63679}, 28.640427, 30, 51.290879),

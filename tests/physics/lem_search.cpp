@@ -159,7 +159,7 @@ TEST(LemSearch, FollowsAWeakSeam) {
                    0.98, EntryExitSearch{{22, 46}, {66, 83}});
 }
 
-// Problem 4: published answers spread from 0.68 to 0.81; at most 0.72 is asked for, with an admissible line of thrust.
+// Problem 4: published factors range from 0.68 to 0.81; at most 0.72 is required, with an admissible line of thrust.
 TEST(LemSearch, FollowsAnInclinedSeamUnderLoads) {
   Section section = make_section(seam, make_soil(28.5, 20, 18.84), 15);
   section.soils.push_back(make_soil(0, 10, 18.84));

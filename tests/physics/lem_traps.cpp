@@ -6,8 +6,8 @@
 namespace talus::lem {
 namespace {
 
-// Pruška 2003: 14 m in 10 m, c = 5 kPa, φ = 10°: the critical arc is cut at the toe, where its circle goes on falling
-// below the level ground before it.
+// Pruška 2003: 14 m in 10 m, c = 5 kPa, φ = 10°: the critical arc is cut at the toe, where its circle continues below
+// the level ground.
 TEST(LemCutArc, EndsAtTheToe) {
   const Slope slope(make_section({{0, 8}, {15, 8}, {25, 22}, {40, 22}}, make_soil(5, 10, 18), 0));
   const Surface arc = make_arc({8.126507, 27.89539}, 21.049263, 15, 28.333334);

@@ -46,7 +46,8 @@ TEST(PointStrength, TriaxialCompressionAndExtensionEndOnMohrsCircle) {
 }
 
 TEST(PointStrength, SimpleShearFailsAsDavisSays) {
-  // With σ_v and ε_h held: τ = (c cosφ + σ_v sinφ) cosψ/(1 - sinφ sinψ) (Davis 1968), which is c + σ_v tanφ for ψ = φ.
+  // At constant σ_v and ε_h: τ = (c cosφ + σ_v sinφ) cosψ/(1 - sinφ sinψ) (Davis 1968), which is c + σ_v tanφ for ψ =
+  // φ.
   const double c = 5e3, vertical = 100e3, friction = 30 * degree;
   for (const double dilatancy : {0.0, 10 * degree, friction}) {
     input::PointTest test = make_ring_test(PointTestKind::simple_shear, vertical, 0.6);

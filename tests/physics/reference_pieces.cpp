@@ -14,7 +14,7 @@
 namespace talus::reference {
 namespace {
 
-// One square cut into two triangles that share the diagonal.
+// One square divided into two triangles by the diagonal.
 Body<2> make_two_triangles() {
   Body<2> body = make_body(make_box<2>({1, 1}, {1, 1}), {.young_modulus = 1e6, .poisson_ratio = 0.3});
   fill(body, 1000.0, 0, [](const Vector<2>&) { return true; });
@@ -26,7 +26,7 @@ TEST(ReferenceSmoothing, TwoTrianglesShareTwoThirdsToOneThird) {
   classify_elements(body, {});
   map_points_to_nodes(body);
   const std::vector<double> smoothed = smooth_over_nodes(body, {1, 0});
-  EXPECT_NEAR(smoothed[0], 2.0 / 3, 1e-15);  // its own corner 1, the two shared ones a half each
+  EXPECT_NEAR(smoothed[0], 2.0 / 3, 1e-15);  // its own corner 1, the two common ones a half each
   EXPECT_NEAR(smoothed[1], 1.0 / 3, 1e-15);
 }
 

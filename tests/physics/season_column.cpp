@@ -153,7 +153,8 @@ TEST(SeasonColumn, BudgetOfRainTranspirationAndDrainageCloses) {
     EXPECT_GT(drawn, 0.3 * asked);
     EXPECT_LE(drawn, asked);
   }
-  // A table's corners are met: of the second sink exactly its integral was asked, up to implicit Euler on its slopes.
+  // Steps end at the corners of a table: the potential of the second sink is its integral, up to implicit Euler on
+  // slopes.
   const double exact = 0.1 * (0.5 * 3 * 2e-3 + 5 * 0.5 * (5e-3 + 1e-3) + 2 * 1e-3);
   EXPECT_NEAR(history.uptakes.back()[1].potential, exact, 0.01 * exact);
 }

@@ -45,7 +45,7 @@ HydraulicBoundary<D> make_condition(const mesh::Mesh<D>& mesh, const std::string
   return b;
 }
 
-/// Fault of the balance as a share of the inflow or outflow.
+/// Error of the balance as a fraction of the inflow or outflow.
 template <int D>
 double relative_balance(const fem::SeepageResult<D>& r) {
   return std::abs(r.balance_error) / std::max({r.inflow, r.outflow, std::abs(r.storage_rate), 1e-300});

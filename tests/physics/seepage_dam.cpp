@@ -31,7 +31,7 @@ struct Dam {
   double h1, h2, l;
   mesh::Mesh<2> mesh;
   fem::SeepageResult<2> result;
-  double capillary_discharge = 0;  ///< (1/L) ∫ ∫ k_r ds dy over the outer face above its wet part, share of k [m²]
+  double capillary_discharge = 0;  ///< (1/L) ∫ ∫ k_r ds dy over the outer face above its wet part, over k [m²]
 
   Dam(double h1_, double h2_, double l_, int n, double fringe) : h1(h1_), h2(h2_), l(l_) {
     const double h = h1 / n;

@@ -147,7 +147,7 @@ TEST(SeepageInfiltration, DrySoilBesideTheWaterNeedsNoStore) {
   const std::vector<double> head(mesh.nodes.size(), 2);
   fem::SeepageSchedule schedule;
   schedule.outputs = {1e5};
-  EXPECT_THROW(fem::solve_transient_seepage(model, head, schedule), Error);  // while it takes part
+  EXPECT_THROW(fem::solve_transient_seepage(model, head, schedule), Error);  // while the dry soil is part of the mesh
   for (int& region : mesh.element_region)
     if (region == 1) region = mesh::empty_region;
   const auto history = fem::solve_transient_seepage(model, head, schedule);
@@ -200,7 +200,7 @@ TEST(SeepageInfiltration, EvaporationStopsAtTheSuctionLimit) {
   schedule.first_step = 1;
   schedule.head_tolerance = 0.05;
   const auto history = fem::solve_transient_seepage(model, head, schedule);
-  EXPECT_NEAR(history.volumes[0][0].outflow, 0.1 * 2e-7 * 3600, 1e-12);  // all that is asked for, at first
+  EXPECT_NEAR(history.volumes[0][0].outflow, 0.1 * 2e-7 * 3600, 1e-12);  // equal to the potential at first
   EXPECT_LT(history.volumes[1][0].outflow, 0.5 * 0.1 * 2e-7 * 30 * 86400);
   for (std::size_t s = 0; s < 2; ++s) EXPECT_NEAR(history.volumes[s][0].outflow, -history.stored[s], 1e-12);
   double most = 0;

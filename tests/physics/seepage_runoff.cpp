@@ -79,8 +79,8 @@ TEST(SeepageRunoff, WhatNobodyTakesLeavesTheSection) {
   EXPECT_NEAR(volume.inflow, gone.volumes.back()[0].inflow, 1e-3 * offered) << "all ground is wet already";
 }
 
-// Tight soil, wet from the start of the rain on: it stands up to its depth and no more, and enters when the rain is
-// over.
+// Soil of low conductivity, wet from the start of the rain: water ponds up to the given depth, and infiltrates after
+// the rain.
 TEST(SeepageRunoff, StandsUpToItsDepthAndEntersLater) {
   const auto mesh = make_slope(0);
   const double rate = 1e-5, depth = 5e-3, stop = 1 * hour, end = 8 * hour;

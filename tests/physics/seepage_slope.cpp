@@ -86,7 +86,7 @@ TEST(SeepageSlope, SoilsFromGravelToClayConvergeWithAndWithoutRain) {
   struct Soil {
     const char* name;
     double conductivity, reference, lambda;
-    std::vector<double> rain;  // shares of k_s; negative: evaporation
+    std::vector<double> rain;  // over k_s; negative: evaporation
   };
   // Gravel under moderate rain is left out: its fringe of 3 cm needs elements of its size.
   for (const Soil& s :

@@ -25,7 +25,7 @@ TEST(SlowWave, TimesAreTheClosedForms) {
   const mpm::Body<2> body = make_wet_column(data);
   const run::StagePlan<2> plan = support::make_stage(data, body, 10, {.mass_scaling = 1e4});
   const run::DrainedWave wave = run::find_drained_wave(body, plan);
-  const double density = 0.6 * 2650 + 0.4 * 1000;  // between the outermost points, a share of an element is missing
+  const double density = 0.6 * 2650 + 0.4 * 1000;  // between the outermost points, a part of an element is missing
   EXPECT_NEAR(wave.crossing, height * std::sqrt(1e4 * density / constrained), 0.03 * wave.crossing);
   ASSERT_TRUE(wave.drainage);
   EXPECT_NEAR(*wave.drainage, height * height / (1e-4 * constrained / (1000 * 9.81)), 0.06 * *wave.drainage);
@@ -65,7 +65,7 @@ TEST(FastWater, IsSaidOfOpenSoilThatWaterSeepsThrough) {
   EXPECT_EQ(say({.water = input::WaterMotion::seeps, .conductivity_factor = 0.1}), "");
 }
 
-/// Water that cannot drain carries σ, held water only u: σ' = γ'(H - y) on the mean.
+/// Undrained water carries σ, drained water only u: the mean of σ' = γ'(H - y).
 TEST(UndrainedWeight, IsSaidOfSoilAtRestUnderExcessPressure) {
   input::Material silt = support::make_wet_soil(young);
   silt.water.conductivity = 1e-8;

@@ -10,7 +10,7 @@ namespace talus::support {
 
 struct SrivastavaYeh {
   double alpha = 10, ks = 0.01 / 3600, theta_s = 0.4, theta_r = 0.06, length = 1;  // 1/m, m/s, m
-  double q_a = 0.1, q_b = 0.9;                                                     // shares of k_s
+  double q_a = 0.1, q_b = 0.9;                                                     // over k_s
 
   /// Suction [m] at height z [m] over the water table.
   double find_suction(double z, double t) const {
@@ -33,9 +33,9 @@ struct SrivastavaYeh {
   }
 };
 
-/// The same in a slab that falls with `beta`, whose fields depend on the height z above the water table, normal to it,
-/// alone: ∂θ/∂t = ∂/∂z[k (∂ψ/∂z + cos β)]. With ψ = ψ' cos β that is the equation of level ground for ψ', with α cos β
-/// and k_s cos β; vertical rain q meets the slab with q cos β, so its shares of k_s stay. `length`: thickness, normal
+/// The same in a slab inclined at `beta`, whose fields depend only on the height z above the water table, normal to it:
+/// ∂θ/∂t = ∂/∂z[k (∂ψ/∂z + cos β)]. With ψ = ψ' cos β that is the equation of level ground for ψ', with α cos β
+/// and k_s cos β; vertical rain q enters the slab as q cos β, so q/k_s is unchanged. `length`: thickness, normal
 /// to the slab.
 inline double find_suction_in_slab(SrivastavaYeh soil, double beta, double z, double t) {
   soil.alpha *= std::cos(beta);

@@ -24,7 +24,7 @@ struct Soil {
   double c_v() const { return k / (gamma_w * storage()); }
 };
 
-/// `upper` above `level` [m], `lower` below. The pool stands 10 m above the ground and falls to it at time 0.
+/// `upper` above `level` [m], `lower` below. The pool is 10 m above the ground and falls to it at time 0.
 std::string write_column(const Soil& upper, const Soil& lower, double level, const std::vector<double>& times,
                          bool pool_loading = false) {
   std::string text = fmt::format(R"(

@@ -153,7 +153,7 @@ TEST_F(TimelineSlope, FactorOfAnInfiniteSlopeInRainIsItsClosedForm) {
   }
 }
 
-/// A bank of 10 m on 4 m of the same soil, closed behind and below. Its pool stands at 8 m and falls to 4 m; until then
+/// A bank of 10 m on 4 m of the same soil, closed behind and below. Its pool falls from 8 m to 4 m; until then
 /// the water is at rest.
 struct Bank {
   double unit_weight = 20e3, cohesion = 5e3, friction = 27 * std::numbers::pi / 180;
@@ -257,7 +257,7 @@ TEST_F(TimelineSlope, APoolThatFallsInfinitelyFastLeavesItsPressures) {
   }
 }
 
-// The undrained answer of soil that is softer than its water: pressures fall by the weight that is taken off them.
+// Undrained response of soil that is softer than its water: pressures fall by the removed weight.
 TEST_F(TimelineSlope, APoolThatFallsInfinitelyFastUnloadsTheSoilUnderIt) {
   const Bank bank;
   const std::string text = bank.write("[[0, 8], [0, 4]]", "1 s", "1 kPa-1", true);

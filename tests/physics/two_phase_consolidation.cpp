@@ -127,7 +127,7 @@ TEST(TwoPhaseConsolidation, DrainedCompressionIsCarriedByTheSkeletonAndUndrained
     const WetBody<2> body = compress(drained);
     const double sum = modulus + (drained ? 0 : stiff_water);
     for (const WetPoint<2>& point : body.points) {
-      // 1e-3: the strains are that large, and both the porosity and the tractions' mesh know of it
+      // 1e-3: the strains are that large, and affect both the porosity and the mesh of the tractions
       EXPECT_NEAR(point.sigma(1, 1), -1e4 * modulus / sum, 1e4 * 2e-3);
       EXPECT_NEAR(point.pressure, drained ? 0 : -1e4 * stiff_water / sum, 1e4 * 2e-3);
       EXPECT_NEAR(point.strain(1, 1), -1e4 / sum, 2e-3 * 1e4 / sum);

@@ -92,8 +92,8 @@ TEST(TwoPhaseLimits, ExactLimitIsWhereTheOneDimensionalSchemeBeginsToGrow) {
       }
 }
 
-/// Largest velocity after `steps` of the 1-D scheme with explicit drag, where a share α of what is left of the forces
-/// slows both phases (T14.10).
+/// Largest velocity after `steps` of the 1-D scheme with explicit drag, with the fraction α of the net force as damping
+/// of both phases (T14.10).
 double march_damped(const CoupledSoil& soil, double length, double dt, double alpha, int steps) {
   const Eigen::Matrix2d k = soil.stiffness() * 4 / (length * length);
   Eigen::Matrix2d c;
@@ -110,7 +110,7 @@ double march_damped(const CoupledSoil& soil, double length, double dt, double al
   return v.norm();
 }
 
-/// Net damping makes explicit drag act as if it were stronger by its share. The limit without it is then far too long.
+/// Net damping increases explicit drag by its fraction. The critical step without it is then far too long.
 TEST(TwoPhaseLimits, NetDampingShortensTheStepOfExplicitDrag) {
   for (const double alpha : {0.2, 0.5, 0.75, 0.9})
     for (const double conductivity : {1e-5, 1e-9}) {
@@ -125,7 +125,7 @@ TEST(TwoPhaseLimits, NetDampingShortensTheStepOfExplicitDrag) {
 }
 
 TEST(TwoPhaseLimits, UnsaturatedSoilHasTheStorageOfItsRetentionCurve) {
-  // S = 0.5 and dS/dp = −1e-5/Pa: the pressure answers 4 to 5 orders more softly than in saturated soil.
+  // S = 0.5 and dS/dp = −1e-5/Pa: the pressure response is 4 to 5 orders of magnitude softer than in saturated soil.
   CoupledSoil soil = terzaghi_soil();
   soil.saturation = 0.5, soil.storage = 0.4 * (0.5 / 2.15e9 + 1e-5);
   const double stiffness = 0.25 / soil.storage;

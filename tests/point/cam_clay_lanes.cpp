@@ -28,7 +28,7 @@ Case<NS> draw_case(support::Draw& draw, const RootedCamClay& law) {
   return {point, support::draw_increment<NS>(draw, size)};
 }
 
-/// Updates the cases as one pack; the lanes that are not active hold what is no number.
+/// Updates the cases as one pack; inactive lanes contain NaN.
 template <int NS>
 std::array<Case<NS>, lane_width> update_pack(const RootedCamClay& law, std::array<Case<NS>, lane_width> cases,
                                              unsigned active) {
@@ -77,7 +77,7 @@ void compare_packs(unsigned seed) {
       ASSERT_NEAR(lane.dissipation, single.dissipation, 1e-9 * scale) << i;
       ASSERT_NEAR(lane.plastic_dilation, single.plastic_dilation, 1e-9 * std::abs(single.plastic_dilation) + 1e-14)
           << i;
-      // and alone in its pack a lane gives the same bits: results do not depend on who sits beside
+      // and alone in its pack a lane is bitwise identical: results do not depend on other lanes
       const auto alone = update_pack<NS>(law, cases, 1u << l);
       ASSERT_EQ(alone[l].point.stress, lane.stress) << i;
       ASSERT_EQ(alone[l].point.state, lane.state) << i;
@@ -183,8 +183,8 @@ TEST(CamClayLanes, ResponseIsThatOfThePlasticStrain) {
   compare_with_plastic_strain<6>();
 }
 
-/// (T23.2): plastic dilation of the neighbourhood softens as that of the soil itself does.
-TEST(CamClayLanes, SoftensByWhatItIsLent) {
+/// (T23.2): nonlocal plastic dilation softens the soil like its own.
+TEST(CamClayLanes, SoftensByNonlocalDilation) {
   support::Draw draw(7);
   for (int i = 0; i < 200; ++i) {
     const auto law = support::draw_soil(draw);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace talus;
 
-/// What must hold after every step.
+/// Checks the invariants of the state after a step.
 template <int NS>
 void expect_admissible(const material::RootedCamClay& law, const support::ClayPoint<NS, true>& point,
                        double plastic_before) {

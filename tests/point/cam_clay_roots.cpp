@@ -52,8 +52,8 @@ TEST(CamClayRoots, IsotropicCompressionLine) {
 }
 
 /// Figure 4.2: 10 % of roots, R_p from 0 to 10 with the fraction in (4.6) and m_r left out of (4.10). Undrained, p' and
-/// q then grow for ever: d ln p'/dε_q = Λ R_p e, at a ratio η > M that keeps p'_c/p' constant while plastic volume
-/// makes room for the elastic one.
+/// q then grow without limit: d ln p'/dε_q = Λ R_p e, at a ratio η > M that keeps p'_c/p' constant while the plastic
+/// volume change compensates the elastic one.
 TEST(CamClayRoots, UndrainedShearingGrowsAsActivationDoes) {
   double before = 0;
   for (const double r_p : {0.0, 2.0, 5.0, 10.0}) {
@@ -68,7 +68,7 @@ TEST(CamClayRoots, UndrainedShearingGrowsAsActivationDoes) {
     const double growth = (0.12 - 0.02) / 0.12 * r_p * 0.7;
     EXPECT_NEAR(std::log(point.p() / p) / 0.05, growth, 0.01 * growth + 1e-3) << r_p;
     const double ratio = 3 * (1 - 2 * 0.3) / (2 * (1 + 0.3)), eta = point.q() / point.p();
-    const double shear = 1 - eta * 0.02 * growth / (3 * ratio * 1.7);  // plastic share of the shear strain
+    const double shear = 1 - eta * 0.02 * growth / (3 * ratio * 1.7);  // plastic fraction of the shear strain
     EXPECT_NEAR((1 - eta * eta) / (2 * eta) * shear, -0.02 * growth / 1.7, 2e-3) << r_p;
     EXPECT_GT(point.q(), before);
     before = point.q();
@@ -97,7 +97,7 @@ TEST(CamClayRoots, BreakAndStayBroken) {
     ASSERT_NEAR(point.state[6], least, 1e-12);
   }
   EXPECT_EQ(point.state[6], 0.25);
-  // what is left goes on hardening, and p'_c rests only if dilatancy takes as much away
+  // the intact roots continue to harden, and p'_c is constant only if dilatancy softens as much
   const double m = 1.0 + 0.25 * 0.2 * 1.5, eta = point.q() / point.p(), e = point.state[2];
   const double roots = 0.25 * 0.4 * 1.5 * e, plastic = (1 + e) / (0.12 - 0.02);
   EXPECT_NEAR((m * m - eta * eta) / (2 * eta), -roots / (plastic + roots), 1e-3);

@@ -133,7 +133,7 @@ TEST(ExternalLaw, InitialStatesStandBehindTheFirst) {
   EXPECT_EQ(shown[2], 0);
 }
 
-/// What throw_failure() says, or "".
+/// Returns the message of throw_failure(), or "".
 std::string catch_failure(const External& law) {
   try {
     law.throw_failure();

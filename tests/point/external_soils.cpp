@@ -110,7 +110,7 @@ TEST(ExternalSoils, SofteningClayOfTheExampleFollowsItsLaw) {
   EXPECT_NEAR(work, area, 2e-3 * area);
   EXPECT_LT(s[3], 1.1 * rest) << "most of the loss has happened";
 
-  // Strength that falls faster than the soil unloads has no answer.
+  // There is no solution if the strength falls faster than the soil unloads.
   const External brittle = open_umat({"softening_clay", {young, poisson, peak, 0, 1e-4}, 2});
   double t[4] = {0, 0, 0, 0.999 * peak}, p[External::state_size] = {};
   const double step[4] = {0, 0, 0, 0.01 * peak / shear};

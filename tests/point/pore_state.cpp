@@ -48,7 +48,7 @@ std::vector<double> make_pressures() {
   return all;
 }
 
-/// What round-off of the content leaves of a pressure [Pa].
+/// Error of a pressure from round-off of the content [Pa].
 double find_noise(const mpm::WaterLaw& law, double p) {
   return 1e-11 * std::abs(p) + 4e-15 / mpm::find_storage(law, p);
 }
@@ -59,7 +59,7 @@ TEST(PoreState, PressureIsFoundFromTheMassFromAnyGuess) {
   for (const mpm::WaterLaw& law : make_laws()) {
     for (double p : make_pressures()) {
       if (mpm::find_storage(law, p) * law.bulk_modulus < 1e-3)
-        continue;  // a curve that has ended: no water to tell p by
+        continue;  // beyond the end of the curve the content does not determine p
       const double content = mpm::find_content(law, p), saturation = material::saturation(law.retention, p);
       for (double guess : {p, p * 1.0001, p * 0.7, -5e3, std::pow(10.0, exponent(random)) * std::abs(p)}) {
         const auto state = mpm::find_pore_state<double>(law, content, guess, true);

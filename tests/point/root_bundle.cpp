@@ -31,7 +31,7 @@ TEST(RootBundle, GivesWhatIsWorkedByHand) {
   EXPECT_EQ(find_fibre_bundle_cohesion({}, 1.2), 0);
 }
 
-/// Pulls single roots as Pollen and Simon do: equal shares, the weakest breaks, its load goes to the others.
+/// Pulls single roots as Pollen and Simon do: equal loads, the weakest breaks, its load goes to the others.
 double pull_bundle(std::vector<double> forces) {
   double largest = 0;
   while (!forces.empty()) {

@@ -72,7 +72,7 @@ TEST(Separation, TensionIsTakenAwayElasticallyBeforeTheGapCloses) {
   const LinearElastic e = make_elastic();
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(p.stress[static_cast<std::size_t>(i)], tension, 1e-6);
   const double gap = p.gap();
-  // What the elastic strain of this tension leaves; out of plane nothing yields.
+  // The gap is the strain minus the elastic strain of this tension; there is no out-of-plane yielding.
   EXPECT_NEAR(gap, 0.02 - tension / (e.lambda + e.mu), 1e-12);
   const double unload = tension / (e.lambda + e.mu);
   p.strain(-unload / 4, -unload / 4);

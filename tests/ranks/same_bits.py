@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A case has the same bits on one and four ranks, one of them on two, and a checkpoint of four ranks goes on on one and on two.
+"""A case is bitwise identical on one and four ranks, one of them on two, and a checkpoint of four ranks resumes on one and on two.
 
 Usage: same_bits.py PROGRAM
 
 Ends with 77 where there is no mpiexec, or no module of ranks beside the program. Compares histories, frames and the end of every run, byte by byte where
-nothing but numbers stands in them.
+they contain only numbers.
 """
 import json
 import os
@@ -20,7 +20,7 @@ import h5py
 import numpy
 
 CASES = pathlib.Path(__file__).resolve().parent
-# What hangs on the clock, the machine or the way that memory is cut up.
+# Keys that depend on the clock, the machine or the division of memory.
 OTHER = ("timing", "provenance", "input", "ranks")
 faults = []
 
@@ -93,7 +93,7 @@ def expect_fault(name, process, sentence, code=2):
 
 
 def check_faults(program, here):
-    """What cannot be is one sentence, and nothing is written."""
+    """Impossible requests end with one message, and nothing is written."""
     case = CASES / "slide.toml"
     expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
     expect_fault("study", subprocess.Popen(["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "2", program, "study", str(case)],

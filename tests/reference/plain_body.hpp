@@ -31,19 +31,19 @@ struct Point {
   Tensor sigma = Tensor::Zero();    ///< tension positive; in plane strain with its own σ_zz [Pa]
   Tensor strain = Tensor::Zero();   ///< sum of the increments [-]
   double plastic_strain = 0;        ///< accumulated sqrt(2/3 e^p:e^p) [-]
-  double gap = 0;                   ///< volume strain by which the soil has come apart [-]
+  double gap = 0;                   ///< volumetric strain of the gap in separated soil [-]
   double volume = 0;                ///< V_p [m³], in 2D per metre of thickness
   double mass = 0;                  ///< m_p [kg]
 };
 
-/// What a node may not do. The fixed components are removed first, then the motion along `normal` (zero: none).
+/// Constraints of a node. The fixed components are removed first, then the motion along `normal` (zero: none).
 template <int D>
 struct Constraint {
   std::array<bool, D> fixed{};
   Vector<D> normal = Vector<D>::Zero();  ///< unit vector
   Vector<D> drive = Vector<D>::Zero();   ///< velocity of what holds the node, along what it holds [m/s]
 
-  /// The velocity of the node instead of `wanted`.
+  /// Returns the constrained velocity of the node for the trial velocity `wanted`.
   Vector<D> hold(const Vector<D>& wanted) const { return apply(wanted) + drive; }
 
   Vector<D> apply(Vector<D> vector) const {
@@ -76,13 +76,13 @@ struct Node {
   Vector<D> velocity = Vector<D>::Zero();        ///< after the remap [m/s]
 };
 
-/// What an element knows during one step.
+/// Element quantities of one step.
 struct Cell {
   std::vector<std::size_t> points;           ///< indices into Body::points
   bool full = false;                         ///< one Gauss point with the mean stress and the whole volume
   bool apart = false;                        ///< a point keeps a gap: takes no part in averages over the nodes
   Tensor gradient = Tensor::Zero();          ///< L = Σ v_i ⊗ ∇N_i [1/s]
-  Tensor strain_increment = Tensor::Zero();  ///< Δε, smoothed where asked for [-]
+  Tensor strain_increment = Tensor::Zero();  ///< Δε, smoothed with smoothing on [-]
 
   bool is_active() const { return !points.empty(); }
 };

@@ -43,7 +43,7 @@ inline double find_yield(const PlainClay& c, const PlainClayState& s) {
   return q * q / (m * m) - p * (find_p_c(c, s) - p);
 }
 
-/// What roots and void ratio make of an increment, before any stress: e of the rates is that of its middle.
+/// Advances roots and void ratio by an increment, before the stress; the rates use e at the middle of the increment.
 void advance_roots(const PlainClay& c, PlainClayState& s, const Tensor3& d);
 
 /// Strain increment `d`, small: elastic predictor and a cutting plane at the stress itself, repeated.

@@ -26,7 +26,7 @@ Tensor principal_stiffness(const Material& m) {
 std::vector<Vector3> find_returns(const Material& m, const Vector3& trial, int count) {
   const std::vector<Plane> planes = list_planes(m);
   const Tensor d = principal_stiffness(m);
-  // Round-off of the linear solves; a stress outside by this share cannot be told from one on the surface.
+  // Round-off of the linear solves: a stress outside by less than this counts as on the surface.
   const double tolerance = 1e-11 * (trial.cwiseAbs().maxCoeff() + m.cohesion);
   std::vector<Vector3> found;
   for (unsigned set = 0; set < (1u << planes.size()); ++set) {
@@ -100,7 +100,7 @@ StressUpdate update_separating(const Material& m, const Tensor& sigma, const Ten
   Tensor rest = strain_increment;
   rest.diagonal().head(dimensions).array() += closed / dimensions;
   StressUpdate update = update_stress(m, sigma, rest);
-  // It comes apart where the stress is, in all directions that move, the tension that it bears at most.
+  // The soil separates where the stress equals the tensile strength in all in-plane directions.
   const double apex = m.friction_angle > 0 ? m.cohesion / std::tan(m.friction_angle) : INFINITY;
   const double limit = std::min(m.tensile_strength, apex);
   const double borne = update.sigma.diagonal().head(dimensions).sum();

@@ -31,7 +31,7 @@ struct StressUpdate {
   Tensor sigma;                     ///< [Pa]
   double plastic_strain = 0;        ///< sqrt(2/3 e^p:e^p) of the deviatoric plastic strain of this increment [-]
   Tensor plastic = Tensor::Zero();  ///< Δε^p = C⁻¹:(σ_trial − σ) [-]
-  double opened = 0;                ///< growth of the gap in soil that comes apart, below zero where it closed [-]
+  double opened = 0;                ///< growth of the gap in separating soil, negative where it closed [-]
 };
 
 /// A linear yield function of the ordered principal stresses: f = normal·σ − strength, flow along `flow`.

@@ -72,7 +72,7 @@ void move_darcy(DarcyBody<D>& body, const DarcySettings& settings, const Predict
   }
 }
 
-/// What every pore of an element loses when `left` leaves its nodes [m³/m³].
+/// Outflow per pore volume of an element when `left` leaves its nodes [m³/m³].
 template <int D>
 std::vector<double> find_shares(const DarcyBody<D>& body, const std::vector<double>& left) {
   std::vector<double> shares(body.cells.size(), 0);
@@ -98,8 +98,8 @@ std::vector<double> find_node_sizes(const mesh::Mesh<D>& mesh) {
   return volume;
 }
 
-/// What left the nodes and their elements do not show stays with them as their own, until the soil has moved over the
-/// size of an element.
+/// Updates the nodal remainder (T22.7): outflow of the nodes that their elements do not represent. It decays as the
+/// soil moves over the size of an element.
 template <int D>
 void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<double>& shares,
                     const std::vector<Vector<D>>& velocity) {
@@ -116,8 +116,8 @@ void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std
     body.own[i] *= std::max(0.0, 1 - settings.time_step * velocity[i].norm() / size[i]);
 }
 
-/// What left the nodes is taken from the elements, in proportion to their pores (T22.6), and the budget is kept.
-/// Elements lose as much as the nodes do: no water is lost.
+/// Takes the outflow of the nodes from the elements, in proportion to their pores (T22.6), and updates the budget.
+/// Elements lose as much as the nodes: the water is conserved.
 template <int D>
 void move_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<Vector<D>>& velocity) {
   for (const WetCell& cell : body.cells) {

@@ -14,12 +14,12 @@ struct DarcySettings : WetSettings {
   double projection = 1;  ///< τ of (T22.8) times E_c/2 [-]
 };
 
-/// What a node knows of its water during one step. Volumes are those of water at zero pressure.
+/// Water of a node during one step. Volumes are those of water at zero pressure.
 struct WaterNode {
   double pores = 0;    ///< P_i [m³]; 0: no pore water is near
   double water = 0;    ///< W_i [m³]
   double held = 0;     ///< what the pores hold at the pressure of the start of the step [m³]
-  double storage = 0;  ///< −d(held)/dp [m³/Pa]
+  double storage = 0;  ///< −dH/dp of the water content H [m³/Pa]
   double change = 0;   ///< δ: what the step adds to the pressure [Pa]
   double out = 0;      ///< what leaves the node in the step, to other nodes and through the surface [m³]
   double offered = 0;  ///< inflow that the surface offers [m³/s]
@@ -40,9 +40,9 @@ struct DarcyBody : WetBody<D> {
 
   // By node. The pressure stays from step to step; NaN where there was no water.
   std::vector<double> pressure;  ///< tension positive [Pa]
-  std::vector<bool> ponded;      ///< water stands on the surface: rain does not enter at once, or seepage leaves
-  std::vector<double> own;       ///< water beside the share in that of the elements [m³]
-  std::vector<Vector<D>> area;   ///< of the open sides that touch the node, outwards [m²]
+  std::vector<bool> ponded;     ///< water is ponded on the surface: rain does not infiltrate at once, or seepage leaves
+  std::vector<double> own;      ///< nodal remainder: water beside the fraction of that of the elements [m³]
+  std::vector<Vector<D>> area;  ///< of the open sides that touch the node, outwards [m²]
   // By node, of the last step.
   std::vector<WaterNode> water;
   std::vector<std::vector<SoilPores>> soils_at;

@@ -66,11 +66,11 @@ std::vector<Vector<D>> find_pressure_force(const DarcyBody<D>& body, const std::
   return force;
 }
 
-/// What the surface does with the water of a node.
+/// Condition of the surface on the water of a node.
 struct SurfaceWater {
   bool is_given = false;  ///< the pressure is
   double pressure = 0;    ///< [Pa]
-  bool may_pond = false;  ///< water may stand or leave at zero pressure
+  bool may_pond = false;  ///< water may pond or leave at zero pressure
   double inflow = 0;      ///< offered [m³/s]
 };
 
@@ -100,7 +100,7 @@ double darcy_mass(const WetNode<D>& node) {
   return node.solid_mass + node.water_mass;
 }
 
-/// What the points give back of a node's velocity: 1, and where few points are near, the share that those see [-].
+/// Fraction s of a node's motion that the points receive (T22.3) [-]: 1, and less where few points are near.
 template <int D>
 std::vector<double> find_seen(const DarcyBody<D>& body) {
   std::vector<double> seen(body.nodes.size(), 0);
@@ -116,8 +116,8 @@ std::vector<double> find_seen(const DarcyBody<D>& body) {
   return seen;
 }
 
-/// How the pores grow when the pressures of the end of the step push: Δt²/β B Π M⁻¹ Bᵀ, M⁻¹ as far as the points see
-/// it, Π the projection of what holds the nodes, B from `squeeze` [m³/Pa].
+/// Growth of the pores by the pressures at the end of the step: Δt²/β B Π s M⁻¹ Bᵀ (T22.5), with s of (T22.3), Π the
+/// projection onto the free directions of the nodes, and B from `squeeze` [m³/Pa].
 template <int D>
 Eigen::SparseMatrix<double> find_pushed_growth(const DarcyBody<D>& body, const DarcySettings& settings,
                                                const std::vector<Eigen::Triplet<double>>& squeeze) {
@@ -138,10 +138,10 @@ Eigen::SparseMatrix<double> find_pushed_growth(const DarcyBody<D>& body, const D
   return b * inverse * b.transpose();
 }
 
-/// Rounds in which pores may be found to drain again, and rounds in all. Pores that are taken for full and are not are
-/// an error that the next step corrects; pores that take up water where there is no room are not let through.
+/// Rounds in which pores may drain again, and rounds in all. The next step corrects pores that are wrongly treated as
+/// full; pores never take up more water than their volume.
 inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;
-/// A line is near enough that gives this share of the pores right.
+/// Tolerance of the linearised content, as a fraction of the pores [-].
 inline constexpr double line_tolerance = 1e-11;
 
 /// Bends the line after a solution with the pressure `next`. Returns whether it was right.
@@ -202,8 +202,8 @@ void solve_round(DarcyBody<D>& body, const DarcySettings& settings, const std::v
     if (!is_fixed(i)) outside[i] = -settings.time_step * surface[static_cast<std::size_t>(i)].inflow;
 }
 
-/// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
-/// that is so already.
+/// Ponds water where the pressure would rise above zero, until the inflow would exceed the supply. Returns whether the
+/// set of ponded nodes is unchanged.
 template <int D>
 bool settle_surface(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<SurfaceWater>& surface,
                     const Eigen::VectorXd& change, const Eigen::VectorXd& outside) {
@@ -219,8 +219,8 @@ bool settle_surface(DarcyBody<D>& body, const DarcySettings& settings, const std
   return settled;
 }
 
-/// The pressures at the end of the step, what leaves every node, and what passes the surface. `predicted` are the nodal
-/// velocities under the forces of the start, `acceleration` what they come from.
+/// Solves for the pressures at the end of the step, the outflow of every node, and the flow through the surface.
+/// `predicted` are the nodal velocities under the forces of the start, `acceleration` their accelerations.
 template <int D>
 std::vector<ElementFlow> solve_pressures(DarcyBody<D>& body, const DarcySettings& settings,
                                          const std::vector<Vector<D>>& predicted,

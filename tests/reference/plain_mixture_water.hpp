@@ -45,7 +45,7 @@ double mean_over_nodes(const mesh::Mesh<D>& mesh, int e, const std::vector<doubl
 
 /// Suction at which all soil is dry [Pa] (Fredlund and Xing 1994).
 inline constexpr double driest = 1e9;
-/// Of a node's water over its share of the elements'.
+/// Largest nodal remainder over the node's fraction of the elements' water [-].
 inline constexpr double most_own = 0.5;
 
 /// Suction at which all but a thousandth is given up of what the soil gives up, at most 100 MPa [Pa].
@@ -59,8 +59,8 @@ inline double find_dry_suction(const PoreWater& soil) {
   return std::exp(high);
 }
 
-/// What the pores hold at a pressure [m³], and its slope −d/dp [m³/Pa]. In dry soil the rest is gone at 1 GPa, on a
-/// logarithmic scale.
+/// Returns the water content H of the pores at a pressure [m³], and its slope −dH/dp [m³/Pa]. In dry soil the residual
+/// content falls to zero at 1 GPa, on a logarithmic scale.
 inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, double p) {
   double held = 0, storage = 0;
   for (const SoilPores& s : soils) {
@@ -96,14 +96,14 @@ inline double find_suction(const std::vector<SoilPores>& soils, double water, do
   return p;
 }
 
-/// Whether the soil gives up water under suction; else only its compressibility does.
+/// Returns whether the soil drains under suction; otherwise only the compressibility of the water stores.
 inline bool retains(const PoreWater& soil) {
   return soil.saturation(1e5) < soil.saturation(0);
 }
 
-/// What a node's pores hold over the pressure, as a straight line through what they hold at `pressure`. Retention is no
-/// line: while water is drawn, it is the tangent at the last solution; pores that fill up hold what they hold at zero
-/// pressure and what is pressed into them.
+/// Linearised water content of a node's pores over the pressure, through the content at `pressure`. In suction it is
+/// the tangent of the retention at the last solution; full pores contain the content at zero pressure and the
+/// compression of the water.
 struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
   bool full = false, gives = false;
@@ -123,10 +123,10 @@ inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
   return {.pressure = p, .held = held, .storage = storage, .gives = gives};
 }
 
-/// Contents of the nodes, and the pressures of the start of the step. What a node holds at given pressures beside its
-/// share of the elements' water it keeps as its own (T22.2). Where pores are not full, the pressure is the one
-/// at which they hold their water. Where they are, it is that of the last step: the water of full pores would say it
-/// with K_w times its error.
+/// Computes the contents of the nodes and the pressures at the start of the step. The water of a node at given
+/// pressures beside its fraction of the elements' water is its remainder (T22.2). In unsaturated pores the pressure
+/// follows from the content. In full pores it is that of the last step, because the content would give it with K_w
+/// times its error.
 template <int D>
 void find_node_pressures(DarcyBody<D>& body) {
   const std::size_t count = body.mesh.nodes.size();

@@ -17,9 +17,9 @@ namespace talus::reference {
 
 /// Share of the element volume above which an element at the free surface still counts as full, after (2.92).
 inline constexpr double full_share = 0.9;
-/// Nodes lighter than this share of the lightest point do not move: their mass is round-off.
+/// Nodes lighter than this fraction of the lightest point do not move: their mass is round-off.
 inline constexpr double massless_share = 1e-12;
-/// A point outside the mesh by less than this share of an altitude is outside by round-off only.
+/// A point outside the mesh by less than this fraction of an altitude is outside by round-off only.
 inline constexpr double outside_share = 1e-9;
 
 /// Lists the points of every element and decides which elements are full: they hold one material only and either are
@@ -90,7 +90,7 @@ void solve_momentum(Body<D>& body, const Settings& settings) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     Node<D>& node = body.nodes[i];
     if (node.mass <= limit) continue;
-    // Damping takes its share of what is out of balance, not of what the supports bear.
+    // Damping acts on the unbalanced force without the reactions of supports.
     Vector<D> force = body.constraints[i].apply(node.external_force - node.internal_force);
     for (int d = 0; d < D; ++d) {
       const double sign = node.momentum[d] > 0 ? 1 : node.momentum[d] < 0 ? -1 : 0;

@@ -9,8 +9,8 @@
 
 namespace talus::reference {
 
-/// What the points of each element take over beside their own plastic dilation, ε̄_e − ε_e of (T23.1), from the sums
-/// Σ V_p Δε and Σ V_p of the elements.
+/// Nonlocal correction of the plastic dilation of each element, ε̄_e − ε_e of (T23.1), from the sums Σ V_p Δε and Σ V_p
+/// of the elements.
 template <int D>
 std::vector<double> find_nonlocal_correction(const mesh::Mesh<D>& mesh, const std::vector<double>& softened,
                                              const std::vector<double>& volume, double length) {

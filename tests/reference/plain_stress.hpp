@@ -11,8 +11,8 @@
 
 namespace talus::reference {
 
-/// An element field averaged to the nodes with weights V_e (2.94), and back (2.95). Elements without points take no
-/// part, nor do those of soil that has come apart: these keep what they have.
+/// An element field averaged to the nodes with weights V_e (2.94), and back (2.95). Elements without points and those
+/// of separated soil are excluded and keep their values.
 template <int D>
 std::vector<double> smooth_over_nodes(const Body<D>& body, const std::vector<double>& field) {
   std::vector<double> sum(body.nodes.size(), 0), volume(body.nodes.size(), 0), smoothed(field.size(), 0);
@@ -44,8 +44,8 @@ void note_gaps(Body& body, const Settings& settings) {
   }
 }
 
-/// What a change of the volumetric strain is in each direction that moves. In plane strain these are two: over three,
-/// as the text of 2.5.4 has it, a strain out of plane is left, and a third of the change becomes a deviator.
+/// Distributes a change of the volumetric strain over the in-plane directions. In plane strain these are two: with
+/// three, as in the text of 2.5.4, an out-of-plane strain remains, and a third of the change becomes a deviator.
 template <int D>
 Tensor spread_volumetric(double change) {
   Tensor strain = Tensor::Zero();
@@ -53,10 +53,10 @@ Tensor spread_volumetric(double change) {
   return strain;
 }
 
-/// What smoothing adds to the volumetric increments of the elements. `average` gives the nodal averages of an element
-/// field; elements that take no part keep what they have. Smoothing::stable averages what is elastic (T4.4): plastic
-/// flow answers to the shear of its own element, and with the dilation of others a dilatant soil explodes. Of the
-/// plastic part the last step's is known. A quarter of what is taken comes one step late (T4.5).
+/// Correction of the volumetric increments of the elements by smoothing. `average` returns the nodal averages of an
+/// element field; excluded elements keep their values. Smoothing::stable averages the elastic part (T4.4): plastic flow
+/// follows the shear of its own element, and with the dilation of others a dilatant soil is unstable. The plastic part
+/// is that of the last step. A quarter of the difference is applied one step late (T4.5).
 template <class Body, class Average>
 std::vector<double> find_smoothing_change(Body& body, Smoothing smoothing, std::vector<double> elastic,
                                           Average&& average) {
@@ -117,7 +117,7 @@ void share_mean_state(Body<D>& body, const Cell& cell) {
   }
 }
 
-/// The update of a point: where it moves, it keeps the gap by which it has come apart.
+/// Updates a point; in moving geometry it keeps the gap of its separation.
 template <class Point, class Settings, int D = Point::dimension>
 StressUpdate update_moving_stress(const Material& material, const Tensor& sigma, const Tensor& strain_increment,
                                   const Settings& settings, Point& point) {

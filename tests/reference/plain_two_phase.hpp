@@ -25,7 +25,7 @@ void accelerate_wet_points(WetBody<D>& body, const WetSettings& settings) {
   }
 }
 
-/// Nodal velocities from the points' new ones (2.78), (2.79), held, and with the inflow limited once more.
+/// Nodal velocities from the points' new ones (2.78), (2.79), with fixities and the limits of inflow applied once more.
 template <int D>
 void remap_wet_momentum(WetBody<D>& body) {
   std::vector<Vector<D>> solid(body.nodes.size(), Vector<D>::Zero()), water = solid;

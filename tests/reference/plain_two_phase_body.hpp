@@ -44,7 +44,7 @@ struct WetPoint : Point<D> {
 
 enum class Drag { implicit_at_nodes, explicit_as_source };
 
-/// Which force the local damping takes its share of.
+/// Force to which the local damping factor applies.
 enum class DampedForce {
   without_drag,  ///< the source: the unbalanced force of each phase without drag (2.5.1)
   net            ///< what is left with drag and with the skin of the surface: zero in steady flow
@@ -68,11 +68,11 @@ struct WetSettings {
 /// The nodal fields of one step.
 template <int D>
 struct WetNode {
-  double solid_mass = 0;  ///< M_s [kg]
-  double water_mass = 0;  ///< M̄_w of (2.69): the water that is there [kg]
-  double whole_mass = 0;  ///< M_w of (2.70): water in the whole volume of the wet points [kg]
-  double resistance = 0;  ///< Σ N ρ_w g/k V, k saturated: what Darcy's flux θ(w−v) is held back with (2.75) [kg/s]
-  double volume = 0;      ///< Σ N V of wet points [m³]
+  double solid_mass = 0;     ///< M_s [kg]
+  double water_mass = 0;     ///< M̄_w of (2.69): the water that is there [kg]
+  double whole_mass = 0;     ///< M_w of (2.70): water in the whole volume of the wet points [kg]
+  double resistance = 0;     ///< Σ N ρ_w g/k V, k saturated: resistance to Darcy's flux θ(w−v) (2.75) [kg/s]
+  double volume = 0;         ///< Σ N V of wet points [m³]
   double mobile_volume = 0;  ///< Σ N V k_r [m³]
   bool drinks = false;       ///< a wet surface that takes less water than there is outside: conducts as saturated
   Vector<D> solid_momentum = Vector<D>::Zero();  ///< at the start of the step [kg m/s]
@@ -97,7 +97,7 @@ struct WetNode {
   }
 };
 
-/// What happens to water where the node lies on a free surface of the wet soil.
+/// Hydraulic condition at nodes on a free surface of the wet soil.
 enum class SurfaceKind {
   open,     ///< p = 0, water may leave and enter
   seepage,  ///< p = 0 where water leaves; none enters
@@ -114,7 +114,7 @@ struct SurfaceCondition {
   Vector<D> rain = Vector<D>::Zero();  ///< q̂, the rain as a vector: intensity on the plane normal to it [m/s]
   double normal_rain = 0;              ///< intensity on the surface itself [m/s]
   double evaporation = 0;              ///< out of the surface itself, of kind rain [m/s]
-  double suction_limit = INFINITY;     ///< where evaporation ends; it fades over the last tenth [Pa]
+  double suction_limit = INFINITY;     ///< suction at which evaporation ends; it decreases over the last tenth [Pa]
   double inflow = 0;                   ///< of kind flux, into the soil [m/s]
   double head = 0;                     ///< level of the standing water, along component 1 [m]
   double pressure = 0;                 ///< of kind pressure, tension positive [Pa]
@@ -136,7 +136,7 @@ struct WaterBudget {
 struct WetCell : Cell {
   bool wet = false;            ///< holds a point with pore water
   double stretch = 1;          ///< what V_p is multiplied with where the element is integrated: V_e/Σ V_p when full
-  double flux_divergence = 0;  ///< div(θ(w−v)), smoothed where asked for [1/s]
+  double flux_divergence = 0;  ///< div(θ(w−v)), smoothed with smoothing on [1/s]
   double surplus = 0;          ///< what (2.96) adds to the increment of water volume per volume [-]
 };
 

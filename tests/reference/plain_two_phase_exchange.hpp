@@ -58,8 +58,8 @@ Vector<D> still_flux(const WetBody<D>& body, int number) {
   return flux;
 }
 
-/// Where the pressure grows from middle to middle by more than by Darcy's law with the fluxes of the side's nodes,
-/// water passes the side as if it were the only one; at most 5 % of the smaller storage, every fourth step.
+/// Exchanges water across sides where the pressure difference of the centroids exceeds that of Darcy's law with the
+/// fluxes of the side's nodes; each side is treated alone, at most 5 % of the smaller storage, every fourth step.
 template <int D>
 void exchange_water(WetBody<D>& body, const WetSettings& settings) {
   if (!settings.exchange_water || body.steps % 4 != 0) return;

@@ -13,7 +13,7 @@
 
 namespace talus::reference {
 
-/// Below this share of the saturated conductivity water counts as immobile; zero would be an infinite drag.
+/// Below this fraction of the saturated conductivity water counts as immobile; zero would be an infinite drag.
 inline constexpr double lowest_relative_conductivity = 1e-12;
 
 /// As classify_elements() of one phase; an element is wet when one of its points is.

@@ -21,7 +21,7 @@ struct CoupledSoil {
     return {modulus, n, 1.0, n / bulk_modulus, grains, 1000.0, k, 9.81};
   }
   Eigen::Vector2d mass() const { return {(1 - porosity) * grain_density, porosity * saturation * water_density}; }
-  /// Of the strains of solid and water: the pressure rises by S[(1−n) ε_s + n ε_w]/storage.
+  /// Stiffness for the strains of solid and water: the pressure rises by S[(1−n) ε_s + n ε_w]/storage.
   Eigen::Matrix2d stiffness() const {
     const Eigen::Vector2d to_pressure(saturation * (1 - porosity), saturation * porosity);
     Eigen::Matrix2d k = to_pressure * to_pressure.transpose() / storage;

@@ -9,8 +9,8 @@
 
 namespace talus::reference {
 
-/// What one node knows in one direction. `water_force` is that of (2.67), per unit of n S; `solid_force` what is left
-/// of the mixture's force after n S times it. Both contain no drag.
+/// Quantities of one node in one direction. `water_force` is that of (2.67), per unit of n S; `solid_force` is the
+/// mixture's force minus n S times it. Both contain no drag.
 struct NodeDirection {
   double solid_mass, water_mass;  ///< M_s and M_w (of the whole volume), times β [kg]
   double content;                 ///< θ = n S
@@ -27,8 +27,8 @@ struct Accelerations {
 
 /// Solves, with w' = w + Δt a_w and v' = v + Δt a_s (implicit) or w' = w and v' = v (explicit),
 ///     M_w a_w = F_w − D(w' − v'),   M_s a_s = F_s + θ D(w' − v').
-/// A phase that is held takes the velocity that its points bring, a = (drive − v)/Δt with the solid's drive; the other
-/// one feels it through the drag.
+/// A fixed phase loses the velocity that its points bring, a = (drive − v)/Δt with the solid's drive; it acts on the
+/// other phase through the drag.
 inline Accelerations solve_direction(const NodeDirection& n, double time_step, Drag drag) {
   const double g = drag == Drag::implicit_at_nodes ? n.drag * time_step : 0.0;
   const double water = n.water_force - n.drag * (n.w - n.v);
@@ -63,7 +63,7 @@ Vector<D> damp(const Vector<D>& unbalanced, const Vector<D>& velocity, double al
   return force;
 }
 
-/// Orthonormal directions in which each phase is either free or held: normals of inclined walls, then the axes.
+/// Orthonormal directions in which each phase is either free or fixed: normals of inclined walls, then the axes.
 template <int D>
 Eigen::Matrix<double, D, D> constraint_axes(const Constraint<D>& solid, const Constraint<D>& water) {
   Eigen::Matrix<double, D, D> axes = Eigen::Matrix<double, D, D>::Identity();
@@ -78,7 +78,7 @@ Eigen::Matrix<double, D, D> constraint_axes(const Constraint<D>& solid, const Co
   return axes;
 }
 
-/// Whether the constraint forbids all motion along the unit vector.
+/// Returns whether the constraint forbids all motion along the unit vector.
 template <int D>
 bool is_held(const Constraint<D>& constraint, const Vector<D>& direction) {
   return constraint.apply(direction).norm() < 1e-9;
@@ -119,7 +119,7 @@ PhaseForces<D> find_damping(const WetNode<D>& node, const WetSettings& settings)
           damp<D>(water, water_velocity(node), settings.water_damping)};
 }
 
-/// Accelerations of a node under its forces and `extra` ones, held where a phase is.
+/// Accelerations of a node under its forces and `extra` ones, with the constraints of each phase.
 template <int D>
 void solve_node(WetBody<D>& body, std::size_t number, const WetSettings& settings, const PhaseForces<D>& extra) {
   WetNode<D>& node = body.nodes[number];

@@ -31,7 +31,7 @@ std::vector<double> smooth_with_weights(const mesh::Mesh<D>& mesh, const std::ve
   return smoothed;
 }
 
-/// V_e of the elements whose volume change is averaged: those with points, unless these have come apart.
+/// V_e of the elements whose volume change is averaged: those with points, unless their soil is separated.
 template <int D>
 std::vector<double> averaged_volumes(const WetBody<D>& body) {
   std::vector<double> weights(body.cells.size(), 0);

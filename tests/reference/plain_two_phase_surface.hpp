@@ -18,17 +18,17 @@ SurfaceCondition<D> surface_condition(const WetBody<D>& body, int node) {
   return body.surface.empty() ? SurfaceCondition<D>{} : body.surface[static_cast<std::size_t>(node)];
 }
 
-/// Level above a node at which standing water begins [m]; negative: the node is dry.
+/// Depth of a node below the level of standing water [m]; negative: the node is dry.
 template <int D>
 double submergence(const WetBody<D>& body, int node) {
   return surface_condition(body, node).head - at(body.mesh.nodes, node)[1];
 }
 
-/// Shares smaller than this of Σ V|∇N| are no surface: round-off, or the quadrature error of crowded points.
+/// Areas below this fraction of Σ V|∇N| are not a surface: round-off, or the quadrature error of crowded points.
 inline constexpr double surface_share = 1e-3;
 
-/// Where the open sides of a node's elements close round it, as those of a lone element do, their sum is this share of
-/// them by round-off, and the sides that touch the node say where outside is.
+/// Round-off of the sum of open sides that enclose a node, as those of an isolated element do, over their area [-];
+/// then the sides that touch the node define the outward direction.
 inline constexpr double closed_share = 1e-9;
 
 /// Pressure of the outer water on the soil at a node that is loaded by it, under the condition of node `like` [Pa].
@@ -40,7 +40,7 @@ double outer_pressure(const WetBody<D>& body, int node, int like) {
   return -unit_weight * std::max(0.0, condition.head - at(body.mesh.nodes, node)[1]);
 }
 
-/// Whether outer water stands at a node, or a pressure is given there.
+/// Returns whether a node is under outer water, or has a given pressure.
 template <int D>
 bool has_outer_water(const WetBody<D>& body, int node) {
   const SurfaceKind kind = surface_condition(body, node).kind;
@@ -48,7 +48,8 @@ bool has_outer_water(const WetBody<D>& body, int node) {
 }
 
 /// Loads an open side whose nodes all have outer water: p̂, linear over the side from its nodes' values, on the water
-/// and, where it presses, on the mixture. `share` is what each node has of the side, n S/D. Returns whether it does.
+/// and, in compression, on the mixture. `share` is the part of the side of each node, n S/D. Returns whether it is
+/// loaded.
 template <int D>
 bool load_side(WetBody<D>& body, const std::vector<int>& nodes, const Vector<D>& share) {
   double sum = 0;
@@ -103,7 +104,7 @@ double mean_pressure(const WetBody<D>& body, const WetCell& cell) {
   return sum / volume;
 }
 
-/// Whether the nodes of the side opposite local node `k` of element `e` all hold the water along its normal.
+/// Returns whether the water is fixed along the normal at all nodes of the side opposite local node `k` of element `e`.
 template <int D>
 bool is_closed_side(const WetBody<D>& body, int e, int k) {
   const Vector<D> normal = -shape_gradients(body.mesh, e).row(k).transpose().normalized();
@@ -112,8 +113,9 @@ bool is_closed_side(const WetBody<D>& body, int e, int k) {
   return true;
 }
 
-/// Of each element whether it is outside the wet soil: it has none, and touches none, holds dry soil or has a side of
-/// the mesh that lets water through, or is a neighbour of one that is outside. The others without wet soil are gaps.
+/// Returns for each element whether it is outside the wet soil: it has no wet soil, and touches none, contains dry
+/// soil, has a permeable side of the mesh, or is a neighbour of one that is outside. Other elements without wet soil
+/// are gaps.
 template <int D>
 std::vector<bool> find_outside(const WetBody<D>& body) {
   const int count = body.mesh.element_count();
@@ -137,7 +139,7 @@ std::vector<bool> find_outside(const WetBody<D>& body) {
   return outside;
 }
 
-/// Whether water can pass the side opposite local node `k` of a wet element.
+/// Returns whether the side opposite local node `k` of a wet element is permeable.
 template <int D>
 bool is_open_side(const WetBody<D>& body, const std::vector<bool>& outside, int e, int k) {
   const int behind = at(at(body.mesh.neighbours, e), k);
@@ -190,13 +192,13 @@ void load_free_surface(WetBody<D>& body) {
   }
 }
 
-/// Share of the evaporation that soil under a suction still gives: it fades over the last tenth before the limit.
+/// Fraction of the potential evaporation from soil under a suction: it decreases over the last tenth before the limit.
 inline double evaporation_share(double suction, double limit) {
   if (std::isinf(limit)) return 1;
   return std::clamp((limit - suction) / (0.1 * limit), 0.0, 1.0);
 }
 
-/// What the condition offers to a node of the surface, along its outward normal: q̂_n [m/s], negative inwards.
+/// Returns the supply of the condition at a surface node along its outward normal: q̂_n [m/s], negative inwards.
 template <int D>
 double offered_flux(const SurfaceCondition<D>& condition, const WetNode<D>& node) {
   if (condition.kind == SurfaceKind::flux) return -condition.inflow;
@@ -205,9 +207,9 @@ double offered_flux(const SurfaceCondition<D>& condition, const WetNode<D>& node
          condition.evaporation * evaporation_share(node.suction, condition.suction_limit);
 }
 
-/// Where more water would enter than is offered, or less would leave than evaporates, an impulse along the normal,
-/// opposite on the two phases, corrects the relative velocity; for a given flux always. In held directions the supports
-/// take the impulse.
+/// Corrects the relative velocity by an impulse along the normal, opposite on the two phases, if the inflow exceeds the
+/// supply or the outflow is below the evaporation; for a given flux always. In fixed directions the supports take the
+/// impulse.
 template <int D>
 void limit_inflow(const WetBody<D>& body, int number, Vector<D>& v, Vector<D>& w) {
   const WetNode<D>& node = at(body.nodes, number);
@@ -241,7 +243,7 @@ void limit_predicted_inflow(WetBody<D>& body, std::size_t number, double time_st
   node.water_acceleration += (w - w0) / time_step;
 }
 
-/// Whether a surface node with water outside takes less of it than there is.
+/// Returns whether the inflow of a surface node with water outside is below the supply.
 template <int D>
 bool takes_less_than_offered(const WetBody<D>& body, std::size_t number, double time_step) {
   const WetNode<D>& node = body.nodes[number];
@@ -286,7 +288,7 @@ void solve_wet_momentum(WetBody<D>& body, const WetSettings& settings) {
   }
 }
 
-/// What passes a node of the surface in this step: `out` [kg] leaves.
+/// Adds the flow of this step through a surface node to the budget: `out` [kg] leaves.
 template <int D>
 WaterBudget pass_surface(const WetBody<D>& body, std::size_t number, double out, double time_step) {
   const WetNode<D>& node = body.nodes[number];

@@ -57,7 +57,7 @@ void distribute_water(WetBody<D>& body, const WetCell& cell) {
   }
 }
 
-/// The points of a full element share effective stress, plastic strain and gap: means weighted by V_p.
+/// Averages effective stress, plastic strain and gap over the points of each full element, weighted by V_p.
 template <int D>
 void share_skeleton_state(WetBody<D>& body, const WetCell& cell) {
   Tensor sigma = Tensor::Zero();

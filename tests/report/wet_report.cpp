@@ -143,7 +143,7 @@ TEST_F(WetReport, TheFlowOfTheWaterIsDarcysAndDrySoilHasNone) {
 }
 
 TEST_F(WetReport, TheBudgetClosesWithWhatPassedEachSurface) {
-  // Water stands above the foot of the face: what rains there runs off, whatever the processor rounds.
+  // The foot of the face is below the water table: all rain there runs off, whatever the rounding of the processor.
   const fs::path folder = make_test_folder("wet_runoff");
   run_wet_case(folder, {{"initial.water_table", "[[0, 2], [7, 1.5]]"}});
   const json wet = collect_report(folder).document.get();

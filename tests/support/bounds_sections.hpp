@@ -8,7 +8,7 @@
 
 namespace talus::bounds {
 
-/// Four triangles in each cell between the given x and `rows` layers from `base` to the ground. The base is held, the
+/// Four triangles in each cell between the given x and `rows` layers from `base` to the ground. The base is fixed, the
 /// ends are smooth.
 Problem make_columns(const std::vector<double>& x, int rows, double base, const std::function<double(double)>& ground);
 

@@ -38,7 +38,7 @@ inline bool wait_for_file(const std::filesystem::path& path, pid_t process) {
   return std::filesystem::exists(path);
 }
 
-/// Whether the process runs and has not taken over SIGTERM yet.
+/// Returns whether the process runs and has not installed its handler of SIGTERM yet.
 inline bool is_starting(pid_t child) {
   constexpr unsigned long long term = 1ULL << (SIGTERM - 1);
   std::ifstream status("/proc/" + std::to_string(child) + "/status");
@@ -56,7 +56,7 @@ inline bool wait_for_seconds(pid_t child, double seconds) {
   clockid_t clock{};
   const int end = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
   if (end < 0 || clock_getcpuclockid(child, &clock) != 0) return false;
-  // A timer on the clock of the process tells by a signal, which is read like a file.
+  // A timer on the clock of the process sends a signal, which is read like a file.
   sigset_t ours, before;
   sigemptyset(&ours);
   sigaddset(&ours, SIGRTMIN);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Slopes that several tests share: the case files of tests/support/slopes, and changes to them.
+// Slopes of several tests: the case files of tests/support/slopes, and changes to them.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace talus::support {
 
-/// The text of slopes/NAME.toml; with keys changed as by --set ("mesh.size=2"), its keys are sorted and say the same.
+/// Returns the text of slopes/NAME.toml; with changes as by --set ("mesh.size=2") an equivalent text with sorted keys.
 std::string write_slope(const std::string& name, const std::vector<std::string>& changes = {});
 
 }  // namespace talus::support

@@ -23,7 +23,7 @@ struct Substance {
   double density = 1800;  ///< [kg/m³]
 };
 
-/// Points of equal volume (points_per_element as in mesh::point_positions) where `filling` says so.
+/// Points of equal volume (points_per_element as in mesh::point_positions) in the elements selected by `filling`.
 template <int D>
 mpm::Body<D> fill_body(mesh::Mesh<D> mesh, const std::vector<Substance>& substances, int points_per_element,
                        const Filling<D>& filling, const Start<D>& start = {}, int chunks = 0);
@@ -39,7 +39,7 @@ mpm::Constraint<D>& get_constraint(mpm::Body<D>& body, std::size_t node) {
   return body.conditions.constraints[static_cast<std::size_t>(index)];
 }
 
-/// The node moves with `velocity` [m/s] times `factor`, whatever held it before.
+/// Prescribes `velocity` [m/s] times `factor` at the node, replacing earlier constraints.
 template <int D>
 void move_node(mpm::Body<D>& body, std::size_t node, const Vec<D>& velocity, const input::TimeTable& factor = {}) {
   mpm::Constraint<D>& c = get_constraint(body, node);

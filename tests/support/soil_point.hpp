@@ -29,7 +29,7 @@ struct Soil {
   }
 };
 
-/// What one increment did to a point.
+/// Result of one increment at a point.
 template <int NS>
 struct Outcome {
   Voigt<NS> stress{};
@@ -73,7 +73,7 @@ Voigt<NS> to_voigt(const reference::Tensor& t, bool strain = false) {
   return v;
 }
 
-/// What elasticity does not explain of the increment `d` [-].
+/// Inelastic part of the strain increment `d` [-].
 template <int NS>
 reference::Tensor find_plastic_strain(const Soil& soil, const Voigt<NS>& before, const Voigt<NS>& d,
                                       const Voigt<NS>& after) {

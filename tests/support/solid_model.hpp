@@ -14,7 +14,7 @@ namespace talus::support {
 
 inline constexpr double degree = 0.017453292519943295;
 
-/// The sides of the soil's border, with no soil across, whose every node fulfils `wanted`.
+/// Sides of the soil's border, with no soil across, whose nodes all satisfy `wanted`.
 template <int D>
 std::vector<std::array<int, D>> find_sides(const mesh::Mesh<D>& mesh, const std::function<bool(const Vec<D>&)>& wanted);
 

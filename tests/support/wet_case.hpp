@@ -27,7 +27,7 @@ inline input::Hydraulic make_hydraulic(const std::string& on, input::WaterCondit
   return h;
 }
 
-/// Names the sides between elements whose nodes all lie where `chosen` says.
+/// Names the sides between elements whose nodes all satisfy `chosen`.
 template <int D>
 void name_line(mesh::Mesh<D>& mesh, const std::string& name,
                const std::type_identity_t<std::function<bool(const Vec<D>&)>>& chosen) {

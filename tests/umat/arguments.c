@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* A UMAT that answers with what it was told, so that a test sees every argument in its place. */
+/* A UMAT that returns its arguments, so that a test can check every one of them. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void arguments(double* stress, double* statev, double* ddsdde, double* sse, doub
     const double one = i % 4 == 0;
     identity += fabs(drot[i] - one) + fabs(dfgrd0[i] - one) + fabs(dfgrd1[i] - one);
   }
-  for (int i = 0; i < *ntens * *ntens; ++i) ddsdde[i] = 1; /* there must be room for it */
+  for (int i = 0; i < *ntens * *ntens; ++i) ddsdde[i] = 1; /* the array must be allocated */
   for (int i = 0; i < *ntens; ++i) ddsddt[i] = drplde[i] = 1;
   const double told[20] = {
       calls,

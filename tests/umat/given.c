@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* A UMAT that answers what give() was told last: any numbers in any of its arguments. */
+/* A UMAT that returns the numbers of the last give() call in its arguments. */
 #include <stddef.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@ void give(const unsigned char* bytes, size_t size) {
   left = size;
 }
 
-/* The next number of the answers; ones when they are used up. */
+/* Returns the next number of the list; 1 when it is used up. */
 static double take(void) {
   double value = 1;
   if (left < sizeof value) return value;

@@ -57,8 +57,8 @@ TEST(ChildProcess, ThrowsTheErrorOfItsWorkHere) {
   }
 }
 
-/// A child that another thread starts meanwhile does not keep an answer open: some wait until short ones have been
-/// answered since their start.
+/// A child started by another thread does not keep a pipe open: some children wait until short ones, started later,
+/// have returned.
 TEST(ChildProcess, AnswersBeforeTheChildrenOfOtherThreadsEnd) {
   using Counter = std::atomic<int>;
   void* const shared = mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

@@ -245,7 +245,7 @@ TEST(ConicSolver, BadlyScaledDataChangeLittle) {
   }
 }
 
-/// From the solution of a near program fewer iterations are needed, and the answer is the same.
+/// A warm start from a similar program needs fewer iterations and gives the same solution.
 TEST(ConicSolver, BeginsFromANearSolution) {
   int anew = 0, near = 0;
   for (int seed = 500; seed < 520; ++seed) {
@@ -262,7 +262,7 @@ TEST(ConicSolver, BeginsFromANearSolution) {
   EXPECT_LT(near, anew);
 }
 
-/// An equation said twice, and a variable that nothing names with no cost.
+/// A repeated equation, and a variable without equation and cost.
 TEST(ConicSolver, RepeatedEquationsAndIdleVariables) {
   ConicProgram p;
   p.variables = 5, p.equations = 2, p.cones = {4};

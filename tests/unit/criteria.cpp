@@ -174,7 +174,7 @@ TEST(FrozenSearch, WarnsOfUndecidedTrialsWhereTheyLeaveTheFactorOpen) {
                                                            }));
     EXPECT_TRUE(found.undecided);
     EXPECT_EQ(describe_undecided(found, {}, {"m", 1}).empty(), runs_away < 1.53) << "2 % of the factor";
-    // The interval reaches the factor at which a trial ran away, not the one that was counted as failed.
+    // The interval extends to the factor of the failed trial, not to the undecided one that was counted as failed.
     const results::FrozenFactor frozen = join_meshes({found});
     EXPECT_GE(*frozen.factor + frozen.bracket, runs_away);
   }
@@ -239,7 +239,7 @@ TEST(FrozenInterval, HoldsBracketsAndWhatTheMeshDoes) {
   EXPECT_NEAR(one.bracket, 0.002, 1e-12);
 }
 
-/// Through 2h, h and h/2 with weights 1/h the shares of the three factors are −5/13, 2/13 and 16/13.
+/// Through 2h, h and h/2 with weights 1/h the coefficients of the three factors are −5/13, 2/13 and 16/13.
 TEST(FrozenInterval, OfThreeMeshesIsThatOfTheLineThroughThem) {
   const auto line = [](double h) { return make_mesh(h, 1.36 + 0.1 * h); };
   EXPECT_NEAR(*join_meshes({line(0.75), line(0.375)}, line(1.5)).factor, 1.36, 1e-12);

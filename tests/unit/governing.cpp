@@ -68,7 +68,7 @@ TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
   run.slices->noncircular.clear();
   EXPECT_EQ(find_main_factor(run), 1.25) << "a mechanism has less than every factor";
   EXPECT_EQ(find_proven_end(run), ProvenEnd::upper);
-  // A surface that another method gave is judged as well.
+  // A surface from another method is a candidate as well.
   run.methods.emplace().optimised = {make_surface(SliceMethod::spencer, 1.1)};
   run.methods->optimised[0].verdict = referee.judge(1.1);
   EXPECT_EQ(name_governing(run), "");

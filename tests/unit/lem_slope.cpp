@@ -179,7 +179,7 @@ TEST(LemFaults, OfASurface) {
 }
 
 TEST(LemArcs, SteepEndGivenWithFewDigits) {
-  // Low 1989: the arc stands upright at the crest; x rounded to a millimetre misses the ground by 5 cm in height, by
+  // Low 1989: the arc is vertical at the crest; x rounded to a millimetre misses the ground by 5 cm in height, by
   // nothing in distance.
   const Slope slope(make_section({{0, 8}, {10, 8}, {26, 16}, {40, 16}}, make_soil(15, 0, 20), 0));
   const CutSurface cut = cut_surface(slope, make_arc({18.0021, 16.0}, 15.252, 5.017, 33.254), 50, report_only());

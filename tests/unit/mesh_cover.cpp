@@ -110,7 +110,7 @@ TEST(Cover, CornersWithinTheToleranceAreJoined) {
   EXPECT_TRUE(join_corners(plan).empty());
 }
 
-/// The area that two stars about a centre share, counted on a raster.
+/// Common area of two stars about a centre, counted on a raster.
 TEST(Cover, RandomStarsOverlapAsARasterCounts) {
   support::Draw draw(7);
   for (int round = 0; round < 20; ++round) {

@@ -146,7 +146,7 @@ TEST(MeshFile, CutOffInTheMiddleIsRefused) {
   }
 }
 
-// Gmsh believes what a text file says, and crashes.
+// Gmsh does not check the numbers of a text file, and crashes.
 TEST(MeshFile, WithNumbersThatDoNotFitNamesTheLine) {
   BoxFile box;
   box.binary = false;

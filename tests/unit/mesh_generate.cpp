@@ -97,7 +97,7 @@ TEST(Generate, ConformsToLayersLensesAndLinesThatCrossThem) {
   plan.box_min = {-1, 0};
   plan.box_max = {20, 12};
   plan.size = 1;
-  plan.polygons = {{"upper", {{0, 5}, {18, 5}, {18, 7}, {10, 10}, {0, 10}}},  // shares a part of an edge with
+  plan.polygons = {{"upper", {{0, 5}, {18, 5}, {18, 7}, {10, 10}, {0, 10}}},  // a part of an edge is common with
                    {"lower", {{-1, 0}, {20, 0}, {20, 5}, {-1, 5}}},           // this one, which fills the box's width
                    {"lens", {{4, 6}, {8, 6}, {6, 8}}},                        // wholly inside "upper"
                    {"notch", {{10, 0}, {12, 0}, {11, 2}}}};                   // inside "lower", on its edge

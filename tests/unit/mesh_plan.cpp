@@ -101,9 +101,9 @@ TEST(Plan, TellsWhichPolygonsOverlap) {
 
 TEST(Plan, TellsApartTheWaysTwoPolygonsCanLie) {
   const Polyline square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  EXPECT_EQ(compare(square, {{4, 1}, {6, 1}, {6, 9}, {4, 9}}, 1e-6), Relation::apart);   // shares a part of an edge
-  EXPECT_EQ(compare(square, {{4, 4}, {6, 4}, {6, 6}}, 1e-6), Relation::apart);           // shares a corner
-  EXPECT_EQ(compare(square, {{0, 0}, {2, 0}, {2, 4}, {0, 4}}, 1e-6), Relation::around);  // shares three edges
+  EXPECT_EQ(compare(square, {{4, 1}, {6, 1}, {6, 9}, {4, 9}}, 1e-6), Relation::apart);   // common part of an edge
+  EXPECT_EQ(compare(square, {{4, 4}, {6, 4}, {6, 6}}, 1e-6), Relation::apart);           // common corner
+  EXPECT_EQ(compare(square, {{0, 0}, {2, 0}, {2, 4}, {0, 4}}, 1e-6), Relation::around);  // three common edges
   EXPECT_EQ(compare({{1, 1}, {2, 1}, {2, 2}}, square, 1e-6), Relation::inside);
   EXPECT_EQ(compare(square, {{-1, 1}, {5, 1}, {5, 2}, {-1, 2}}, 1e-6), Relation::overlapping);  // a cross
 }

@@ -246,7 +246,7 @@ TEST_F(Pictures, OfASectionInMapCoordinatesHaveAllDigits) {
   output::draw(plot, folder_ / "local.svg");
   const Frame local = read_frame(read("local.gp"));
   EXPECT_NEAR(map.x1 - map.x0, local.x1 - local.x0, 1e-6);
-  // The heights of a map have three digits more than there was room for.
+  // The heights of a map need three digits more than the margin had space for.
   EXPECT_NEAR(map.width * map.left - local.width * local.left, 3 * 7, 1);
 }
 

@@ -38,7 +38,7 @@ class Results : public testing::Test {
   fs::path folder_;
 };
 
-/// Frame k has 10 - k points (points leave), and every value tells its frame, point and component.
+/// Frame k has 10 - k points (points leave), and every value encodes its frame, point and component.
 Frame make_frame(int k, bool with_mesh = false) {
   Frame frame;
   frame.time = 0.1 * k;
@@ -107,7 +107,7 @@ std::pair<std::string, std::string> run_with_full_disk(const fs::path& folder, r
   const fs::path answer = folder.string() + ".answer", errors = folder.string() + ".stderr";
   const pid_t child = fork();
   if (child == 0) {
-    // The answer is written before the limit would stop it: both files are opened and short.
+    // The result is written before the limit is reached: both files are opened and short.
     std::signal(SIGXFSZ, SIG_IGN);
     if (std::freopen(errors.c_str(), "w", stderr) == nullptr) _exit(9);
     const rlimit limit{bytes, bytes};

@@ -79,7 +79,7 @@ TEST(ResultsJson, AMethodWithoutAnAnswerTellsItsReasonAlone) {
   EXPECT_EQ(from_json<RunResult>(json{{"fem", written}}, "").elements->error, "no equilibrium");
 }
 
-/// Every key that a run writes stands in the schema.
+/// Expects every key that a run writes in the schema.
 void expect_known(const json& value, const json& schema, const std::string& path) {
   if (schema.contains("anyOf")) {
     if (!value.is_null()) expect_known(value, schema.at("anyOf").at(0), path);

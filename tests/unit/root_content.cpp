@@ -129,7 +129,7 @@ TEST(RootAge, GrowsAndDecays) {
   EXPECT_EQ(find_age_share(roots), 1);
   const double year = 365.25 * 86400;
   roots.growth = {{0, 0}, {2 * year, 0.4}, {10 * year, 1}};
-  EXPECT_EQ(find_age_share(roots), 1);  // a table without an age says nothing
+  EXPECT_EQ(find_age_share(roots), 1);  // a table without an age has no effect
   roots.age = 6 * year;
   EXPECT_NEAR(find_age_share(roots), 0.7, 1e-12);
   roots.felled = 3 * year;
@@ -186,7 +186,7 @@ TEST(RootsAtPlaces, AddUpWhereBlocksReachAndAreTheMaterialsElsewhere) {
   EXPECT_EQ(roots[3].cohesion, 4e3);
   EXPECT_EQ(roots[3].content, 0);
   EXPECT_EQ(roots[4].cohesion, 700);
-  EXPECT_EQ(roots[5].content, 0);  // roots do not grow in soils that know none
+  EXPECT_EQ(roots[5].content, 0);  // soils without a rooted model have no roots
   EXPECT_EQ(roots[6].cohesion, 0);
   EXPECT_EQ(roots[7].cohesion, 4e3);
 }

@@ -33,7 +33,7 @@ std::pair<double, double> integrate(const Marginal& m) {
   return {first, std::sqrt(second - first * first)};
 }
 
-/// The known answers that Random123 publishes with the generator (kat_vectors).
+/// Known-answer test vectors of Random123 (kat_vectors).
 TEST(RandomStream, GivesThePublishedNumbersOfPhilox) {
   EXPECT_EQ(scramble({0, 0, 0, 0}, {0, 0}), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   EXPECT_EQ(scramble({~0u, ~0u, ~0u, ~0u}, {~0u, ~0u}), (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));

@@ -126,8 +126,8 @@ TEST(Interval, IsThatOfClopperAndPearson) {
   EXPECT_NEAR(bound_share(0, 10000000, 0.95)[1], 3.688879e-7, 1e-12);  // -ln(0.025)/n
 }
 
-/// Over 200 seeds the interval holds the true probability at least as often as it says, also for a hypercube of two
-/// numbers of which neither decides alone; there the estimates scatter less than the interval allows.
+/// Over 200 seeds the interval contains the true probability at least as often as its level, also for a hypercube of
+/// two numbers of which neither governs alone; there the estimates scatter less than the interval allows.
 TEST(Interval, HoldsTheTruthOftenEnough) {
   const std::vector<Marginal> numbers{make(Distribution::normal, 0, 1), make(Distribution::normal, 0, 1)};
   const FactorOf factor = [](const std::vector<double>& v) { return std::optional(1 + 2.3 + v[0] + v[1]); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections with soil that moves to both sides: their division, and the sentences on each side.
+// Division of sections whose soil moves to both sides, and the sentences on each side.
 
 #include <gtest/gtest.h>
 

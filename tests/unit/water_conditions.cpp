@@ -20,7 +20,7 @@ const mpm::SurfaceCondition& get_surface(const mpm::Body<D>& body, const std::ty
   return body.water.surfaces[number];
 }
 
-/// The directions held at a node, as |component| sums: (1, 1) at a corner.
+/// Fixed directions at a node, as sums of |component|: (1, 1) at a corner.
 Vec<2> get_held(const mpm::Body<2>& body, const Vec<2>& x) {
   Vec<2> sum{};
   const int c = body.water.constraint_of_node[static_cast<std::size_t>(find_node<2>(body.mesh(), x))];
