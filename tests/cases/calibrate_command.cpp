@@ -151,7 +151,7 @@ TEST_F(CalibrateCommand, TheSameSeedGivesTheSameBytes) {
   EXPECT_NE(starts("a")["starts"][1]["from"], starts("c")["starts"][1]["from"]);
 }
 
-TEST_F(CalibrateCommand, AParameterAtItsLimitIsSaidAtTheTerminal) {
+TEST_F(CalibrateCommand, AParameterAtItsLimitIsReportedAtTheTerminal) {
   const Outcome outcome = run_program("calibrate " + file_ + " --no-report --set calibration.parameter.1.max=28 -o " +
                                       (folder_ / "out").string());
   EXPECT_EQ(outcome.code, 0) << "a warning, no error: " << outcome.text;

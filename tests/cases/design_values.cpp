@@ -155,7 +155,7 @@ TEST(DesignValues, WarnOfFactoredActionsBesideAnEarthquake) {
 }
 
 /// The report's table of design values has the values of the case.
-TEST(DesignValues, StatementSaysWhatWasChanged) {
+TEST(DesignValues, StatementListsTheChangedValues) {
   const DesignValues d = apply_partial_factors(read("[partial_factors]\nset = \"DA3\"\n"));
   std::map<std::string, std::pair<double, double>> result;
   for (const results::DesignValue& row : d.statement->materials) result[row.symbol] = {row.characteristic, row.design};

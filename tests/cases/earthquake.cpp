@@ -41,7 +41,7 @@ TEST_F(EarthquakeTest, FiniteElementsAndLimitAnalysisFindTheWeakSide) {
 }
 
 /// The dry slope fails towards larger x.
-TEST_F(EarthquakeTest, MaterialPointsFollowTheWeakerDirectionAndSaySo) {
+TEST_F(EarthquakeTest, MpmUsesTheDirectionWithTheLowerFactorAndReportsIt) {
   std::ifstream file(TALUS_SOURCE_DIR "/examples/dry_slope/case.toml");
   const json summary =
       run({std::istreambuf_iterator<char>(file), {}}, {{"earthquake.horizontal", "0.1"},

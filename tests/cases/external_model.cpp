@@ -210,7 +210,7 @@ TEST(ExternalModel, RunThatFailsNamesThePointAndItsPlace) {
   expect_words(outcome.text, {"failed in point ", "the last good state is in "});
 }
 
-TEST(ExternalModel, LibraryStandsBesideTheCaseAndTheReportNamesIt) {
+TEST(ExternalModel, LibraryIsBesideTheCaseAndTheReportNamesIt) {
   const std::filesystem::path folder = make_folder();
   std::filesystem::copy_file(support::find_umat("elastic"), folder / "soil.so");
   std::string soil = name_umat("elastic", "constants = [60e6, 0.25]\n");

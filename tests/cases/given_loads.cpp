@@ -57,7 +57,7 @@ std::array<double, 3> sum_traction(const bounds::Side& side, const Vec<2>& a, co
   return sum;
 }
 
-TEST(GivenLoads, EachSideOfTheGroundBearsWhatStandsOnIt) {
+TEST(GivenLoads, EachSideOfTheGroundCarriesItsLoads) {
   std::mt19937 random(7);
   const auto draw = [&](double from, double to) {
     return from + (to - from) * (static_cast<double>(random()) / 0x1p32);

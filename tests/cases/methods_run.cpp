@@ -39,7 +39,7 @@ TEST_F(MethodsTest, ASlopeThatFacesLeftOrIsGivenInPartsHasTheSameFactor) {
   EXPECT_NEAR(find_factor(run(text + lens, {{"regions.lens", "sand"}}), "spencer"), right, 1e-3);
 }
 
-TEST_F(MethodsTest, FiniteElementsStandBesideSlicesAndTheirBandIsHandedOver) {
+TEST_F(MethodsTest, FemIsListedBesideLemAndLemIsEvaluatedOnItsBand) {
   const json summary = run(write_case("\"lem\", \"fem\"", std::string(few_circles) + R"(
 [fem]
 size = 1.5
@@ -79,7 +79,7 @@ TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
   EXPECT_NE(run(text, {{"materials.sand.cohesion", "\"3 kPa\""}}, true).at("lem").at("seconds"), 12345.0);
 }
 
-TEST_F(MethodsTest, AnInterruptedRunGoesOnWithTheFlowRuleThatIsLeft) {
+TEST_F(MethodsTest, AnInterruptedRunResumesWithTheRemainingFlowRule) {
   const std::string text = write_case("\"lem\", \"fem\"", std::string(few_circles) + R"(
 [fem]
 size = 3

@@ -130,7 +130,7 @@ TEST_F(Misleading, RainMakesNoSlopeSafer) {
   }
 }
 
-TEST_F(Misleading, AWetSlideUnderStableSmoothingDoesNotBurst) {
+TEST_F(Misleading, AWetSlideUnderStableSmoothingStaysStableNumerically) {
   const json summary = run_case("bedding_slide_unstable", {{"mesh.size", "3"}});
   const json& slide = summary.at("stages").at(1);
   EXPECT_EQ(slide.at("end"), "rest");
@@ -139,7 +139,7 @@ TEST_F(Misleading, AWetSlideUnderStableSmoothingDoesNotBurst) {
   EXPECT_TRUE(warns(summary, {"'slide'", "smoothing = \"none\" instead"})) << summary.at("warnings");
 }
 
-TEST_F(Misleading, AWetSlideThatSeepsComesToRestUnderStableSmoothing) {
+TEST_F(Misleading, AWetSlideInTheDarcyFormulationComesToRestUnderStableSmoothing) {
   const json summary = run_case("bedding_slide_unstable", {{"mesh.size", "3"}, {"stage.slide.water", "\"seeps\""}});
   const json& slide = summary.at("stages").at(1);
   EXPECT_EQ(slide.at("end"), "rest");
@@ -148,7 +148,7 @@ TEST_F(Misleading, AWetSlideThatSeepsComesToRestUnderStableSmoothing) {
   EXPECT_FALSE(warns(summary, {"instead"})) << summary.at("warnings");
 }
 
-TEST_F(Misleading, ADrySlideDoesNotBurst) {
+TEST_F(Misleading, ADrySlideStaysStableNumerically) {
   const json summary = run_case("dry_slide", {});
   const json& slide = summary.at("stages").at(1);
   EXPECT_GT(slide.at("displacement").get<double>(), 1) << "it must slide, or nothing is tested";
@@ -223,7 +223,7 @@ int compare_pressures(const json& summary, const json& fields) {
   return compared;
 }
 
-TEST_F(Misleading, TheWaterAfterADrawdownIsToldApartFromThatBefore) {
+TEST_F(Misleading, TheWaterAfterADrawdownIsDistinguishedFromThatBefore) {
   std::vector<input::Override> overrides = few_surfaces;
   overrides.push_back({"mesh.size", "1.5"});
   const json summary = run_case("drawdown", overrides);
@@ -254,7 +254,7 @@ TEST_F(Misleading, TheWaterAfterADrawdownIsToldApartFromThatBefore) {
   EXPECT_GT(compare_pressures(summary, json::parse(std::ifstream(folder_ / "water.json"))), 20);
 }
 
-TEST_F(Misleading, AFullPoolIsToldWithItsLevel) {
+TEST_F(Misleading, AFullPoolIsReportedWithItsLevel) {
   const json summary = run_case("pond", few_surfaces);
   const json& states = summary.at("water_states");
   ASSERT_EQ(states.size(), 1u);
@@ -374,7 +374,7 @@ TEST_F(Misleading, APullAtTheCrestActsOnSlicesToo) {
     EXPECT_NEAR(circle, 1.83, 0.03);
 }
 
-TEST_F(Misleading, StandingWaterPressesOnTheGroundOfMaterialPointsToo) {
+TEST_F(Misleading, StandingWaterPressesOnTheGroundInMpmToo) {
   // Its pore pressures alone lifted the toe, and no trial came to rest.
   const json summary = run_case("standing_water", {{"analysis.methods", "[\"lem\", \"mpm\"]"},
                                                    {"lem.methods", "[\"spencer\"]"},

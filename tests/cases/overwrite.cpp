@@ -187,7 +187,7 @@ TEST_F(Overwrite, RemovesFilesOfRunsAndNoOthers) {
   }
 }
 
-TEST_F(Overwrite, SaysWhatItKeeps) {
+TEST_F(Overwrite, ReportsWhatItKeeps) {
   const std::string run = "run " + write_case("circles", circles) + " --no-report -o out";
   ASSERT_EQ(run_program(run).code, 0);
   EXPECT_EQ(run_program(run + " --overwrite").text.find("kept"), std::string::npos);

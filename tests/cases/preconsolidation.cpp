@@ -103,7 +103,7 @@ TEST_F(PreconsolidationOfARun, IsSetAtTheEndOfTheStageAndSoOnlyOnceWhenTheRunIsR
   EXPECT_EQ(last_a.positions, last_b.positions);
 }
 
-TEST_F(PreconsolidationOfARun, GoesOnInACaseThatStartsFromTheResult) {
+TEST_F(PreconsolidationOfARun, ContinuesInACaseThatStartsFromTheResult) {
   const json first = run(clay + settle, "first");
   EXPECT_TRUE(first.at("stages")[0].contains("preconsolidation"));
   const json second = run(clay + go_on + "[initial]\nresult = \"first\"\n", "second");

@@ -34,7 +34,7 @@ class BoundsTest : public MethodsTest {
   }
 };
 
-TEST_F(BoundsTest, HoldSpencerAndStandBesideSlices) {
+TEST_F(BoundsTest, ContainSpencerAndAreListedBesideLem) {
   const json summary = run(write_case("\"lem\", \"bounds\"", few_circles + rough));
   const auto [lower, upper] = read_interval(summary);
   const double spencer = find_factor(summary, "spencer");
@@ -66,7 +66,7 @@ TEST_F(BoundsTest, AloneTheLowerOneGoverns) {
   EXPECT_EQ(again.at("bounds"), summary.at("bounds"));
 }
 
-TEST_F(BoundsTest, SayWhereAMethodLiesOutside) {
+TEST_F(BoundsTest, ReportAFactorOutsideTheInterval) {
   // Elements as large as half the slope.
   const std::string coarse = "[fem]\nsize = 6\nmeshes = 1\nflow = \"associated\"\nresolution = 0.02\n";
   const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough));
@@ -74,7 +74,7 @@ TEST_F(BoundsTest, SayWhereAMethodLiesOutside) {
   EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("upper")) << "it is proven to be no higher";
 }
 
-TEST_F(BoundsTest, SayThatTheIntervalIsWiderThanWasAskedFor) {
+TEST_F(BoundsTest, ReportAnIntervalWiderThanTheGap) {
   const json summary = run(write_case("\"bounds\"", "[bounds]\ngap = 0.001\ntriangles = 300\n"));
   read_interval(summary);
   EXPECT_NE(find_text(summary.at("warnings"), "give more 'triangles' in [bounds]"), "");
@@ -103,7 +103,7 @@ TEST_F(BoundsTest, OfASlopeWithoutTensionAndOfDavisStrengthAreLower) {
   EXPECT_NE(find_text(davis.at("methods").at("remarks").at(0), "Davis"), "");
 }
 
-TEST_F(BoundsTest, SayThatALoadIsNotOnTheSurface) {
+TEST_F(BoundsTest, ReportALoadThatIsNotOnTheSurface) {
   const std::string inside =
       "[[geometry.line]]\nname = \"inside\"\npoints = [[5, 5], [15, 5]]\n"
       "[[traction]]\non = \"inside\"\ntraction = [0, -10]\n";
@@ -111,7 +111,7 @@ TEST_F(BoundsTest, SayThatALoadIsNotOnTheSurface) {
             std::string::npos);
 }
 
-TEST_F(BoundsTest, SayThatNothingHoldsTheSoil) {
+TEST_F(BoundsTest, ReportMissingSupports) {
   const std::string loose = R"(title = "Held at one side"
 geometry.polygon = [{ name = "soil", points = [[0, 0], [20, 0], [20, 4], [8, 10], [0, 10]] }]
 regions.soil = "clay"

@@ -35,7 +35,7 @@ class RefereeTest : public MethodsTest {
 };
 
 /// A strip load on clay without friction: (2 + π) c/q = 1.285 (Prandtl 1920). The best circle has 1.379.
-TEST_F(RefereeTest, TheUpperBoundStandsBeforeCirclesAboveIt) {
+TEST_F(RefereeTest, TheUpperBoundGovernsBeforeCirclesAboveIt) {
   const json summary =
       run_file("level_strip", {{"lem.methods", "[\"bishop\", \"spencer\"]"}, {"lem.noncircular", "false"}});
   constexpr double prandtl = (2 + 3.14159265358979) * 25 / 100;
@@ -50,7 +50,7 @@ TEST_F(RefereeTest, TheUpperBoundStandsBeforeCirclesAboveIt) {
 
 /// 60°: Spencer has no solution on Bishop's critical circle, and the least of the others has 1.326. Circles that end in
 /// a tension crack take their place, and limit analysis decides.
-TEST_F(RefereeTest, ASteepSlopeIsJudgedOnCirclesWithACrack) {
+TEST_F(RefereeTest, ASteepSlopeIsComparedOnCirclesWithACrack) {
   const json summary =
       run_file("steep_chart", {{"lem.methods", "[\"bishop\", \"spencer\"]"}, {"lem.noncircular", "false"}});
   const auto [lower, upper] = read_interval(summary, "lem");
@@ -108,7 +108,7 @@ TEST_F(RefereeTest, SandOverClayKeepsItsFlowRule) {
   EXPECT_LE(upper, 1.07);
 }
 
-TEST_F(RefereeTest, CanBeLeftOutAndSaysSo) {
+TEST_F(RefereeTest, CanBeTurnedOffWithANote) {
   const json summary = run(write_case("\"lem\"", few_circles));
   EXPECT_FALSE(summary.at("lem").contains("referee"));
   EXPECT_TRUE(says(summary, "referee = false"));

@@ -93,7 +93,7 @@ std::string write_bank(const std::string& timeline) {
 
 class Release : public MethodsTest {};
 
-TEST_F(Release, NothingMovesOnASlopeThatStands) {
+TEST_F(Release, NothingMovesOnAStableSlope) {
   const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"));
   const auto& releases = summary.at("timeline").at("releases");
   ASSERT_EQ(releases.size(), 3u);
@@ -230,7 +230,7 @@ TEST(BeginLater, ASeriesThatJumpsThereHasItsOldValueFirst) {
 }
 
 // Interrupted when several times are searched; what is found until then is not searched again.
-TEST_F(Release, AnInterruptedTimelineGoesOn) {
+TEST_F(Release, AnInterruptedTimelineResumes) {
   const std::string text = write_bank("[timeline]\nduration = 1\ntolerance = 0.001\n");
   const std::vector<input::Override> changes{{"analysis.methods", "['lem']"}};
   const auto whole = run(text, changes).at("timeline");
@@ -263,7 +263,7 @@ TEST_F(Release, AnInterruptedTimelineGoesOn) {
   }
 }
 
-TEST_F(Release, ASlopeThatDoesNotFailIsNotLetGo) {
+TEST_F(Release, AStableSlopeIsNotReleased) {
   const auto summary = run(write_bank("[timeline]\nduration = 0.25\n[timeline.release]\n"));
   EXPECT_TRUE(summary.at("timeline").at("releases").empty());
   EXPECT_NE(summary.at("timeline").at("notes").dump().find("material points do not take over"), std::string::npos);
@@ -282,7 +282,7 @@ TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
 }
 
 // Points take over with the stress and the water of finite elements, and nothing holds them.
-TEST_F(Release, NothingMovesWhereElementsHandOverTheirStress) {
+TEST_F(Release, NothingMovesFromTheStressOfFem) {
   const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
                            {{"initial.stress", "'elements'"},
                             {"stage", "[{ name = 'let go', duration = 1 }, { name = 'go on', duration = 1 }]"}});
@@ -344,7 +344,7 @@ TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
   EXPECT_LE(elements[1].at("runs")[0].at("failed").get<double>(), 1 + resolution);
 }
 
-TEST_F(Release, SaysWhatACaseLacks) {
+TEST_F(Release, ReportsWhatACaseLacks) {
   const auto has = [&](const std::string& timeline, const std::vector<input::Override>& changes, const char* sentence) {
     const std::string fault = find_fault(write_bank("[timeline]\nduration = 1\n" + timeline), changes);
     EXPECT_NE(fault.find(sentence), std::string::npos) << fault;

@@ -82,7 +82,7 @@ TEST(SamplingSections, AreThoseOfTheCaseWithTheseValues) {
   }
 }
 
-TEST(SamplingSections, KnowWhichKeysChangeMoreThanSoils) {
+TEST(SamplingSections, IdentifyKeysThatChangeMoreThanSoils) {
   const auto sort = [](const std::vector<std::string>& keys) {
     const input::LoadedCase base = input::read_case_text(text + list_numbers(keys), "two_soils.toml");
     const SampledNumbers sampled = read_sampled_numbers(base);

@@ -48,7 +48,7 @@ TEST(SamplingSlices, FirstOrderEstimateIsThePublishedOne) {
 }
 
 /// The interval of limit analysis is a note, for the means and for the design point.
-TEST(SamplingSlices, MeansAndDesignPointAreHeldAgainstLimitAnalysis) {
+TEST(SamplingSlices, MeansAndDesignPointAreComparedWithLimitAnalysis) {
   const json block = run(sample + "samples = 20\n" + deviations, "referee", 2, {{"lem.referee", "true"}});
   const std::string notes = block.at("notes").dump();
   for (const char* where : {"at the means", "at the design point"}) {
@@ -89,7 +89,7 @@ TEST(SamplingSlices, IndicesAgreeAndTheQuickFactorsAreThoseOfSearches) {
   }
 }
 
-TEST(SamplingSlices, SameBitsForAnyThreadsAndOnlyForTheSameSeed) {
+TEST(SamplingSlices, IdenticalForAnyThreadsAndOnlyForTheSameSeed) {
   const auto read = [](const std::string& name) {
     std::ifstream file(std::filesystem::temp_directory_path() / ("talus_sampling_" + name) / "samples.csv");
     return std::string(std::istreambuf_iterator<char>(file), {});
@@ -170,7 +170,7 @@ coefficient = )";
   EXPECT_NEAR(with.at("first_order").at("deviation").get<double>(), std::sqrt(v + cross), 0.003);
 }
 
-TEST(SamplingSlices, SaysWhatItCannotDo) {
+TEST(SamplingSlices, ReportsUnsupportedSettings) {
   const std::string study = sample + "samples = 20\n" + deviations;
   StudyOptions options;
   options.folder = sampling_slope::make_folder("refused");

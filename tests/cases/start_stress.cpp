@@ -25,7 +25,7 @@ constexpr const char* hold =
 
 class StartStress : public MethodsTest {};
 
-TEST_F(StartStress, ADrySlopeThatIsLetGoAtOnceDoesNotMove) {
+TEST_F(StartStress, ADrySlopeReleasedAtOnceDoesNotMove) {
   const auto balanced = run(write_dry("elements", let_go));
   EXPECT_EQ(balanced.at("stress_start").at("factor"), 1);
   const double moved = balanced.at("runout").at("largest_displacement");
@@ -72,7 +72,7 @@ TEST_F(StartStress, ASlopeThatFallsBeginsWithTheLeastStrengthThatHoldsIt) {
   EXPECT_FALSE(run::find_balance(divide(result.factor + 0.0101), 1).stands);
 }
 
-TEST_F(StartStress, SaysWhatACaseLacks) {
+TEST_F(StartStress, ReportsWhatACaseLacks) {
   EXPECT_NE(find_fault(write_dry("elements", let_go), {{"materials.sand.model", "'cam_clay'"}}).size(), 0u);
   const std::string fault = find_fault(
       write_dry("elements", let_go),

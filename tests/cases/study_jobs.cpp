@@ -81,7 +81,7 @@ std::string say(const std::function<void()>& work) {
   return "";
 }
 
-TEST(StudyJobs, SamplesBySlicesHaveTheBitsOfOneProcess) {
+TEST(StudyJobs, SamplesByLemAreBitwiseIdenticalToOneProcess) {
   const fs::path folder = make_test_folder();
   calculate_study(read(slice_samples), {}, write_to(folder / "one"));
   prepare(slice_samples, folder / "jobs", 7);
@@ -94,7 +94,7 @@ TEST(StudyJobs, SamplesBySlicesHaveTheBitsOfOneProcess) {
 }
 
 /// A key of the section: there are no surfaces to keep, every sample is searched for itself.
-TEST(StudyJobs, SamplesThatAreSearchedHaveTheBitsOfOneProcess) {
+TEST(StudyJobs, SearchedSamplesAreBitwiseIdenticalToOneProcess) {
   const std::string text = sampling_slope::write_case(R"(
 [study]
 mode = "sample"
@@ -126,7 +126,7 @@ TEST(StudyJobs, VariantsHaveTheTableOfOneProcess) {
   EXPECT_EQ(read_file(folder / "jobs/study.svg"), read_file(folder / "one/study.svg"));
 }
 
-TEST(StudyJobs, SamplesByRunsHaveTheBitsOfOneProcess) {
+TEST(StudyJobs, SamplesByRunsAreBitwiseIdenticalToOneProcess) {
   const fs::path folder = make_test_folder();
   calculate_study(read(element_samples, by_elements), by_elements, write_to(folder / "one"));
   prepare(element_samples, folder / "jobs", 2, by_elements);

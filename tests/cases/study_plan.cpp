@@ -90,7 +90,7 @@ values = )";
   }
 }
 
-TEST(StudyPlan, NamesKeysByWhatTellsThemApart) {
+TEST(StudyPlan, NamesKeysByTheirDifference) {
   const StudyPlan plan = plan_text(coarse_slope + R"(
 [[study.vary]]
 key = "stage.gravity.damping"
@@ -109,7 +109,7 @@ TEST(StudyPlan, AppliesChangesOfTheCommandLineToEveryVariant) {
     EXPECT_NEAR(v.loaded.data.materials.at("sand").friction_angle, 0.4363323, 1e-7) << v.name;
 }
 
-TEST(StudyPlan, KnowsAVariantAgainWhenTheStudyGrows) {
+TEST(StudyPlan, RecognisesAVariantWhenTheStudyGrows) {
   // Otherwise --resume would throw away what was calculated before a value was added.
   const StudyPlan before = plan_text(cohesion_study);
   const StudyPlan after = plan_text(cohesion_study + "\n[[study.vary]]\nkey = \"mesh.size\"\nvalues = [2.5]\n");

@@ -94,7 +94,7 @@ TEST(Study, ResumingRunsWhatIsMissing) {
   EXPECT_EQ(fs::last_write_time(folder / "base" / "summary.json"), untouched);
 }
 
-TEST(Study, InterruptedStartsNoOtherVariantAndGoesOnLater) {
+TEST(Study, InterruptedStartsNoOtherVariantAndResumesLater) {
   const fs::path folder = make_test_folder();
   const StudyPlan plan = plan_text(cohesion_study);
   request_interrupt();

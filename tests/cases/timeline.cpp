@@ -178,7 +178,7 @@ deviation = 1
   EXPECT_EQ(time ? time->count + time->none : 4, 4);
 }
 
-TEST_F(Timeline, SaysWhatACaseLacks) {
+TEST_F(Timeline, ReportsWhatACaseLacks) {
   const auto has = [&](const std::vector<input::Override>& changes, const char* sentence) {
     const std::string fault = find_fault(read_dam(), changes);
     EXPECT_NE(fault.find(sentence), std::string::npos) << fault;

@@ -118,7 +118,7 @@ TEST(WaterColumns, SoftColumnSettlesAndItsWaterComesToRest) {
 }
 
 // Two velocities fail this: "What does not hold" in docs/verification.md.
-TEST(WaterColumns, SoftColumnThatSeepsSettlesWithSmoothing) {
+TEST(WaterColumns, SoftColumnInTheDarcyFormulationSettlesWithSmoothing) {
   for (const char* smoothing : {"\"stable\"", "\"strain\""})
     for (const char* size : {"0.05", "0.07"}) {
       SCOPED_TRACE(fmt::format("{}, {} m", smoothing, size));

@@ -90,7 +90,7 @@ TEST(WaterFlow, FlowRoundACornerApproachesItsExactDischarge) {
 
 /// Pressures at the nodes: the discharge is that of the seepage solver on the same mesh, whatever the size of the
 /// elements, the stiffness of the water and the step.
-TEST(WaterFlow, WaterThatSeepsHasTheDischargeOfTheSeepageSolver) {
+TEST(WaterFlow, DarcyFormulationHasTheDischargeOfTheSeepageSolver) {
   const struct {
     const char *size, *modulus, *scaling;
   } variants[] = {{"0.1", "\"20 MPa\"", "1000"}, {"0.05", "\"2.2 GPa\"", "1000"}, {"0.1", "\"2.2 GPa\"", "100"}};

@@ -51,7 +51,7 @@ double sum_last(const output::HistoryTable& history, const std::string& ending) 
   return sum;
 }
 
-TEST_F(WetBank, SteadySeepageStaysAsItIsWhenTheSoilIsLetGo) {
+TEST_F(WetBank, SteadySeepageIsUnchangedWhenTheSoilIsReleased) {
   const json summary = run({});
   EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
   EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank stands";
@@ -73,7 +73,7 @@ TEST_F(WetBank, SteadySeepageStaysAsItIsWhenTheSoilIsLetGo) {
   EXPECT_NEAR(*std::max_element(before.begin(), before.end()), 19e3, 1e3) << "positive in compression";
 }
 
-TEST_F(WetBank, SteadyRainEntersAsFiniteElementsSay) {
+TEST_F(WetBank, SteadyRainInfiltratesAsInFem) {
   // 20 m/h are more than the soil takes: k is 3.6 m/h.
   const json summary = run({{"hydraulic.2.rate", "20000"}});
   const output::HistoryTable history = output::read_history(folder_ / "history.csv");

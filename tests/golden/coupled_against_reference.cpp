@@ -134,7 +134,7 @@ TEST(CoupledAgainstReference, EveryConditionOfTheSurfaceIsTheSame) {
 }
 
 /// Nodes that may slide along inclined planes only: both phases, the grains alone, the water alone.
-TEST(CoupledAgainstReference, InclinedHeldDirectionsAreTheSame) {
+TEST(CoupledAgainstReference, InclinedFixedDirectionsAreTheSame) {
   WetBody<2> body = make_moving_slope<2>();
   const reference::Vector<2> normal(0.6, -0.8);
   for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {

@@ -91,7 +91,7 @@ std::vector<double> list_pressures(const mpm::Body<D>& body) {
   return list;
 }
 
-TEST(SofteningLength, HasTheSameBitsForAnyNumberOfThreads) {
+TEST(SofteningLength, IsBitwiseIdenticalForAnyNumberOfThreads) {
   std::vector<double> first;
   for (const int threads : {1, 2, 4}) {
     mpm::Body<2> body = support::make_clay_block<2>(12, length);
@@ -103,7 +103,7 @@ TEST(SofteningLength, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(SofteningLength, GoesOnBitForBitAfterACheckpoint) {
+TEST(SofteningLength, ResumesBitwiseIdentical) {
   mpm::Body<2> body = support::make_clay_block<2>(8, length);
   mpm::StepOptions<2> o = support::make_block_options(body);
   o.moving = true;

@@ -184,7 +184,7 @@ TEST_F(StartFromResult, LeavesSoilAtRestAtRest) {
 }
 
 /// A third case starts from the second as the second did from the first, and roots hold what slides without them.
-TEST_F(StartFromResult, TakesAnotherStrengthAndGoesOnFromThere) {
+TEST_F(StartFromResult, TakesAnotherStrengthAndContinues) {
   Bank bank;
   run(bank, "one");
   bank.stages = golden::slide;
@@ -331,7 +331,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   }
 }
 
-TEST_F(StartFromResult, SaysWhatDoesNotFit) {
+TEST_F(StartFromResult, ReportsWhatDoesNotFit) {
   const Bank dry;
   run(dry, "one");
   const auto expect = [&](const Bank& bank, std::vector<input::Override> changes, const std::string& part) {

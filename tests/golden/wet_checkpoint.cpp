@@ -85,7 +85,7 @@ void compare(input::StepSettings step, double duration) {
   EXPECT_EQ(whole.work.external, resumed.work.external);
 }
 
-TEST(WetCheckpoint, MovingSoilGoesOnBitForBit) {
+TEST(WetCheckpoint, MovingSoilResumesBitwiseIdentical) {
   compare<2>({.damping = 0.05,
               .smoothing = input::Smoothing::strain,
               .water = input::WaterMotion::flows,
@@ -94,7 +94,7 @@ TEST(WetCheckpoint, MovingSoilGoesOnBitForBit) {
   compare<3>({.damping = 0.05, .water = input::WaterMotion::flows}, 0.1);
 }
 
-TEST(WetCheckpoint, SeepingWaterGoesOnBitForBit) {
+TEST(WetCheckpoint, DarcyWaterResumesBitwiseIdentical) {
   const input::StepSettings settings{.damping = 0.05, .smoothing = input::Smoothing::stable, .courant = 0.3};
   compare<2>(settings, 0.6);
   compare<3>(settings, 0.6);
@@ -102,7 +102,7 @@ TEST(WetCheckpoint, SeepingWaterGoesOnBitForBit) {
 
 /// The Darcy step stores the pressure of the pool in the nodal loads, the two-velocity step stores it separately: it
 /// must act once, whatever step ran before.
-TEST(WetCheckpoint, ThePoolPressesOnceAfterWaterThatSeeped) {
+TEST(WetCheckpoint, ThePoolPressesOnceAfterTheDarcyFormulation) {
   const input::Case data = make_rained_step<2>();
   mpm::Body<2> one = run::prepare<2>(data, make_step_mesh<2>());
   run_plan(one, make_stage<2>(data, one, 0.1, {.damping = 0.05}));
@@ -117,7 +117,7 @@ TEST(WetCheckpoint, ThePoolPressesOnceAfterWaterThatSeeped) {
   });
 }
 
-TEST(WetCheckpoint, HeldWaterGoesOnBitForBit) {
+TEST(WetCheckpoint, DrainedWaterResumesBitwiseIdentical) {
   compare<2>({.damping = 0.2,
               .smoothing = input::Smoothing::stable,
               .geometry = input::Geometry::frozen,

@@ -116,7 +116,7 @@ TEST(CalibrationInput, NumbersComeInTheUnitsOfTheirKeysAndQuantities) {
   EXPECT_FALSE(read_case_text(slope, "case.toml").echo.get().contains("calibration"));
 }
 
-TEST(CalibrationInput, FaultsAreSaidWhereTheyAre) {
+TEST(CalibrationInput, FaultsAreReportedWithTheirPlace) {
   expect_fault(alter("\"materials.sand.cohesion\"", "@@\"materials.sand.cohesoin\""),
                "material 'sand' has no number 'cohesoin'; did you mean 'cohesion'?");
   expect_fault(alter("\"materials.sand.cohesion\"", "@@\"materials.snad.cohesion\""),

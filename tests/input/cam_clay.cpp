@@ -46,7 +46,7 @@ TEST(CamClay, HasNoYoungsModulusAndNoOtherStrength) {
       "missing key 'lambda' in [materials.loess], for example lambda = 0.089; model = \"rooted_cam_clay\" needs it");
 }
 
-TEST(CamClay, BareIsToldNothingOfRoots) {
+TEST(CamClay, BareSoilAcceptsNoRootKeys) {
   const std::string bare = change(rooted_slope, "model = \"rooted_cam_clay\"", "model = \"modified_cam_clay\"");
   const std::string without = change(change(change(bare, "root_hardening = 0.4\n", ""), "root_strength = 0.18\n", ""),
                                      "[[roots]]\nground = \"face\"\ndepth = 0.5\ncontent = 0.94\n", "");
@@ -55,7 +55,7 @@ TEST(CamClay, BareIsToldNothingOfRoots) {
                "'root_hardening' in [materials.loess] has a meaning only with model = \"rooted_cam_clay\"");
 }
 
-TEST(RootBreakage, IsToldWhereItBegins) {
+TEST(RootBreakage, NeedsItsStart) {
   expect_root_fault("root_strength = 0.18", "root_strength = 0.18\nroot_residual_share = @@0.5",
                     "'root_residual_share' has no meaning without 'root_breaking_strain'");
   EXPECT_TRUE(find_faults(change(rooted_slope, "root_strength = 0.18",
@@ -63,7 +63,7 @@ TEST(RootBreakage, IsToldWhereItBegins) {
                   .empty());
 }
 
-TEST(VoidRatio, StandsForThePorosity) {
+TEST(VoidRatio, ReplacesThePorosity) {
   expect_root_fault("void_ratio = 0.6", "void_ratio = 0.6\nporosity = @@0.4",
                     "'porosity' in [materials.loess] has no meaning where 'void_ratio' is given");
   expect_fault(at_soil(change(rooted_slope, "void_ratio = 0.6\n", "")),
@@ -72,7 +72,7 @@ TEST(VoidRatio, StandsForThePorosity) {
   EXPECT_NEAR(data.materials.at("sand").porosity, 0.2, 1e-15) << "of any model";
 }
 
-TEST(VoidRatio, MayStandWhereTheResultHadAPorosity) {
+TEST(VoidRatio, MayReplaceAPorosityOfTheResult) {
   const JsonTree before = read_case_text(slope, "slope.toml").echo;
   const auto start = [](const char* ratio) {
     return read_case_text(change(slope, "porosity = 0.2", "void_ratio = " + std::string(ratio)), "slope.toml");
@@ -147,7 +147,7 @@ TEST_F(ExternalSoil, NeedsItsLibraryAndStiffness) {
   expect_fault(good("poisson_ratio = @@0.3\n"), "has a meaning only with model = \"mohr_coulomb\" or ");
 }
 
-TEST_F(ExternalSoil, HasNoMoreStatesThanItSays) {
+TEST_F(ExternalSoil, HasNoMoreStatesThanItDeclares) {
   expect_fault(good("states = @@21\n"), "'states' is 21; it must be at least 0 and at most 20");
   expect_fault(good("states = 1\ninitial_states = @@[1, 2]\n"), "'initial_states' has 2 numbers, but 'states' is 1");
 }

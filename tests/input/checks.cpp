@@ -151,7 +151,7 @@ TEST(Study, KeepsItsValuesAsTomlTexts) {
   EXPECT_EQ(data.study.vary.at(0).values, (std::vector<std::string>{"2", "\"3 kPa\"", "4.5"}));
 }
 
-TEST(ReadyMesh, IsCheckedWhenItsNamesAreKnown) {
+TEST(ReadyMesh, IsCheckedWhenItsNamesAreRead) {
   const LoadedCase loaded = read_case_text(slope, "slope.toml");
   EXPECT_NO_THROW(check_against_mesh(loaded, {"left", "right", "bottom", "top"}, {"soil"}));
   try {

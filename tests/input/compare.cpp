@@ -97,7 +97,7 @@ TEST(Digest, IsInTheUnitsOfTheCase) {
             std::string::npos);
 }
 
-TEST(Compare, StandsInTheTerminal) {
+TEST(Compare, IsPrintedAtTheTerminal) {
   results::RunResult run;
   run.title = "A slope";
   run.comparisons = {

@@ -94,7 +94,7 @@ TEST(Manual, GivesExamplesThatAreToml) {
   EXPECT_GT(blocks, 15);
 }
 
-TEST(Schema, SaysTypesRangesAndWords) {
+TEST(Schema, HasTypesRangesAndWords) {
   const json schema = write_schema();
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
   const json material = schema["properties"]["materials"]["additionalProperties"];
@@ -138,7 +138,7 @@ TEST(Schema, AcceptsTheQuantitiesThatTheReaderAccepts) {
   }
 }
 
-TEST(Echo, SaysValueUnitAndWhetherItWasGiven) {
+TEST(Echo, HasValueUnitAndWhetherItWasGiven) {
   const json echo = read_case_text(slope, "slope.toml", {{"rest.hold", "2"}}).echo.get();
   const json& sand = echo["materials"]["sand"];
   EXPECT_EQ(sand["young_modulus"], (json{{"value", 45000.0}, {"unit", "kPa"}, {"given", true}}));

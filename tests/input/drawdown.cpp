@@ -57,7 +57,7 @@ TEST(Drawdown, NeedsASoilThatHoldsItsWater) {
                "no friction angle in effective stresses");
 }
 
-TEST(Drawdown, StandsAlone) {
+TEST(Drawdown, ExcludesOtherMethods) {
   expect_fault(with_elements + envelope + water + "@@" + three_stages, "by slices alone");
   // Keys of a method that is not selected may stay.
   EXPECT_TRUE(find_faults(change(with_elements, "[\"lem\", \"fem\"]", "[\"fem\"]") + water + three_stages).empty());

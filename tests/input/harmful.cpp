@@ -11,7 +11,7 @@ LoadedCase load(const std::string& text, const std::vector<Override>& overrides 
   return read_case_text(text, "slope.toml", overrides);
 }
 
-TEST(Harmful, StableSmoothingIsLeftOutWhereWaterFlowsThroughMovingSoil) {
+TEST(Harmful, StableSmoothingIsReplacedInTheTwoVelocityFormulation) {
   const LoadedCase loaded = load(wet_slope, {{"stage.0.smoothing", "stable"}, {"stage.0.water", "flows"}});
   ASSERT_EQ(loaded.warnings.size(), 1u);
   for (const char* part : {"stage '", "smoothing = \"stable\"", "water", "smoothing = \"none\" instead"})
@@ -35,7 +35,7 @@ TEST(Harmful, PlainSmoothingOfDilatantSoilIsReplacedByTheStableForm) {
   EXPECT_EQ(loaded.data.stages[1].step.smoothing, Smoothing::stable);
 }
 
-TEST(Harmful, PressuresWithoutWaterAreHeldAtFrozenGeometry) {
+TEST(Harmful, PressuresWithoutWaterAreConstantAtFrozenGeometry) {
   for (const std::vector<Override>& held :
        {std::vector<Override>{{"materials.sand.pore_pressure_ratio", "0.2"}},
         {{"initial.pore_pressure", "water_table"}, {"initial.water_table", "[[0, 8], [44, 4]]"}}}) {

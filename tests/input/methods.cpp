@@ -25,7 +25,7 @@ TEST(Methods, MaterialPointsAnswerWhereNobodyIsNamed) {
   EXPECT_EQ(read(slope).methods, std::vector<Method>{Method::mpm});
 }
 
-TEST(Methods, WhatOneOfThemNeedsIsAskedFor) {
+TEST(Methods, KeysThatAMethodNeedsAreRequired) {
   // FEM needs stiffness, flow and element size of the same file, and MPM needs more.
   const auto list = [](const std::string& methods) {
     std::string all;
@@ -51,7 +51,7 @@ TEST(Methods, WhatNobodyNeedsMayBeGiven) {
     EXPECT_TRUE(find_faults(whole, {{"analysis.methods", methods}}).empty()) << methods;
 }
 
-TEST(Methods, FiniteElementsAreHeldWhereNothingIsSaid) {
+TEST(Methods, FemHasDefaultSupports) {
   const Case data = read(with_elements);
   ASSERT_EQ(data.boundaries.size(), 3u);
   EXPECT_EQ(data.boundaries[0].on, "bottom");
@@ -153,7 +153,7 @@ TEST(Methods, WaterTablesActInAnySoilOfSlicesAndElements) {
   expect_one_fault(slices_alone + "[initial]\npore_pressure = \"seepage\"\n", "no material has pore water");
 }
 
-TEST(Methods, SeepageNeedsAMeshEvenForSlices) {
+TEST(Methods, SeepageNeedsAMeshEvenForLem) {
   const std::string wet = change(slices_alone, "unit_weight = 20\n", "grain_density = 2650\nporosity = 0.4\n") +
                           "[materials.soil.water]\nretention = \"saturated\"\nconductivity = 1e-5\n"
                           "[initial]\npore_pressure = \"seepage\"\n[[hydraulic]]\non = \"left\"\n"
@@ -162,7 +162,7 @@ TEST(Methods, SeepageNeedsAMeshEvenForSlices) {
   EXPECT_TRUE(find_faults(wet + "[mesh]\nsize = 1\n").empty());
 }
 
-TEST(UnitWeight, StandsForGrainsAndPores) {
+TEST(UnitWeight, ReplacesGrainsAndPores) {
   const std::string heavy = change(slope, "grain_density = 2500\nporosity = 0.2", "unit_weight = 19.62");
   const Material sand = read(heavy).materials.at("sand");
   EXPECT_NEAR(sand.density(), 2000, 1e-9) << "γ/g is the density of the dry soil";
@@ -223,7 +223,7 @@ TEST(Echo, LeavesOutWhatNoMethodNeeds) {
   EXPECT_TRUE(read_case_text(with_elements, "slope.toml").echo.get()["materials"]["soil"].contains("young_modulus"));
 }
 
-TEST(Compare, KnowsWhatEachMethodYields) {
+TEST(Compare, ListsTheResultsOfEachMethod) {
   const std::string compare = "tolerance = \"1 %\"\nvalue = 1\nsource = \"a referee\"\nname = ";
   for (const char* name :
        {"lem.bishop", "lem.noncircular.spencer", "lem.yield_acceleration.morgenstern_price", "fem.factor",

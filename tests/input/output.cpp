@@ -6,7 +6,7 @@
 namespace talus::input {
 namespace {
 
-TEST(Output, KnowsTheStageOfItsClock) {
+TEST(Output, ChecksTheStageOfItsClock) {
   expect_fault(slope + "[output]\ncount_from = @@\"storm\"\n", "there is no stage 'storm'");
 }
 
@@ -18,7 +18,7 @@ TEST(Output, SectionsHaveALengthAndTheNameOfAFile) {
                "two sections named 'A'");
 }
 
-TEST(Output, AnOnsetIsALengthOrAShare) {
+TEST(Output, AnOnsetIsALengthOrARatio) {
   expect_fault(slope + "[output]\nonset_displacement = \"5 cm\"\nonset_ratio = @@0.02\n",
                "has no meaning where 'onset_displacement' is given");
 }

@@ -72,7 +72,7 @@ TEST(Polygons, ThatOverhangAreNamedAlone) {
               "(30, 35)");
 }
 
-TEST(Polygons, ThatNearlyMeetAreJoinedAndItIsSaid) {
+TEST(Polygons, ThatNearlyMeetAreJoinedWithAWarning) {
   const LoadedCase loaded = read_case_text(write_layers("[0, 5.00002]", "[20, 5]"), "slope.toml");
   EXPECT_EQ(loaded.data.mesh.polygons[1].points[0], (std::array<double, 2>{0, 5}));
   ASSERT_EQ(loaded.warnings.size(), 1u);
@@ -125,7 +125,7 @@ TEST(UsualRange, HoldsWhatSoilsAre) {
   EXPECT_TRUE(find_warnings(slope).empty());
 }
 
-TEST(UsualRange, OfAConductivityKnowsCentimetres) {
+TEST(UsualRange, OfAConductivityIncludesCentimetres) {
   const auto warnings = find_warnings(
       slope +
       "[materials.sand.water]\nretention = \"saturated\"\nrelative_conductivity = \"constant\"\nconductivity = 3\n");
@@ -151,7 +151,7 @@ TEST(DecimalComma, IsExplained) {
               "decimals have a point, not a comma");
 }
 
-TEST(Override, OfAMisspeltNameSaysTheNearest) {
+TEST(Override, OfAMisspeltNameSuggestsTheNearest) {
   for (const auto& [key, part] : std::vector<std::pair<std::string, std::string>>{
            {"materials.snad.cohesion", "there is no [materials.snad]; did you mean 'sand'?"},
            {"stage.gravty.duration", "did you mean 'gravity'?"},
@@ -203,7 +203,7 @@ TEST(UnitsOfPractice, GiveTheSameCaseAsSiUnits) {
       EXPECT_NEAR(practice.mesh.polygons[0].points[i][d], si.mesh.polygons[0].points[i][d], 1e-12);
 }
 
-TEST(Sliver, BetweenSoilAndBoxIsSaid) {
+TEST(Sliver, BetweenSoilAndBoxIsReported) {
   for (const char* gap : {"44.00005", "44.05"}) {
     const auto said = find_warnings(change(slope, "[44, 17]]", fmt::format("[{}, 17]]", gap)));
     ASSERT_EQ(said.size(), 1u) << gap;
@@ -213,7 +213,7 @@ TEST(Sliver, BetweenSoilAndBoxIsSaid) {
     EXPECT_TRUE(find_warnings(change(slope, "[44, 17]]", fmt::format("[{}, 17]]", gap))).size() < 2) << gap;
 }
 
-TEST(Seam, ThinnerThanAnElementIsSaid) {
+TEST(Seam, ThinnerThanAnElementIsReported) {
   const std::string seam = change(change(slope, "[[0, 0], [44, 0],", "[[0, 0.3], [44, 0.3],"), "[regions]\n",
                                   "[[geometry.polygon]]\nname = \"seam\"\npoints = [[0, 0], [44, 0], [44, 0.3], [0, "
                                   "0.3]]\n[regions]\nseam = \"sand\"\n");

@@ -76,7 +76,7 @@ TEST(PointTestInput, ATestHasItsMaterialWithWhatItSets) {
   EXPECT_NEAR(changed.data.test_soils[0].friction_angle, 20 * M_PI / 180, 1e-12);
 }
 
-TEST(PointTestInput, FaultsAreSaidWhereTheyAre) {
+TEST(PointTestInput, FaultsAreReportedWithTheirPlace) {
   const auto with = [](const std::string& from, const std::string& to) { return slope + change(triaxial, from, to); };
   expect_fault(with("\"sand\"", "@@\"snad\""), "there is no material 'snad'; did you mean 'sand'?");
   expect_fault(with("\"cell 100\"", "@@\"cell [100]\""), "must not hold any of [ ] /");

@@ -56,7 +56,7 @@ TEST(Program, ChecksItsOwnTemplate) {
   EXPECT_NE(checked.text.find("\n    about 3,070 elements, "), std::string::npos) << checked.text;
 }
 
-TEST(Program, SaysWhatEachMethodCalculates) {
+TEST(Program, PrintsWhatEachMethodCalculates) {
   const std::string path = write_file("talus_methods.toml", all_three +
                                                                 "[lem]\nmethods = [\"bishop\", \"spencer\"]\n"
                                                                 "[partial_factors]\nset = \"DA1-2\"\n");
@@ -99,7 +99,7 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
   EXPECT_NE(hopeless.text.find("need more memory than any machine has"), std::string::npos) << hopeless.text;
 }
 
-TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {
+TEST(Program, PrintsItsWarningsBeforeARunAndKeepsThem) {
   const std::string path = write_file("talus_warned.toml", slices_alone), folder = testing::TempDir() + "talus_warned";
   std::filesystem::remove_all(folder);
   const std::string sentence = "'materials.soil.friction_angle' is 0.44 deg; the usual range is 5 to 50 deg, or 0";
@@ -165,7 +165,7 @@ TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
   expect_end_by_signal(child, work + 3, said, "interrupted while slip surfaces were searched", folder);
 }
 
-TEST(Program, SaysItsVersionEitherWay) {
+TEST(Program, PrintsItsVersionEitherWay) {
   const Outcome command = run_program("version"), option = run_program("--version");
   EXPECT_EQ(option.code, 0);
   EXPECT_EQ(option.text, command.text);
@@ -219,7 +219,7 @@ TEST(Program, PrintsASchemaThatIsJson) {
   EXPECT_TRUE(schema["properties"].contains("materials"));
 }
 
-TEST(Program, AsksForWholeNumbersOfThreads) {
+TEST(Program, RequiresAWholeNumberOfThreads) {
   const std::string path = write_file("talus_threads.toml", slices_alone);
   for (const char* given : {"0", "-1", "1.5", "x"}) {
     const Outcome outcome = run_program("run --threads " + std::string(given) + " " + path);
@@ -242,7 +242,7 @@ TEST(Program, RunsAJobUnderALauncherAndNoStudy) {
 }
 
 /// ACADS 1(a) has 0.99 to 1.00 with characteristic values.
-TEST(Program, SaysTheCheckOfADesignSetFirst) {
+TEST(Program, PrintsTheCheckOfADesignSetFirst) {
   const std::string folder = testing::TempDir() + "talus_design";
   std::filesystem::remove_all(folder);
   for (const auto& [cohesion, part] :

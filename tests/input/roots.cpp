@@ -116,7 +116,7 @@ TEST(Roots, ThatOnlyTranspireNeedNoStrength) {
   EXPECT_NEAR(data.roots[0].transpiration->rate.value[0], 4e-3 / 86400, 1e-15);
 }
 
-TEST(Roots, OfTwoKindsStandInTwoBlocks) {
+TEST(Roots, OfTwoKindsAreInTwoBlocks) {
   const std::string two = change(with_cohesion("cohesion = 5\n"), "[initial]",
                                  "[[roots]]\nground = \"crest\"\ndepth = 1\nprofile = \"exponential\"\ndecay_depth = "
                                  "\"20 cm\"\ncohesion = 2\n\n[initial]");

@@ -27,7 +27,7 @@ TEST(Roots, GrowUnderANamedLine) {
   expect_root_fault("depth = 0.5", "depth = @@0", "'depth' is 0 m; it must be above 0 m");
 }
 
-TEST(Roots, SayWhatTheyAreWorthOnce) {
+TEST(Roots, ReportTheirCohesionOnce) {
   expect_fault(change(without_content(), "[[roots]]", "@@[[roots]]"), "[[roots]] does not say what roots there are");
   expect_fault(
       change(change(with_cohesion("cohesion = 5\n" + bundle), "[[roots]]", "@@[[roots]]"), "[initial]", "[initial]"),
@@ -43,7 +43,7 @@ TEST(Roots, NeedASoilThatTakesThem) {
       "'content' of [[roots]] needs a material with model = \"rooted_cam_clay\"");
 }
 
-TEST(RootedSoil, IsToldItsRoots) {
+TEST(RootedSoil, NeedsItsRoots) {
   const auto marked = [](const std::string& text) { return change(text, "[materials.loess]", "@@[materials.loess]"); };
   const std::string nothing = "[[roots]]\nground = \"face\"\ndepth = 0.5\n";
   expect_fault(marked(change(rooted_slope, nothing + "content = 0.94\n", "")),
@@ -53,7 +53,7 @@ TEST(RootedSoil, IsToldItsRoots) {
   EXPECT_TRUE(find_faults(without_content("[roots.transpiration]\nrate = 1\n")).empty());
 }
 
-TEST(RootContent, IsAShareOfTheSoil) {
+TEST(RootContent, IsAFractionOfTheSoil) {
   expect_root_fault("content = 0.94", "content = @@-1", "'content' is -1 %; it must be at least 0 % and below 100 %");
   expect_root_fault("content = 0.94", "content = @@\"100 %\"", "below 100 %");
   expect_root_fault("content = 0.94", "content = @@\"0.94\"", "'0.94' is a text without a unit");
@@ -121,7 +121,7 @@ TEST(Equilibrium, IsAStageWithSomethingToDo) {
                "'equilibrium' has no meaning: no material has a 'preconsolidation_ratio'");
 }
 
-TEST(Season, BeginsFromAKnownPressure) {
+TEST(Season, StartsFromAKnownPressure) {
   expect_fault(change(rooted_slope, "pore_pressure = \"water_table\"\nwater_table = [[0, 1]]\n", "season = @@30\n"),
                "has a meaning only with pore_pressure = \"water_table\" or \"seepage\"");
 }

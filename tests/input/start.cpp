@@ -52,7 +52,7 @@ TEST_F(StartFromAResult, NeedsAFinishedOne) {
                "is a file; 'result' names a folder of results");
 }
 
-TEST_F(StartFromAResult, LeavesNothingElseToSay) {
+TEST_F(StartFromAResult, NeedsNoOtherInitialState) {
   expect_fault(start(good() + "stress = @@\"k0\""), "'stress' in [initial] has no meaning where 'result' is given");
   expect_fault(start(good() + "pore_pressure = @@\"seepage\""),
                "'pore_pressure' in [initial] has no meaning where 'result' is given");

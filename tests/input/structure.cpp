@@ -110,7 +110,7 @@ TEST(Faults, OfAFileComeTogetherInItsOrder) {
   EXPECT_EQ(to_string(faults[1]).rfind("slope.toml:16:8: error: 'size' is -1 m", 0), 0u) << to_string(faults[1]);
 }
 
-TEST(Format, OfALaterProgramIsAllThatIsSaid) {
+TEST(Format, OfALaterProgramIsTheOnlyFault) {
   const auto faults = find_faults("format = 2\nkey_of_the_future = 1\n" + slope);
   ASSERT_EQ(faults.size(), 1u) << InputError(faults).what();
   EXPECT_EQ(faults[0].line, 1);
@@ -124,7 +124,7 @@ TEST(Format, OfThisProgramMayBeGiven) {
   EXPECT_EQ(faults[0].line, 1);
 }
 
-TEST(Faults, OfUnknownKeysSayThatTheyAre) {
+TEST(Faults, OfUnknownKeysReportThem) {
   const auto faults = find_faults("titel = \"a\"\n" + slope);
   ASSERT_EQ(faults.size(), 1u) << InputError(faults).what();
   EXPECT_TRUE(faults[0].is_unknown_key);
@@ -137,7 +137,7 @@ std::string read_fault(const std::string& text) {
   return faults.empty() ? "" : faults[0].sentence;
 }
 
-TEST(File, WithoutQuotationMarksSaysWhereTheyBelong) {
+TEST(File, WithoutQuotationMarksReportsWhereTheyBelong) {
   for (const auto& [from, to, said] : std::vector<std::array<std::string, 3>>{
            {"cohesion = 2", "cohesion = 10 kPa", "put the value with its unit in quotation marks: \"10 kPa\""},
            {"\"30 deg\"", "25°", "put the value with its unit in quotation marks: \"25°\""},
@@ -166,7 +166,7 @@ TEST(File, InAnotherEncodingIsToBeSavedAsUtf8) {
   EXPECT_TRUE(find_faults("\xEF\xBB\xBF" + change(slope, "Dry homogeneous", "Böschung")).empty()) << "a mark of UTF-8";
 }
 
-TEST(UnknownKey, OfAnotherBlockSaysWhereItBelongs) {
+TEST(UnknownKey, OfAnotherBlockReportsWhereItBelongs) {
   expect_fault(slope + "[analysis]\nmethods = [@@\"bishop\"]\n",
                "'bishop' is no choice for 'methods'; it belongs to 'methods' in [lem]; choose one of lem, fem");
   expect_fault(slope + "[analysis]\n@@noncircular = false\n",

@@ -137,7 +137,7 @@ TEST(Pressure, KeepsTheSignOfEngineers) {
   EXPECT_DOUBLE_EQ(data.hydraulics.at(0).values().at(5), 1e4);
 }
 
-TEST(Conductivity, GoesWithGravity) {
+TEST(Conductivity, IsProportionalToGravity) {
   const Case data = read(soil("retention = \"saturated\"\nconductivity = \"1e-3 cm/s\""));
   EXPECT_DOUBLE_EQ(find_saturated_conductivity(water_of(data), data.water, data.water.drag_gravity), 1e-5);
   EXPECT_DOUBLE_EQ(find_saturated_conductivity(water_of(data), data.water, 15 * 9.81), 15e-5);
@@ -249,7 +249,7 @@ TEST(Documents, HaveTheBlockWithinAMaterial) {
   EXPECT_EQ(rate[2]["items"]["prefixItems"].size(), 2u);
 }
 
-TEST(WeightStage, OfWetSoilIsDrainedUnlessItSaysOtherwise) {
+TEST(WeightStage, OfWetSoilIsDrainedByDefault) {
   const std::string rest =
       change(wet_slope, "damping = 0.7\nconductivity_factor = 2", "damping = 0.7\nuntil = \"rest\"");
   const auto read_first = [](const std::string& text, const std::vector<Override>& changes = {}) {

@@ -113,7 +113,7 @@ TEST(TotalHead, IsNotBelowTheSoil) {
   expect_wet_fault("head = 10", "head = @@[[0, 10], [5, \"-10 cm\"]]", "'head' is -0.1 m");
 }
 
-TEST(Hydraulic, APoolAboveTheCrestIsTold) {
+TEST(Hydraulic, APoolAboveTheCrestIsReported) {
   const auto tell = [](const std::string& head) {
     return read_case_text(change(wet_slope, "head = 5", head), "slope.toml").warnings;
   };
@@ -170,7 +170,7 @@ TEST(Hydraulic, HasTheKeysOfItsCondition) {
   expect_wet_fault(crest, "on = \"crest\"\ncondition = \"rain\"\nrate = @@\"10 mm\"", "'10 mm' is a length");
 }
 
-TEST(Series, GoesForwardInTime) {
+TEST(Series, HasIncreasingTimes) {
   const auto rate = [](const std::string& rows) {
     return change(wet_slope, crest, "on = \"crest\"\ncondition = \"rain\"\nrate = " + rows);
   };
@@ -230,7 +230,7 @@ TEST(StepKeysOfWater, HaveNoMeaningInADryCase) {
   expect_wet_fault("conductivity_factor = 2", "conductivity_factor = @@0", "above 0");
 }
 
-TEST(StepKeysOfWater, OfTwoVelocitiesHaveNoMeaningWhereWaterSeeps) {
+TEST(StepKeysOfWater, OfTwoVelocitiesAreRejectedInTheDarcyFormulation) {
   expect_wet_fault("conductivity_factor = 2", "water = \"seeps\"\nwater_damping = @@0.7",
                    "'water_damping' has no meaning with water = \"seeps\": water has no velocity of its own there. It "
                    "needs water = \"flows\"");

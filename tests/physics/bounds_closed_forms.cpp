@@ -142,7 +142,7 @@ TEST(Bounds, SoilWithoutTensionCarriesLess) {
   EXPECT_LT(without.upper, with.lower);
 }
 
-TEST(Bounds, SaysWhyThereIsNone) {
+TEST(Bounds, GivesTheReasonForAMissingBound) {
   Problem p = make_slope(0.001, 1, 18000);
   BoundsResult found = find_bounds(p, until(0.05, 100));
   EXPECT_EQ(found.lower, 0);

@@ -37,7 +37,7 @@ Laboratory make_clay(bool with_compression) {
   return lab;
 }
 
-TEST(CalibrationLimits, CompressionTellsKappaFromLambdaAndShearingHardly) {
+TEST(CalibrationLimits, CompressionSeparatesKappaFromLambdaAndShearingHardly) {
   const results::Calibration shear = make_clay(false).calibrate(), both = make_clay(true).calibrate();
   ASSERT_TRUE(shear.correlation[0][1].has_value());
   EXPECT_GT(*shear.correlation[0][1], 0.9);
@@ -66,7 +66,7 @@ TEST(CalibrationLimits, OneCellPressureDoesNotFixCohesionAndFriction) {
   EXPECT_TRUE(fixed.findings.empty()) << join_findings(fixed);
 }
 
-TEST(CalibrationLimits, NearCellPressuresHardlyTellCohesionFromFriction) {
+TEST(CalibrationLimits, SimilarCellPressuresHardlySeparateCohesionFromFriction) {
   Laboratory lab(sand + write_sand_test("a", 100) + write_sand_test("b", 115));
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.cohesion", 1e3, 0, 50e3);
@@ -91,7 +91,7 @@ TEST(CalibrationLimits, AParameterThatNothingFeelsIsNamed) {
   EXPECT_NEAR(result.parameters[0].value, M_PI / 6, 1e-3) << "the others are still found";
 }
 
-TEST(CalibrationLimits, AParameterAtItsLimitIsSaid) {
+TEST(CalibrationLimits, AParameterAtItsLimitIsReported) {
   Laboratory lab(sand + write_sand_test("a", 100) + write_sand_test("b", 300));
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.cohesion", 1e3, 0, 50e3);

@@ -72,7 +72,7 @@ void expect_rest_when_let_go(const input::Case& data, const mesh::Mesh<D>& mesh)
       << "the constant load is what the pressures do by themselves";
 }
 
-TEST(DrainedStage, NothingMovesWhenTheWaterIsLetGo) {
+TEST(DrainedStage, NothingMovesWhenTheWaterIsReleased) {
   expect_rest_when_let_go<2>(make_column_case(2), make_column_mesh());
   expect_rest_when_let_go<2>(make_column_case(4), make_column_mesh());
   input::Case step2 = make_box_case<2>(make_wet_soil()), step3 = make_box_case<3>(make_wet_soil());

@@ -130,11 +130,11 @@ void expect_saturated_soil_to_pay(input::WaterMotion water, double largest) {
 TEST(EngineEnergy, SaturatedSoilPaysForItsSlideAndItsFlow) {
   expect_saturated_soil_to_pay(input::WaterMotion::flows, 0.01);
 }
-TEST(EngineEnergy, SaturatedSoilWithWaterThatSeepsPaysForItsSlide) {
+TEST(EngineEnergy, SaturatedSoilInTheDarcyFormulationClosesItsBudget) {
   expect_saturated_soil_to_pay(input::WaterMotion::seeps, 0.02);  // 0.4 % on the meshes of tools/verify_energy.py
 }
 
-TEST(EngineEnergy, WhatNoNodeSeesFadesAndMomentumStays) {
+TEST(EngineEnergy, NullModesAreFilteredAndMomentumIsConserved) {
   // A free block that moves and turns, with noise on the velocities of its points.
   std::mt19937 random(3);
   const auto draw = [&] { return 2 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 1; };
@@ -176,7 +176,7 @@ TEST(EngineEnergy, WhatNoNodeSeesFadesAndMomentumStays) {
   for (std::size_t i = 0; i < sums.size(); ++i) ASSERT_NEAR(sums[i], body.nodes.sums[i], 1e-9);
 }
 
-TEST(EngineEnergy, AnAffineMotionDoesNotFade) {
+TEST(EngineEnergy, TheFilterKeepsAffineMotion) {
   mpm::Body<2> body = support::fill_body<2>(
       support::make_mesh<2>({12, 12}, {2, 2}), {{material::LinearElastic::from_young(1e5, 0.3), 1800}}, 3,
       [](const Vec<2>& x) { return std::abs(x[0] - 1) < 0.6 && std::abs(x[1] - 1) < 0.6 ? 0 : -1; },

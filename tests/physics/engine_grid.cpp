@@ -67,7 +67,7 @@ TYPED_TEST(EngineGrid, PointsThatLeaveAreRecordedOnceWithTheirMassAndMomentum) {
   for (std::size_t d = 0; d < D; ++d) EXPECT_NEAR(momentum[d], before.momentum[d], 1e-10 * before.mass);
 }
 
-TYPED_TEST(EngineGrid, RunGoesOnWhenEverythingHasLeft) {
+TYPED_TEST(EngineGrid, RunContinuesWhenAllPointsHaveLeft) {
   constexpr int D = TypeParam::value;
   std::array<int, D> cells;
   Vec<D> size;
@@ -174,7 +174,7 @@ TYPED_TEST(EngineGrid, CriticalStepIsTheSmallestAltitudeOverTheWaveSpeed) {
   EXPECT_NEAR(mpm::find_critical_step(body, 9).dt, 3 * 0.25 / std::sqrt(2.0) / std::sqrt(constrained / rho), 1e-12);
 }
 
-TYPED_TEST(EngineGrid, TooLargeAStepIsFoundAndSaidWithStageTimeAndPlace) {
+TYPED_TEST(EngineGrid, TooLargeAStepIsReportedWithStageTimeAndPlace) {
   constexpr int D = TypeParam::value;
   std::array<int, D> cells;
   Vec<D> size;

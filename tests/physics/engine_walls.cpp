@@ -134,7 +134,7 @@ TEST(EngineWallsPlane, BlockOnAFrictionalWallMayLeaveIt) {
   EXPECT_GE(mpm::sum_points(body, {}).centre[1] - before, 0.5 * 5 * 0.15 * 0.15 * 0.98);
 }
 
-TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheSlopesShareOfGravity) {
+TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheComponentOfGravity) {
   const double theta = 0.6;
   auto mesh = support::make_box_mesh<2>(
       {24, 4}, {2.4, 0.4}, {"soil"}, [](const Vec<2>& x) { return x[0] > 1.8 && x[0] < 2.2 && x[1] < 0.2 ? 0 : -1; },

@@ -58,7 +58,7 @@ TEST(EqualisedMass, LeavesTheRestAsItIs) {
   expect_same_rest(make_box_case<2>(make_elastic()), mesh::generate<2>(plan_step(4)));
 }
 
-TEST(EqualisedMass, LeavesTheRestWithHeldWaterAsItIs) {
+TEST(EqualisedMass, KeepsTheStateOfRestWithDrainedWater) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.initial.water = {input::InitialPressure::water_table, {{0, 1.5}}};
   data.hydraulics = {make_hydraulic("right", input::WaterCondition::total_head, 1.5)};

@@ -103,7 +103,7 @@ TEST(SolidSlope, GriffithsAndLanesDisplacements) {
   EXPECT_FALSE(fem::find_equilibrium<2>(slope.model, options, 1.45).converged);
 }
 
-TEST(SolidSlope, SlopeThatDoesNotStandHasAFactorBelowOne) {
+TEST(SolidSlope, UnstableSlopeHasAFactorBelowOne) {
   // Pruska (2003), 14 m high: Spencer 0.340
   const auto r =
       reduce({{{0, 0}, {40, 0}, {40, 22}, {25, 22}, {15, 8}, {0, 8}}, 5e3, 10, 10, 18e3, 1e7, 0.35, 1.2}, 1, 2);

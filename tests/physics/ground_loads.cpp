@@ -72,7 +72,7 @@ TEST(GroundLoads, PointsThatCarryTheLoadCarryTheSameForce) {
   EXPECT_NEAR(sum(input::Geometry::moving), sum(input::Geometry::frozen), 1e-6);
 }
 
-TEST(GroundLoads, PressureRatioCarriesItsShareOfTheWeight) {
+TEST(GroundLoads, PressureRatioCarriesItsFractionOfTheWeight) {
   input::Case data = make_frozen_case();
   data.materials["soil"].slices.pore_pressure_ratio = 0.3;
   for (const input::InitialStress stress : {input::InitialStress::none, input::InitialStress::k0}) {

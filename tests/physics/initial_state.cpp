@@ -87,7 +87,7 @@ TEST(Preconsolidation, IsTheRatioTimesTheStressOfTheColumn) {
   expect_the_ratio_of_the_weight<3>();
 }
 
-TEST(Preconsolidation, SaysHowManyStressesLieBeyondTheYieldSurface) {
+TEST(Preconsolidation, CountsStressesBeyondTheYieldSurface) {
   input::Case data = support::make_box_case<2>(make_clay());
   data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);

@@ -83,7 +83,7 @@ TEST(LemSteepToe, IsRefused) {
   EXPECT_EQ(solve(slope, cut, Method::bishop, limited, false).refusal, Refusal::steep_toe);
 }
 
-TEST(LemRefusals, SayWhy) {
+TEST(LemRefusals, GiveTheReason) {
   const Slope slope(make_section({{0, 0}, {20, 0}, {30, 10}, {60, 10}}, make_soil(10, 30, 20), -5));
   const auto refuse = [&](const Surface& surface, const Checks& checks) {
     return cut_surface(slope, surface, 30, checks).refusal;
@@ -163,7 +163,7 @@ TEST(LemWarnings, NegativeEffectiveStressEverywhere) {
 
 // The factor jumps where a circle touches a strong layer: the forces along the base see the layer as soon as the arc
 // does, however short the part.
-TEST(LemStrongLayer, IsSeenByTheShortestPartOfTheArc) {
+TEST(LemStrongLayer, IsDetectedByTheShortestPartOfTheArc) {
   Section section = make_section({{0, 5}, {20, 5}, {30, 15}, {60, 15}}, make_soil(10, 20, 19), -5);
   section.soils.push_back(make_soil(5000, 40, 22));
   section.regions.push_back(make_region_below(section, 1, {{0, 3}, {60, 3}}));

@@ -45,7 +45,7 @@ TEST(PointStrength, TriaxialCompressionAndExtensionEndOnMohrsCircle) {
   }
 }
 
-TEST(PointStrength, SimpleShearFailsAsDavisSays) {
+TEST(PointStrength, SimpleShearHasTheStrengthOfDavis) {
   // At constant σ_v and ε_h: τ = (c cosφ + σ_v sinφ) cosψ/(1 - sinφ sinψ) (Davis 1968), which is c + σ_v tanφ for ψ =
   // φ.
   const double c = 5e3, vertical = 100e3, friction = 30 * degree;

@@ -21,7 +21,7 @@ Body<2> make_two_triangles() {
   return body;
 }
 
-TEST(ReferenceSmoothing, TwoTrianglesShareTwoThirdsToOneThird) {
+TEST(ReferenceSmoothing, TwoTrianglesAverageTwoThirdsToOneThird) {
   Body<2> body = make_two_triangles();
   classify_elements(body, {});
   map_points_to_nodes(body);
@@ -80,7 +80,7 @@ TEST(ReferenceUpdate, VolumesFollowTheVolumetricStrainUnlessFrozen) {
   EXPECT_NEAR(body.points[0].strain(1, 1), 0.04, 1e-15);
 }
 
-TEST(ReferenceUpdate, PointsOfAFullElementShareItsVolumeWeightedState) {
+TEST(ReferenceUpdate, PointsOfAFullElementHaveItsVolumeWeightedState) {
   Body<2> body = make_two_triangles();
   classify_elements(body, {});
   const double volumes[] = {1, 2, 5};

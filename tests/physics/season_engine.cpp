@@ -117,7 +117,7 @@ void expect_to_dry_as_in_seepage(const input::StepSettings& settings, double clo
 TEST(SeasonEngine, ColumnDriesAsInSeepage) {
   expect_to_dry_as_in_seepage(flowing, 0.01);
 }
-TEST(SeasonEngine, ColumnOfWaterThatSeepsDriesAsInSeepage) {
+TEST(SeasonEngine, ColumnInTheDarcyFormulationDriesAsInSeepage) {
   expect_to_dry_as_in_seepage(seeping, 0.01);
 }
 

@@ -107,7 +107,7 @@ TEST(SeepageInfiltration, SaturatedStorageIsTerzaghisConsolidation) {
   }
 }
 
-TEST(SeepageInfiltration, DrainedColumnKeepsWhatItsCurveHolds) {
+TEST(SeepageInfiltration, DrainedColumnRetainsTheWaterOfItsCurve) {
   // From full to rest over a water table: what has left is ∫ n (1 - S(γ_w z)) dz.
   const double height = 2, n = 0.35;
   const auto mesh = make_soil_box<2>({2, 80}, {0.05, height});

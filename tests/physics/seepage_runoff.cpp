@@ -68,7 +68,7 @@ TEST(SeepageRunoff, RunsFromTightGroundToWhereItEnters) {
   EXPECT_NEAR(on.stored.back(), find_gain(on.volumes.back()), 1e-8 * offered);
 }
 
-TEST(SeepageRunoff, WhatNobodyTakesLeavesTheSection) {
+TEST(SeepageRunoff, RunoffWithoutALowerNodeLeavesTheSection) {
   const auto mesh = make_slope();
   const double rate = 5e-5, end = 2 * hour, offered = rate * end * 2;
   const std::vector<HydraulicSoil<2>> soils{make_silt(1e-8), make_silt(1e-8)};
@@ -81,7 +81,7 @@ TEST(SeepageRunoff, WhatNobodyTakesLeavesTheSection) {
 
 // Soil of low conductivity, wet from the start of the rain: water ponds up to the given depth, and infiltrates after
 // the rain.
-TEST(SeepageRunoff, StandsUpToItsDepthAndEntersLater) {
+TEST(SeepageRunoff, PondsUpToItsDepthAndInfiltratesLater) {
   const auto mesh = make_slope(0);
   const double rate = 1e-5, depth = 5e-3, stop = 1 * hour, end = 8 * hour;
   const std::vector<HydraulicSoil<2>> soils{make_silt(2e-7), make_silt(2e-7)};

@@ -123,7 +123,7 @@ TEST(SeepageSlope, SoilsFromGravelToClayConvergeWithAndWithoutRain) {
   }
 }
 
-TEST(SeepageSlope, FaultsAreSentences) {
+TEST(SeepageSlope, FaultsAreMessages) {
   const auto mesh = make_slope(2.0);
   const auto message = [&](const auto& change) -> std::string {
     auto model = make_model(mesh, material::ConstantConductivity{});

@@ -31,7 +31,7 @@ TEST(SlowWave, TimesAreTheClosedForms) {
   EXPECT_NEAR(*wave.drainage, height * height / (1e-4 * constrained / (1000 * 9.81)), 0.06 * *wave.drainage);
 }
 
-TEST(SlowWave, SaysWhichTimeIsTooShortAndWhatWouldDo) {
+TEST(SlowWave, ReportsTheTimeThatIsTooShortAndARemedy) {
   const input::Case data = support::make_box_case<2>(support::make_wet_soil(young));
   const mpm::Body<2> body = make_wet_column(data);
   const auto say = [&](double scaling, double duration, bool until_rest = false, double factor = 1) {
@@ -52,7 +52,7 @@ TEST(SlowWave, SaysWhichTimeIsTooShortAndWhatWouldDo) {
   EXPECT_EQ(say(proposed, 1000), "");
 }
 
-TEST(FastWater, IsSaidOfOpenSoilThatWaterSeepsThrough) {
+TEST(FastWater, IsReportedOfPermeableSoilInTheDarcyFormulation) {
   input::Material gravel = support::make_wet_soil(young);
   gravel.water.conductivity = 0.05;
   const input::Case data = support::make_box_case<2>(gravel);
@@ -66,7 +66,7 @@ TEST(FastWater, IsSaidOfOpenSoilThatWaterSeepsThrough) {
 }
 
 /// Undrained water carries σ, drained water only u: the mean of σ' = γ'(H - y).
-TEST(UndrainedWeight, IsSaidOfSoilAtRestUnderExcessPressure) {
+TEST(UndrainedWeight, IsReportedOfSoilAtRestUnderExcessPressure) {
   input::Material silt = support::make_wet_soil(young);
   silt.water.conductivity = 1e-8;
   input::Case data = support::make_box_case<2>(silt);

@@ -33,7 +33,7 @@ double limit_flux(const WetBody<2>& body, double before) {
   return 0.4 * (w - v).dot(normal);
 }
 
-TEST(TwoPhaseConditions, EvaporationTakesItsRateAndFadesBeforeItsSuctionLimit) {
+TEST(TwoPhaseConditions, EvaporationHasItsRateAndDecreasesBeforeItsSuctionLimit) {
   WetBody<2> body = make_surface_node({.kind = SurfaceKind::rain, .evaporation = 0.02, .suction_limit = 1e5});
   for (const auto& [suction, share] : {std::pair{-1e4, 1.0}, {8.9e4, 1.0}, {9.5e4, 0.5}, {1.1e5, 0.0}}) {
     body.nodes[0].suction = suction;
@@ -141,7 +141,7 @@ TEST(TwoPhaseConditions, PointsOfAFullElementHoldTheirWaterAtOnePressure) {
   EXPECT_GT(std::abs(pores * soil.water.saturation(mean) * water_density(soil.water, mean) / before - 1), 1e-4);
 }
 
-TEST(TwoPhaseConditions, BishopsFactorIsOneUpToTheAirEntryAndFallsAsKhaliliAndKhabbazSay) {
+TEST(TwoPhaseConditions, BishopsFactorIsOneUpToTheAirEntryAndThenThatOfKhaliliAndKhabbaz) {
   PoreWater water = make_retaining_soil().water;
   EXPECT_EQ(find_chi(water, 3e4), water.saturation(3e4));
   water.chi_air_entry = 1e4;

@@ -102,7 +102,7 @@ WetBody<2> make_suction_column(SurfaceKind top) {
   return body;
 }
 
-TEST(TwoPhaseEquilibrium, SuctionAboveTheWaterTableStandsUnderAClosedSurfaceOnly) {
+TEST(TwoPhaseEquilibrium, SuctionAboveTheWaterTableIsInEquilibriumUnderAClosedSurfaceOnly) {
   for (const SurfaceKind top : {SurfaceKind::seepage, SurfaceKind::open}) {
     WetBody<2> body = make_suction_column(top);
     const std::vector<WetPoint<2>> start = body.points;

@@ -45,7 +45,7 @@ TEST(TwoPhaseDrag, ImplicitDragIsTheExplicitOneInSmallStepsAndDarcysLawInLargeOn
   EXPECT_NEAR((tight.w + 0.01 * a.water) / (tight.water_force / tight.drag), 1, 1e-6);
 }
 
-TEST(TwoPhaseDrag, HeldPhaseStandsAndDragsTheOther) {
+TEST(TwoPhaseDrag, FixedPhaseIsAtRestAndDragsTheOther) {
   NodeDirection node = free_node;
   const double dt = 0.01;
   node.water_fixed = true;
@@ -106,7 +106,7 @@ TEST(TwoPhaseSurface, InflowIsLimitedToTheRainAndMomentumIsKept) {
   }
 }
 
-TEST(TwoPhaseSurface, SoilThatIsHeldLeavesTheWholeCorrectionToTheWater) {
+TEST(TwoPhaseSurface, FixedSoilLeavesTheWholeCorrectionToTheWater) {
   WetBody<2> body = make_surface_node(SurfaceKind::seepage);
   body.solid_constraints[0].fixed = {true, true};
   body.water_constraints[0].fixed = {true, false};  // and the water may move along y only

@@ -55,7 +55,7 @@ TEST(TwoPhaseStorage, DrynessBelowTheResidualSaturationIsTensionOfTheWater) {
   EXPECT_NEAR(water.saturation(p) * std::exp(-p / water.bulk_modulus), 0.0999, 1e-12);
 }
 
-TEST(TwoPhaseStorage, SealedCompressionChangesTheSuctionAsTheClosedFormSays) {
+TEST(TwoPhaseStorage, SealedCompressionChangesTheSuctionByTheClosedForm) {
   // A sealed box is compressed uniformly; no water leaves, so S' n' V' = S n V with n' V' = n V + ΔV.
   Soil soil = make_table_soil(1e-11);
   const PoreWater curve = make_van_genuchten(2e4, 0.5, 0.05);

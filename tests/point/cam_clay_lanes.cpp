@@ -125,7 +125,7 @@ std::array<double, 6> to_voigt(const Tensor& t, bool strain) {
   return {t(0, 0), t(1, 1), t(2, 2), h * t(0, 1), h * t(1, 2), h * t(2, 0)};
 }
 
-TEST(CamClayLanes, DoNotKnowTheAxes) {
+TEST(CamClayLanes, DoNotDependOnTheAxes) {
   support::Draw draw(5);
   for (int i = 0; i < 1000; ++i) {
     const auto law = support::draw_soil(draw);

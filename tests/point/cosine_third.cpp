@@ -9,7 +9,7 @@
 
 namespace talus {
 
-TEST(PrincipalStress, PolynomialIsAsExactAsItSays) {
+TEST(PrincipalStress, PolynomialHasItsStatedAccuracy) {
   const material::CosineThird cosine;
   for (int i = 0; i <= 1000; ++i) {
     const double u = i / 1000.0;

@@ -112,7 +112,7 @@ TEST(ExternalLaw, EveryArgumentArrives) {
   expect_every_argument<6>();
 }
 
-TEST(ExternalLaw, InitialStatesStandBehindTheFirst) {
+TEST(ExternalLaw, InitialStatesFollowTheFirst) {
   const External law = open_umat({"arguments", {}, 3, {8, 9}, "arguments"});
   double q[External::state_size];
   std::fill_n(q, External::state_size, -1.0);
@@ -176,7 +176,7 @@ TEST(ExternalLaw, FailureNamesThePointAndItsInputs) {
   EXPECT_EQ(catch_failure(law), "") << "said once";
 }
 
-TEST(ExternalLaw, EveryKindOfFailureIsSeen) {
+TEST(ExternalLaw, EveryKindOfFailureIsDetected) {
   const std::vector<std::pair<std::string, std::string>> kinds = {
       {"no_state", "state variables that are no numbers"},
       {"smaller_step", "the step is too long (PNEWDT = 0.25)"},
@@ -194,7 +194,7 @@ TEST(ExternalLaw, EveryKindOfFailureIsSeen) {
 }
 
 // The engine calls from several threads; the message must not depend on their order.
-TEST(ExternalLaw, LowestPointIsToldWhateverTheThreads) {
+TEST(ExternalLaw, LowestPointIsReportedForAnyThreads) {
   const External law = open_umat({"failing", {100}, 2, {}, "no_number"});
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
@@ -221,7 +221,7 @@ std::string catch_opening(const support::ExternalCase& c) {
   return "nothing was thrown";
 }
 
-TEST(ExternalLaw, WhatCannotBeOpenedIsSaid) {
+TEST(ExternalLaw, ALibraryThatCannotBeOpenedIsReported) {
   expect_words(catch_opening({"missing", {}}), {"material 'clay of Oslo'", "umat_missing.so', which does not exist"});
   expect_words(catch_opening({"elastic", {}, 0, {}, "umet_"}),
                {"needs the subroutine 'umet_', which is not in '", "umat_elastic.so'", "name SUBROUTINE UMAT 'umat_'"});

@@ -19,7 +19,7 @@ using material::find_wu_waldron_cohesion;
 using material::RootClass;
 using support::Draw;
 
-TEST(RootBundle, GivesWhatIsWorkedByHand) {
+TEST(RootBundle, GivesTheHandValues) {
   // 1 mm roots bear 40 MPa · 0.7854 mm² = 31.42 N, 127.3 a square metre; 5 mm roots 15 MPa · 19.63 mm² = 294.5 N, 20.37
   // a square metre. All bear 31.42 N: 147.7 · 31.42 = 4640 Pa. The thick ones alone: 20.37 · 294.5 = 6000 Pa.
   const std::vector<RootClass> mixed{{1e-3, 1e-4, 40e6}, {5e-3, 4e-4, 15e6}};

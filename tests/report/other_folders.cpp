@@ -56,7 +56,7 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
   fs::remove_all(folder);
 }
 
-TEST(OtherFolders, AnInterruptedRunSaysWhy) {
+TEST(OtherFolders, AnInterruptedRunGivesTheReason) {
   const fs::path folder = make_test_folder("interrupted");
   std::ofstream(folder / "summary.json")
       << R"({"title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",

@@ -181,7 +181,7 @@ TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
   fs::remove_all(folder);
 }
 
-TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
+TEST_F(OtherMethods, AreNamedAlikeInResultsOfAnOlderVersion) {
   const auto name = [&](const char* source, const char* measure) {
     const fs::path folder = make_test_folder("older_rows");
     json summary = *summary_;
@@ -206,7 +206,7 @@ TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
     EXPECT_EQ(std::count(changed.begin(), changed.end(), none), 0) << none << " is of another kind";
 }
 
-TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
+TEST_F(OtherMethods, AreInTheUnitsOfTheCase) {
   const fs::path folder = make_test_folder("other_methods_pounds");
   run(folder, {{"analysis.methods", "[\"lem\"]"},
                {"output.stress_unit", "psf"},
@@ -228,7 +228,7 @@ TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
   EXPECT_EQ(rows.at("young_modulus").at("unit"), "ksf");
 }
 
-TEST_F(OtherMethods, SayHowFarTheMethodsLieApart) {
+TEST_F(OtherMethods, ReportTheDifferenceOfTheMethods) {
   const auto tell = [&](double elements) {
     const fs::path folder = make_test_folder("agreement");
     json summary = *summary_;
@@ -302,7 +302,7 @@ TEST_F(OtherMethods, ADamagedFileCostsItsPicturesOnly) {
   fs::remove_all(folder);
 }
 
-TEST_F(OtherMethods, AMethodWithoutAnAnswerSaysWhy) {
+TEST_F(OtherMethods, AMethodWithoutAFactorGivesTheReason) {
   const fs::path folder = make_test_folder("failed_method");
   json summary = *summary_;
   summary["fem"] = {{"error", "no equilibrium at any factor"}, {"warnings", json::array()}};
@@ -315,7 +315,7 @@ TEST_F(OtherMethods, AMethodWithoutAnAnswerSaysWhy) {
   fs::remove_all(folder);
 }
 
-TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
+TEST(ExtrapolatedStudy, ReportsTheFactorAtSizeZeroFirst) {
   const fs::path folder = make_test_folder("extrapolated");
   const auto factor = [](const std::string& by, const json& factors, const json& error) {
     return json{{"criterion", "FoS, " + by}, {"by", by},       {"variant", ""},           {"sizes", {1.0, 0.5, 0.25}},
@@ -336,7 +336,7 @@ TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
   fs::remove_all(folder);
 }
 
-TEST(SampledStudy, TellsItsProbabilityFirst) {
+TEST(SampledStudy, ReportsItsProbabilityFirst) {
   const fs::path folder = make_test_folder("sampled");
   const json failure{{"limit", 1},      {"count", 24},     {"samples", 1000},    {"probability", 0.024},
                      {"lower", 0.0154}, {"upper", 0.0355}, {"confidence", 0.95}, {"index", 1.977}};

@@ -53,7 +53,7 @@ TEST(Pack, ValuesComeBackWithinHalfAStep) {
   }
 }
 
-TEST(Pack, WhatIsNoNumberStaysNone) {
+TEST(Pack, NaNStaysNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const std::vector<double> values{1, nan, 3, infinite, 2, -infinite};
   for (const bool delta : {false, true}) {

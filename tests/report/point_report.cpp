@@ -83,7 +83,7 @@ TEST(PointReport, CurvesAreThinnedButKeepTheirTurningPoints) {
   fs::remove_all(folder);
 }
 
-TEST(PointReport, AFolderWithoutResultsSaysSo) {
+TEST(PointReport, AFolderWithoutResultsIsReported) {
   const fs::path folder = make_test_folder("point_none");
   fs::create_directories(folder / "point");
   EXPECT_THROW(collect_report(folder), Error);

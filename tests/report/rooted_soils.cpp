@@ -117,7 +117,7 @@ TEST(RootRows, CountWhatIsThereAtTheirAge) {
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 #define EXPECT_SILENT(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
 
-TEST(RootedAssumptions, SayWhereTheRootsAreAndThatTheyNeverBreak) {
+TEST(RootedAssumptions, StateWhereTheRootsAreAndThatTheyNeverBreak) {
   const std::string text = tell(input::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
   EXPECT_SAYS(text, "Roots under 'face': 0.94 % of the dry mass at the ground, the same down to 0.5 m. 50 % of that");
   EXPECT_SAYS(text, "one material in loess, and the roots never break");
@@ -140,7 +140,7 @@ TEST(RootedAssumptions, OfACohesionNameItsBundle) {
   EXPECT_SILENT(text, "Cam-clay");
 }
 
-TEST(RootedAssumptions, DoNotSayOfSoftWaterWhatTheStressDecides) {
+TEST(RootedAssumptions, LimitStatementsOnSoftWaterToWhatTheStressAllows) {
   const std::string text = tell(input::rooted_slope);
   EXPECT_SAYS(text, "times less than that of real water");
   EXPECT_SILENT(text, "instead of");

@@ -134,7 +134,7 @@ TEST(ColourScale, OnlyWhatHasBothSignsRunsFromTheMiddle) {
   EXPECT_NEAR(end.limits[0], -1000, 1);
 }
 
-TEST(ColourScale, AFieldThatFewPointsHaveIsStillSeen) {
+TEST(ColourScale, AFieldOfFewPointsIsStillShown) {
   std::vector<double> values(1000, 0.0);
   values[3] = 0.2;
   EXPECT_EQ(find_colour_scale(values, false).limits[1], 0.2);

@@ -93,7 +93,7 @@ TEST_F(ReportOfRuns, PutsPicturesSideBySide) {
   }
 }
 
-TEST_F(ReportOfRuns, SaysTheOrderOfMovementInWords) {
+TEST_F(ReportOfRuns, DescribesTheOrderOfMovementInWords) {
   const std::string sentence = rows_[0].result->motion->sentence;
   bool in_study = false, in_run = false;
   for (const json& s : page_->document.at("answer").at("sentences"))

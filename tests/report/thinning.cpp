@@ -46,7 +46,7 @@ TEST(Thinning, WhatOneSequenceLeavesTheOthersGet) {
   EXPECT_EQ(share_out({}, 600), std::vector<std::size_t>{});
 }
 
-TEST(Thinning, TheSentenceSaysWhatWasLeftOut) {
+TEST(Thinning, TheSentenceStatesWhatWasOmitted) {
   EXPECT_EQ(describe_thinning(14, 14, 5343, 5343, 1), "All 14 frames with all 5343 points.");
   const std::string thin = describe_thinning(120, 48, 21372, 5343, 4);
   for (const char* part : {"48 of 120 frames", "5343 of 21372 points", "multiple of 4", "results file"})

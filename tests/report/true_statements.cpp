@@ -72,7 +72,7 @@ class TrueStatements : public testing::Test {
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 #define EXPECT_SILENT(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
 
-TEST_F(TrueStatements, ASlopeThatDoesNotMoveIsNotSaidToMove) {
+TEST_F(TrueStatements, ASlopeAtRestIsReportedAtRest) {
   const std::string text = tell();
   EXPECT_SAYS(text, "no soil moves further than 1 % of the height");
   EXPECT_SAYS(text, "the time was up after 2 s, with an unbalanced force of 1 × 10⁻⁵ of gravity");
@@ -95,7 +95,7 @@ TEST_F(TrueStatements, ARunWithoutAFactorIsNotComparedWithMethodsOfSlices) {
   for (const char* of_a_factor : {"slices", "factor", "curve"}) EXPECT_SILENT(text, of_a_factor);
 }
 
-TEST_F(TrueStatements, TensileStrengthIsSaidOfTheSoilThatHasIt) {
+TEST_F(TrueStatements, TensileStrengthIsStatedOfTheSoilThatHasIt) {
   summary_["input"]["materials"]["sand"] = sand();
   summary_["input"]["materials"]["clay"] = sand();
   summary_["input"]["materials"]["clay"]["tensile_strength"] = leaf(5, "kPa");
@@ -117,7 +117,7 @@ TEST_F(TrueStatements, K0IsChosenOnlyWhereTheCaseGivesIt) {
   EXPECT_SAYS(tell(), "K0 = 0.45,");
 }
 
-TEST_F(TrueStatements, SoilThatMovesToBothSidesIsToldOnEach) {
+TEST_F(TrueStatements, SoilThatMovesToBothSidesIsReportedOnEach) {
   const json side = {
       {"moved_volume", 40}, {"front_advance", 1.5}, {"toe_distance", 2}, {"crest_retreat", 3}, {"direction", -1},
       {"toe", 0},           {"initial_toe", 0},     {"crest", 0}};
@@ -149,7 +149,7 @@ TEST_F(TrueStatements, LengthsAreInTheUnitOfTheCase) {
   EXPECT_TRUE(table["columns"][1]["values"][0].is_null());
 }
 
-TEST_F(TrueStatements, AFrontThatGoesBackDoesNotAdvanceByLessThanNothing) {
+TEST_F(TrueStatements, ARetreatingFrontHasNoNegativeAdvance) {
   summary_["runout"].update({{"moved_volume", 1234.5}, {"front_advance", -0.061}, {"largest_displacement", 1500}});
   summary_["stages"][0]["end"] = "rest";
   EXPECT_SAYS(tell(),
@@ -157,7 +157,7 @@ TEST_F(TrueStatements, AFrontThatGoesBackDoesNotAdvanceByLessThanNothing) {
               "stays, and 1200 m³ per metre move; after 2 s the soil is at rest.");
 }
 
-TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsSaidToBeLimitedByIt) {
+TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsReportedAsLimited) {
   summary_["runout"].update({{"moved_volume", 1234.5},
                              {"front_advance", 2.19},
                              {"toe_distance", 78},
@@ -219,7 +219,7 @@ TEST_F(TrueStatements, ComparisonsAreCountedInGrammar) {
             "calculated.");
 }
 
-TEST_F(TrueStatements, LoadsThatChangeWithTimeSayHow) {
+TEST_F(TrueStatements, LoadsThatChangeWithTimeAreDescribed) {
   const json factor = leaf(json::array({{0, 0}, {2, 1}}), "s");
   summary_["input"]["boundary"] = json::array(
       {{{"on", leaf("right")}, {"fix", leaf("velocity")}, {"velocity", leaf({-0.05, 0}, "m/s")}, {"factor", factor}}});
@@ -264,7 +264,7 @@ TEST(ShownNumbers, AreWrittenAsPeopleWriteThem) {
   EXPECT_EQ(show_number(std::nan("")), "–");
 }
 
-TEST(KilledRuns, KnowTheirMeshAndTheStagesThatEnded) {
+TEST(KilledRuns, HaveTheirMeshAndTheFinishedStages) {
   const fs::path folder = make_test_folder("killed_mesh");
   const json summary = run_small_case(folder);
   fs::remove(folder / "summary.json");

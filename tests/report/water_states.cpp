@@ -80,7 +80,7 @@ TEST_F(WaterStates, HaveTheFieldsOfTheFile) {
   }
 }
 
-TEST_F(WaterStates, WhatLeavesWhereStandsInTheAnswer) {
+TEST_F(WaterStates, InflowAndOutflowAreInTheAnswer) {
   const std::string text = join_answer();
   for (const char* part :
        {"At the end of the transient seepage water enters with ", " through 'left', and leaves with ",

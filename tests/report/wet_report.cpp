@@ -217,7 +217,7 @@ TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
   EXPECT_FALSE(has("steady_seepage") || has("pressure_smoothing"));
 }
 
-TEST_F(WetReport, WaterThatSeepsHasNoInertiaAndDoesNotBoundTheStep) {
+TEST_F(WetReport, DarcyFormulationHasNoWaterInertiaAndDoesNotLimitTheStep) {
   json changed = summary_;
   changed["input"]["stage"][1]["water"] = {{"value", "seeps"}, {"given", true}};
   const json document = collect_with(changed);
@@ -244,7 +244,7 @@ TEST_F(WetReport, RealWaterAndFallingConductivityAreNotCriticised) {
   EXPECT_SAYS(join_all(collect_with(changed).at("assumptions")), "The conductivity of silt does not fall with suction");
 }
 
-TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
+TEST_F(WetReport, EachFactorIsMarkedDrainedOrCoupled) {
   const auto leaf = [](const json& value) { return json{{"value", value}, {"given", true}}; };
   json changed = summary_;
   changed["input"]["analysis"]["kind"] = leaf("strength_reduction");
@@ -269,7 +269,7 @@ TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
   EXPECT_SAYS(text, "in the 5 s of a trial water moves");
 }
 
-TEST(DryReport, SaysNothingOfWater) {
+TEST(DryReport, HasNoWater) {
   const fs::path folder = make_test_folder("dry");
   run_small_case(folder);
   const json document = collect_report(folder).document.get();

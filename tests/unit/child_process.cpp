@@ -90,7 +90,7 @@ TEST(ChildProcess, EndsAfterItsTimeOfTheProcessor) {
             "it crashed (CPU time limit exceeded)");
 }
 
-TEST(ChildProcess, TellsHowItEndedWhereItsWorkDidNot) {
+TEST(ChildProcess, ReportsHowItEndedWhereItsWorkDidNot) {
   EXPECT_EQ(catch_crash([](ByteWriter&) { std::abort(); }), "it crashed (Aborted)");
   EXPECT_EQ(catch_crash([](ByteWriter&) { _exit(3); }), "it ended by itself with code 3");
   EXPECT_EQ(catch_crash([](ByteWriter&) { raise(SIGSEGV); }), "it crashed (Segmentation fault)");

@@ -59,7 +59,7 @@ TEST(Bilinear, GivesThePeersFactorOnThePeersCurve) {
   EXPECT_NEAR(*b->criterion.factor, 1.586, 0.01);
 }
 
-TEST(Bilinear, SaysWhenACurveDoesNotSteepen) {
+TEST(Bilinear, ReportsACurveThatDoesNotSteepen) {
   std::vector<CurvePoint> curve;
   for (int i = 0; i < 8; ++i) curve.push_back({1 + 0.1 * i, std::sqrt(i)});
   const auto b = construct_bilinear(curve);
@@ -148,7 +148,7 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
   }
 }
 
-TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
+TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndReportsIt) {
   const results::MeshFactor found =
       search_frozen_factor({}, in_turn([](double factor) {
                              results::Trial t;
@@ -277,7 +277,7 @@ TEST(FrozenInterval, HoldsWhatIsProvenOfTheStudiedSlopes) {
 }
 
 /// The vertical cut of the same study in tetrahedra, between smooth walls: 1.3 is exact.
-TEST(FrozenInterval, HoldsWhatIsKnownOfTetrahedra) {
+TEST(FrozenInterval, ContainsTheKnownFactorsOfTetrahedra) {
   for (const auto& [coarse, fine] : {std::pair{1.426, 1.389}, {1.389, 1.356}}) {
     const results::FrozenFactor f = join_meshes({make_mesh(2, coarse), make_mesh(1, fine)}, {}, {}, 3);
     EXPECT_NEAR(f.mesh_effect.value(), 1.5 * (coarse - fine), 1e-12);

@@ -43,7 +43,7 @@ TEST(ElementInterval, ReachesAboveTheFineFactorWhereTheCoarseOneIsLower) {
   EXPECT_NEAR(interval->lower, 1.414 - known_scatter * 1.416, 1e-12);
 }
 
-TEST(ElementInterval, ReachesOverUndecidedTrialsToTheNextThatFlows) {
+TEST(ElementInterval, ExtendsOverUndecidedTrialsToTheNextThatFlows) {
   const auto interval = find_mesh_interval(make_factor(2, 1.448, 1.452, 1.468), make_factor(1, 1.414, 1.418, 1.438));
   EXPECT_NEAR(interval->upper, 1.438, 1e-12);
   EXPECT_NEAR(interval->lower, 1.414 - (1.468 - 1.414) - 2 * 0.034, 1e-12);

@@ -180,7 +180,7 @@ TEST(SolidTangent, ExternalModelByDifferences) {
       law, 30e6, 50e3, 1e-6, [](auto& r) { return make_start(r, 6, 50e3); }, -1);
 }
 
-TEST(SolidTangent, SymmetryIsSeen) {
+TEST(SolidTangent, SymmetryIsDetected) {
   const double deg = std::acos(-1.0) / 180;
   const std::array<double, 6> strain{2e-3, -4e-3, 0, 1e-3, 0, 0};
   for (const double psi : {0.0, 30.0}) {

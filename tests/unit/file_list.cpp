@@ -74,7 +74,7 @@ TEST_F(ListOfFiles, HoldsWhatIsWrittenAndNothingElse) {
   EXPECT_EQ(check(), "");
 }
 
-TEST_F(ListOfFiles, TellsWhatIsMissingOrChanged) {
+TEST_F(ListOfFiles, ReportsMissingAndChangedFiles) {
   {
     const FileList files(folder_);
     write_atomically(folder_ / "a.csv", "1234567890");

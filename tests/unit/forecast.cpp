@@ -92,7 +92,7 @@ TEST(Forecast, AStudyTakesAsLongAsItsRuns) {
   EXPECT_TRUE(drawn.starts_with("  a study draws 10000 samples of 4 uncertain numbers, about ")) << drawn;
 }
 
-TEST(Forecast, FreeMemoryIsTheLeastThatTheSystemSays) {
+TEST(Forecast, FreeMemoryIsTheLeastEstimateOfTheSystem) {
   EXPECT_FALSE(find_free_memory("", "", "").has_value());
   EXPECT_DOUBLE_EQ(*find_free_memory("MemTotal: 9 kB\nMemAvailable:   2000 kB\n", "max\n", "5\n"), 2048000);
   EXPECT_DOUBLE_EQ(*find_free_memory("MemAvailable: 2000 kB\n", "1000000\n", "400000\n"), 600000);

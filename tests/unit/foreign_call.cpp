@@ -48,7 +48,7 @@ TEST(ForeignCall, EndsACallThatDoesNotReturn) {
   set_foreign_limit(60);
 }
 
-TEST(ForeignCall, SaysWhoEndedTheProgram) {
+TEST(ForeignCall, ReportsWhoEndedTheProgram) {
   EXPECT_EXIT(call_foreign(
                   "the external model of 'clay'", [](void*) { std::exit(0); }, nullptr),
               testing::ExitedWithCode(4), "talus: error: the external model of 'clay' ended the program, as STOP");

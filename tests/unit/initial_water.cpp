@@ -73,7 +73,7 @@ TEST(InitialWater, SteadySeepageOfStillWaterIsHydrostatic) {
   }
 }
 
-TEST(InitialWater, SteadySeepageMovesAsDarcySaysAlsoUnderManyG) {
+TEST(InitialWater, SteadySeepageHasDarcysVelocityAlsoUnderManyG) {
   for (const double times : {1.0, 10.0}) {
     input::Case data = make_box_case<2>(make_wet_soil());
     data.gravity.acceleration = times * g;

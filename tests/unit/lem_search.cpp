@@ -227,7 +227,7 @@ TEST(LemSearch, NoAdmissibleSurfaceIsOneSentenceWithCounts) {
   }
 }
 
-TEST(LemSearch, TellsWhichLimitsWereHit) {
+TEST(LemSearch, ReportsTheLimitsThatWereReached) {
   auto hit = [](const SearchResult& r, const std::string& words) {
     return std::any_of(r.limit_hits.begin(), r.limit_hits.end(),
                        [&](const LimitHit& h) { return h.limit.find(words) != std::string::npos; });

@@ -18,7 +18,7 @@ Plan make_plan(std::vector<Polygon> polygons) {
   return plan;
 }
 
-TEST(Cover, PolygonsThatShareEdgesFit) {
+TEST(Cover, PolygonsWithCommonEdgesFit) {
   EXPECT_TRUE(find_misfits(make_plan({{"a", {{0, 0}, {40, 0}, {40, 5}, {0, 5}}},
                                       {"b", {{0, 5}, {40, 5}, {20, 12}, {0, 12}}},
                                       {"lens", {{10, 2}, {30, 2}, {30, 4}, {10, 4}}},
@@ -63,7 +63,7 @@ TEST(Cover, ACrossIsOneOverlapAndACombHasSeveralPieces) {
   EXPECT_NEAR(comb[1].area, 4 * 5, 1e-5);
 }
 
-TEST(Cover, TheSamePolygonTwiceIsSaidSo) {
+TEST(Cover, TheSamePolygonTwiceIsReported) {
   const auto found =
       find_misfits(make_plan({{"a", {{0, 0}, {30, 0}, {30, 10}}}, {"b", {{30, 10}, {30, 0}, {15, 0}, {0, 0}}}}));
   ASSERT_EQ(found.size(), 1u);

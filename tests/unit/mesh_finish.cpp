@@ -172,7 +172,7 @@ TEST(Finish, GivesTheSameMeshForEveryNumberingOfTheSameElements) {
   }
 }
 
-TEST(Finish, LeavesTheNumbersAloneWhenAsked) {
+TEST(Finish, CanKeepTheNumbering) {
   Mesh<2> mesh = make_grid(3, 2, 1);
   shuffle(mesh);
   mesh.nodes.push_back({50, 50});  // of no element

@@ -133,7 +133,7 @@ TEST(Generate, MeshesAnEmptyBox) {
   EXPECT_TRUE(mesh.region_names.empty());
 }
 
-TEST(Generate, RefinesWhereAskedAndNowhereElse) {
+TEST(Generate, RefinesTheGivenPlacesOnly) {
   Plan plan = plan_slope(1.5);
   plan.refinements = {{{{12, 15}, {32, 5}}, 0.4, 6}, {{{2, 2}}, 0.3, 4}};
   const auto mesh = generate<2>(plan);

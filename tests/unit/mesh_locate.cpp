@@ -84,7 +84,7 @@ TEST(Locate, SeesAroundTheNotchOfAMeshThatIsNotConvex) {
   EXPECT_EQ(find_element(mesh, {4.5, 0.2}, start), -1);
 }
 
-TEST(Column, OfTwoLayersWeighsWhatTheHandSays) {
+TEST(Column, OfTwoLayersHasTheHandValueOfItsWeight) {
   Mesh<2> mesh = make_grid(4, 10, 0.5);  // 5 m high; upper half lighter
   finish(mesh);
   std::vector<double> weight(mesh.elements.size());
@@ -148,7 +148,7 @@ TEST(Column, PassesOverACaveAndAGapOfTheMesh) {
   EXPECT_NEAR(computed[1], 27.5, 1e-7);
 }
 
-TEST(Column, StandsInThreeDimensions) {
+TEST(Column, IsIntegratedInThreeDimensions) {
   Mesh<3> mesh = make_grid(3, 4, 3, 0.5);
   finish(mesh);
   std::vector<LocalPoint<3>> points;

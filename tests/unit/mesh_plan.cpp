@@ -54,7 +54,7 @@ bool mentions(const std::string& message, const std::vector<std::string>& words)
   return true;
 }
 
-TEST(Plan, TellsWhatIsWrongWithAPolygon) {
+TEST(Plan, ReportsFaultsOfAPolygon) {
   Plan plan = plan_slope(1);
   plan.polygons[0].points = {{0, 0}, {10, 10}, {10, 0}, {0, 8}};
   EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "crosses", "(4.44444, 4.44444)"}));
@@ -89,7 +89,7 @@ TEST(Plan, TakesAnyPointsAlongAStraightEdge) {
   EXPECT_TRUE(find_self_contact({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, 1e-9).has_value()) << "a bow tie";
 }
 
-TEST(Plan, TellsWhichPolygonsOverlap) {
+TEST(Plan, ReportsOverlappingPolygons) {
   Plan plan = plan_slope(1);
   plan.polygons = {{"a", {{2, 2}, {10, 2}, {10, 8}, {2, 8}}}, {"b", {{6, 4}, {14, 4}, {14, 6}, {6, 6}}}};
   EXPECT_TRUE(mentions(get_message(plan), {"'a'", "'b'", "overlap"}));
@@ -99,7 +99,7 @@ TEST(Plan, TellsWhichPolygonsOverlap) {
   EXPECT_TRUE(mentions(get_message(plan), {"'a'", "'b'", "same"}));
 }
 
-TEST(Plan, TellsApartTheWaysTwoPolygonsCanLie) {
+TEST(Plan, ClassifiesTheRelationOfTwoPolygons) {
   const Polyline square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_EQ(compare(square, {{4, 1}, {6, 1}, {6, 9}, {4, 9}}, 1e-6), Relation::apart);   // common part of an edge
   EXPECT_EQ(compare(square, {{4, 4}, {6, 4}, {6, 6}}, 1e-6), Relation::apart);           // common corner
@@ -108,7 +108,7 @@ TEST(Plan, TellsApartTheWaysTwoPolygonsCanLie) {
   EXPECT_EQ(compare(square, {{-1, 1}, {5, 1}, {5, 2}, {-1, 2}}, 1e-6), Relation::overlapping);  // a cross
 }
 
-TEST(Plan, TellsWhatIsWrongWithNamesSizesAndLines) {
+TEST(Plan, ReportsFaultsOfNamesSizesAndLines) {
   Plan plan = plan_slope(1);
   plan.lines = {{"top", {{0, 1}, {2, 1}}}};
   EXPECT_TRUE(mentions(get_message(plan), {"'top'", "taken"}));

@@ -33,7 +33,7 @@ TEST(NarrowBand, IsMeasuredInElements) {
   EXPECT_NEAR(run::find_soft_band(make_sheared(4, 0.2))->thickness, 4, 0.5);
 }
 
-TEST(NarrowBand, KnowsTheSizeOfItsElements) {
+TEST(NarrowBand, HasTheSizeOfItsElements) {
   EXPECT_NEAR(run::find_soft_band(make_sheared(2, 0.2))->size, support::block_width / across, 1e-12);
 }
 
@@ -43,7 +43,7 @@ TEST(NarrowBand, IsOneOnlyWhereSoilShearedAndDilated) {
   EXPECT_GT(run::find_soft_band(make_sheared(2 * across, 0.2))->thickness, 10) << "half of the block";
 }
 
-TEST(NarrowBand, SaysWhatToDo) {
+TEST(NarrowBand, RecommendsARemedy) {
   const mpm::Body<2> body = make_sheared(1, 0.2);
   const auto tell = [&](double thickness, double size, std::optional<double> length) {
     run::StageState state;

@@ -24,7 +24,7 @@ TEST(Uncertain, TheValueEndsWhereItsUncertaintyDoes) {
   EXPECT_EQ(format_uncertain(0, 0.5), "0.0 ± 0.5");
 }
 
-TEST(Uncertain, RoundingIsNoNumber) {
+TEST(Uncertain, RoundingIsNaN) {
   EXPECT_EQ(format_uncertain(7e-18, std::nullopt), "0");
   EXPECT_EQ(format_uncertain(-7e-18, 3e-17), "0");
   EXPECT_EQ(format_uncertain(5.4321, 3e-16), "5.43") << "two meshes that agree";

@@ -121,7 +121,7 @@ TEST_F(Pictures, OfACurveHaveLabelsThatDoNotCoverEachOtherOrALine) {
   }
 }
 
-TEST_F(Pictures, ShowWhatTheyAreTold) {
+TEST_F(Pictures, ShowTheGivenData) {
   output::draw(make_curve(), folder_ / "curve.svg");
   const std::string svg = read("curve.svg");
   for (const char* text : {"displacement [mm]", "strength reduction factor", "1.58  displacement ratio",

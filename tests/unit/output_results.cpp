@@ -192,7 +192,7 @@ TEST_F(Results, SurviveAKillInTheMiddleOfARun) {
   for (int k = 0; k < 4; ++k) expect_equal(ResultsReader(folder_).read(k), make_frame(k));
 }
 
-TEST_F(Results, GoOnFromACheckpointWithoutTheFramesAfterIt) {
+TEST_F(Results, ResumeFromACheckpointWithoutTheFramesAfterIt) {
   ResultsWriter first = ResultsWriter::start(folder_);
   for (int k = 0; k < 4; ++k) first.write(make_frame(k));
   first.finish();
@@ -264,7 +264,7 @@ Frame make_large_frame(double time) {
   return frame;
 }
 
-TEST_F(Results, OnAFullDiskKeepWhatWasWrittenAndSayItInOneSentence) {
+TEST_F(Results, OnAFullDiskKeepWhatWasWrittenWithOneMessage) {
   ResultsWriter writer = ResultsWriter::start(folder_);
   writer.write(make_frame(0));
   writer.write(make_frame(1));

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-TEST(Progress, TellsAListenerOneReportAtATime) {
+TEST(Progress, CallsAListenerWithOneReportAtATime) {
   std::vector<ProgressReport> heard;
   std::atomic<int> inside{0};
   bool overlapped = false;

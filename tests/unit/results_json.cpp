@@ -71,7 +71,7 @@ TEST(ResultsJson, AFaultIsNamedWithItsPlace) {
   EXPECT_NE(find_fault(R"({"stages": {}})").find("stages should be a list"), std::string::npos);
 }
 
-TEST(ResultsJson, AMethodWithoutAnAnswerTellsItsReasonAlone) {
+TEST(ResultsJson, AMethodWithoutAFactorWritesOnlyItsReason) {
   RunResult run;
   run.elements.emplace().error = "no equilibrium";
   const json written = to_json(run).at("fem");
@@ -93,7 +93,7 @@ void expect_known(const json& value, const json& schema, const std::string& path
   }
 }
 
-TEST(ResultsDocuments, SchemaKnowsWhatIsWritten) {
+TEST(ResultsDocuments, SchemaContainsWhatIsWritten) {
   RunResult run;
   run.slices.emplace().given.push_back(make_surface(SliceMethod::bishop, {}));
   run.slices->search.emplace().limit_hits.push_back({"Bishop", "the entry lies at the edge"});

@@ -36,7 +36,7 @@ TEST(Richardson, ALineIsExactAndHasNoError) {
 }
 
 /// Meshes scatter; the standard error must be that of the intercept, found here from the textbook's sums.
-TEST(Richardson, TellsTheErrorOfScatteredMeshes) {
+TEST(Richardson, GivesTheErrorOfScatteredMeshes) {
   const results::ExtrapolatedFactor e = extrapolate({4, 3, 2, 1}, {1.41, 1.29, 1.21, 1.09});
   EXPECT_NEAR(e.linear, 0.990, 1e-12);  // slope 0.104
   const double s2 = (0.004 * 0.004 + 0.012 * 0.012 + 0.012 * 0.012 + 0.004 * 0.004) / 2;

@@ -119,7 +119,7 @@ TEST(Distribution, CutFarInTheTailKeepsItsDigits) {
   EXPECT_NEAR(find_normal_probability(-x) / find_normal_probability(-8), find_normal_probability(-1), 1e-10);
 }
 
-TEST(Distribution, LognormalsCorrelateAsTheClosedFormSays) {
+TEST(Distribution, LognormalsHaveTheCorrelationOfTheClosedForm) {
   const Marginal a = make(Distribution::lognormal, 10, 4), b = make(Distribution::lognormal, 3, 0.6);
   const double za = std::sqrt(std::log(1.16)), zb = std::sqrt(std::log(1.04));
   for (const double r : {-0.7, 0.3, 0.9})

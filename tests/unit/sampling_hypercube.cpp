@@ -38,7 +38,7 @@ TEST(LatinHypercube, HasEveryClassOnceInEveryReplicate) {
     }
 }
 
-TEST(LatinHypercube, HasTheCorrelationThatWasAsked) {
+TEST(LatinHypercube, HasTheGivenCorrelation) {
   ScorePlan plan = make_plan(2000, 3, true);
   plan.correlation = {1, -0.7, 0.3, -0.7, 1, 0.1, 0.3, 0.1, 1};
   const auto latin = draw_scores(plan);

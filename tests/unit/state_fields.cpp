@@ -23,7 +23,7 @@ TEST(StateFields, AreListedOnceForAllSoils) {
   EXPECT_TRUE(StateFields({elastic}).list().empty());
 }
 
-TEST(StateFields, SaySoWhereASoilHasNoneOfIt) {
+TEST(StateFields, AreNaNWhereASoilHasNone) {
   const std::vector<material::Law> laws{elastic, material::ModifiedCamClay({}),
                                         material::RootedMohrCoulomb(elastic, {})};
   const StateFields fields(laws);

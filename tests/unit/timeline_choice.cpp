@@ -53,7 +53,7 @@ TEST(TimelineChoice, BetweenItsTimesTheCurveIsStraight) {
   EXPECT_LT(tried.size(), 40u);
 }
 
-TEST(TimelineChoice, ADipBetweenTheFirstTimesIsSeen) {
+TEST(TimelineChoice, ADipBetweenTheFirstTimesIsFound) {
   const auto factor = [](double t) { return 1.5 - 0.3 * std::exp(-5000 * (t - 0.37) * (t - 0.37)); };
   const auto tried = choose(factor, 0.003, 60);
   double least = 2;

@@ -29,7 +29,7 @@ std::string describe_mirrored(Polyline table) {
   return describe(table, ground);
 }
 
-TEST(OddWater, IsNotWhatStandsOrSeeps) {
+TEST(OddWater, ExcludesPondsAndSeepage) {
   for (const Polyline& table : std::vector<Polyline>{{{0, 12}, {16, 11}, {34, 5}, {50, 5}},
                                                      {{0, 12}, {34, 5}},
                                                      {{0, 8}, {28, 8}, {50, 8}},
@@ -52,7 +52,7 @@ TEST(OddWater, ThatEndsInsideTheSectionFloodsTheToe) {
   EXPECT_EQ(describe({{0, 12}, {16, 11}, {34, 5}}), "") << "it ends on the ground";
 }
 
-TEST(OddWater, ThatStandsIsLevel) {
+TEST(OddWater, PondsAreLevel) {
   const std::string said = describe({{0, 12}, {20, 12}, {34, 7}, {50, 6}});
   EXPECT_NE(said.find("standing water is level"), std::string::npos) << said;
   EXPECT_NE(said.find("between y = 6 m and"), std::string::npos) << said;
