@@ -19,16 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which to the program
-/// looks like a full disk. Returns its exit code; its output goes to `folder`/said.txt.
+/// looks like a full disk. Returns its exit code; its output goes to `folder`/messages.txt.
 int run_with_limit(const fs::path& folder, rlim_t limit) {
   const pid_t child = fork();
   if (child == 0) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit bound{limit, limit};
     setrlimit(RLIMIT_FSIZE, &bound);
-    const std::string said = (folder / "said.txt").string(), out = (folder / "results").string();
+    const std::string path = (folder / "messages.txt").string(), out = (folder / "results").string();
     const std::string input = std::string(TALUS_SOURCE_DIR) + "/examples/dry_slope/case.toml";
-    if (!freopen(said.c_str(), "w", stderr)) _exit(126);
+    if (!freopen(path.c_str(), "w", stderr)) _exit(126);
     execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", out.c_str(), "-q", "--set", "mesh.size=1.5", "--set",
           "analysis.kind=run", "--set", "output.frame_interval=0.5", nullptr);
     _exit(127);
@@ -45,10 +45,10 @@ TEST(FullDisk, IsOneSentenceAndLeavesWholeFilesOnly) {
     fs::create_directories(folder);
     const int code = run_with_limit(folder, limit);
     ASSERT_EQ(code, 6) << "limit " << limit;
-    std::ifstream file(folder / "said.txt");
-    const std::string said{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << "one sentence, not:\n" << said;
+    std::ifstream file(folder / "messages.txt");
+    const std::string message{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(message.find("cannot write"), std::string::npos) << message;
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << "one sentence, not:\n" << message;
     // Whatever has a final name can be read.
     if (fs::exists(folder / "results" / "checkpoint.h5")) output::ArchiveReader(folder / "results" / "checkpoint.h5");
     if (fs::exists(folder / "results" / "frames") && !fs::is_empty(folder / "results" / "frames")) {

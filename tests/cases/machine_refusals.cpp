@@ -55,15 +55,15 @@ class Machine : public testing::Test {
                               command + "; } 2>&1 >out.txt";
     FILE* pipe = popen(("bash -c \"" + whole + "\"").c_str(), "r");
     std::array<char, 4096> buffer{};
-    said_.clear();
-    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) said_.append(buffer.data(), n);
+    message_.clear();
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) message_.append(buffer.data(), n);
     const int status = pclose(pipe);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   void expect(int code, const std::string& words, const std::string& command) {
-    EXPECT_EQ(run(command), code) << command << "\n" << said_;
-    EXPECT_NE(said_.find(words), std::string::npos) << command << "\n" << said_;
-    EXPECT_EQ(said_.find("internal error"), std::string::npos) << command << "\n" << said_;
+    EXPECT_EQ(run(command), code) << command << "\n" << message_;
+    EXPECT_NE(message_.find(words), std::string::npos) << command << "\n" << message_;
+    EXPECT_EQ(message_.find("internal error"), std::string::npos) << command << "\n" << message_;
   }
 
   static std::string read(const fs::path& path) {
@@ -72,7 +72,7 @@ class Machine : public testing::Test {
   }
 
   fs::path folder_;
-  std::string case_, said_;
+  std::string case_, message_;
   static constexpr const char* start = "\\$T run block.toml -q --no-report --threads 1 ";
 };
 
@@ -89,7 +89,7 @@ TEST_F(Machine, RefusesFoldersWithoutPermission) {
     fs::permissions(folder_, fs::perms::others_all, fs::perm_options::add);
   }
   const std::string nobody = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
-  ASSERT_EQ(run(start + std::string("-o shut; chmod 000 shut")), 0) << said_;
+  ASSERT_EQ(run(start + std::string("-o shut; chmod 000 shut")), 0) << message_;
   expect(6, "cannot write 'shut': Permission denied", nobody + start + "-o shut");
   expect(2, "Permission denied", nobody + "\\$T report shut");
   expect(2, "the case file cannot be opened: Permission denied", nobody + "\\$T check shut/x.toml");
@@ -106,7 +106,7 @@ TEST_F(Machine, HasAFullStandardOutput) {
 }
 
 TEST_F(Machine, LetsOneRunIntoAFolder) {
-  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << message_;
   FolderLock lock(folder_ / "one");
   lock.take();
   for (const char* way : {"", " --resume", " --overwrite"})
@@ -116,7 +116,7 @@ TEST_F(Machine, LetsOneRunIntoAFolder) {
 
 /// Neither in the folder itself nor in that of a part of it.
 TEST_F(Machine, LetsNoOtherCommandIntoTheFolderOfARun) {
-  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << message_;
   fs::create_directories(folder_ / "one" / "trials");
   fs::copy(folder_ / "one", folder_ / "part", fs::copy_options::recursive);
   fs::remove(folder_ / "part" / "summary.json");
@@ -138,7 +138,7 @@ TEST_F(Machine, LetsNoOtherCommandIntoTheFolderOfARun) {
 }
 
 TEST_F(Machine, OpensFewFiles) {
-  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << message_;
   // The loader of libraries needs some as well, and a test may inherit others.
   const std::string close = "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ";
   for (const std::string files : {"6", "12"})
@@ -170,10 +170,10 @@ TEST_F(Machine, PrintsHostileNames) {
       << clay;
   for (const std::string command :
        {"check names.toml", "run names.toml -o one", "plot one", "report one", "study names.toml -o study"}) {
-    EXPECT_EQ(run("\\$T " + command), 0) << command << said_;
-    said_ += read(folder_ / "out.txt");
-    EXPECT_EQ(said_.find_first_of("\x1b\a"), std::string::npos) << command;
-    EXPECT_EQ(said_.find("\u202e"), std::string::npos) << command;
+    EXPECT_EQ(run("\\$T " + command), 0) << command << message_;
+    message_ += read(folder_ / "out.txt");
+    EXPECT_EQ(message_.find_first_of("\x1b\a"), std::string::npos) << command;
+    EXPECT_EQ(message_.find("\u202e"), std::string::npos) << command;
   }
   EXPECT_EQ(run("\\$T check names.toml --set title="), 0);
   int texts = 0;
@@ -194,7 +194,7 @@ TEST_F(Machine, PrintsHostileNames) {
 }
 
 TEST_F(Machine, HoldsFilesThatAreNoResults) {
-  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << message_;
   std::ofstream(folder_ / "one" / "summary.json") << "[]";
   expect(2, "it should hold one JSON object", "\\$T report one");
   expect(2, "'one/summary.json' is not as the run wrote it", start + std::string("-o one --resume"));
@@ -220,7 +220,7 @@ TEST_F(Machine, RunsASoilModelThatEndsIt) {
   EXPECT_TRUE(fs::exists(folder_ / "exit" / "frames" / "000000.h5"));
   write("abort_");
   expect(4, "failed in point 0", start + std::string("-o abort"));
-  EXPECT_NE(said_.find("it crashed (Aborted)"), std::string::npos) << said_;
+  EXPECT_NE(message_.find("it crashed (Aborted)"), std::string::npos) << message_;
   EXPECT_TRUE(fs::exists(folder_ / "abort" / "summary.json"));
 }
 

@@ -27,7 +27,7 @@ class RefereeTest : public MethodsTest {
     return {bounds.at("lower"), bounds.at("upper")};
   }
 
-  static bool says(const json& summary, const std::string& part) {
+  static bool has_warning(const json& summary, const std::string& part) {
     for (const json& remark : summary.at("methods").at("remarks"))
       if (remark.at("text").get<std::string>().find(part) != std::string::npos) return true;
     return false;
@@ -45,7 +45,7 @@ TEST_F(RefereeTest, TheUpperBoundGovernsBeforeCirclesAboveIt) {
   EXPECT_GT(find_factor(summary, "spencer"), 1.05 * prandtl);
   EXPECT_EQ(summary.at("main_factor").get<double>(), upper);
   EXPECT_EQ(summary.at("lem").at("critical").at(0).at("verdict"), "above_upper_bound");
-  EXPECT_TRUE(says(summary, "above the upper bound"));
+  EXPECT_TRUE(has_warning(summary, "above the upper bound"));
 }
 
 /// 60°: Spencer has no solution on Bishop's critical circle, and the least of the others has 1.326. Circles that end in
@@ -111,7 +111,7 @@ TEST_F(RefereeTest, SandOverClayKeepsItsFlowRule) {
 TEST_F(RefereeTest, CanBeTurnedOffWithANote) {
   const json summary = run(write_case("\"lem\"", few_circles));
   EXPECT_FALSE(summary.at("lem").contains("referee"));
-  EXPECT_TRUE(says(summary, "referee = false"));
+  EXPECT_TRUE(has_warning(summary, "referee = false"));
 }
 
 /// A load that ends inside an edge, on soil without tensile strength: LEM has 1.63 to 1.67.

@@ -72,7 +72,7 @@ Outcome run_program(const std::string& arguments) {
   return outcome;
 }
 
-std::string say(const std::function<void()>& work) {
+std::string catch_message(const std::function<void()>& work) {
   try {
     work();
   } catch (const Error& error) {
@@ -140,7 +140,8 @@ TEST(StudyJobs, SamplesByRunsAreBitwiseIdenticalToOneProcess) {
 TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   const fs::path folder = make_test_folder(), jobs = folder / "jobs";
   prepare(slice_samples, jobs, 6);
-  EXPECT_NE(say([&] { collect_jobs(write_to(jobs)); }).find("none of the 6 jobs has ended"), std::string::npos);
+  EXPECT_NE(catch_message([&] { collect_jobs(write_to(jobs)); }).find("none of the 6 jobs has ended"),
+            std::string::npos);
   for (int job = 0; job < 6; ++job) calculate_job(jobs, job, 1, nullptr);
   const std::string whole = read_file(jobs / "jobs/4/result.json");
   fs::remove(jobs / "jobs/1/result.json");
@@ -151,9 +152,9 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   of_another.replace(of_another.find("\"study\":\"") + 9, 4, "0000");
   std::ofstream(jobs / "jobs/4/result.json") << of_another;
   EXPECT_EQ(list_jobs(jobs).missing, (std::vector<int>{1, 3, 4}));
-  const std::string said = say([&] { collect_jobs(write_to(jobs)); });
-  EXPECT_NE(said.find("3 of 6 jobs are missing: 1,3-4"), std::string::npos) << said;
-  EXPECT_NE(said.find("sbatch --array=1,3-4 jobs.slurm"), std::string::npos) << said;
+  const std::string message = catch_message([&] { collect_jobs(write_to(jobs)); });
+  EXPECT_NE(message.find("3 of 6 jobs are missing: 1,3-4"), std::string::npos) << message;
+  EXPECT_NE(message.find("sbatch --array=1,3-4 jobs.slurm"), std::string::npos) << message;
   EXPECT_FALSE(fs::exists(jobs / "study.json"));
   for (const int job : {1, 3, 4}) calculate_job(jobs, job, 1, nullptr);
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
@@ -166,7 +167,8 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   failed.factors.clear();
   results::write_file(jobs / "jobs/2/result.json", failed);
   EXPECT_EQ(list_jobs(jobs).failed, std::vector<int>{2});
-  EXPECT_EQ(say([&] { collect_jobs(write_to(jobs)); }), "1 of 6 jobs failed:\n  job 2: sample 25 is no possible case");
+  EXPECT_EQ(catch_message([&] { collect_jobs(write_to(jobs)); }),
+            "1 of 6 jobs failed:\n  job 2: sample 25 is no possible case");
   EXPECT_FALSE(calculate_job(jobs, 2, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
   EXPECT_EQ(read_file(jobs / "samples.csv"), samples);
@@ -182,14 +184,15 @@ TEST(StudyJobs, AResultOfAnotherJobIsNamed) {
     fs::rename(jobs / "jobs/1/result.json", jobs / "jobs/0/result.json");
     fs::rename(jobs / "aside", jobs / "jobs/1/result.json");
     const auto collect = [&]() -> std::string {
-      return say([&] {
+      return catch_message([&] {
         const StudyOutcome outcome = collect_jobs(write_to(jobs));
         if (outcome.failure) throw Error(*outcome.failure);
       });
     };
-    const std::string said = collect();
-    EXPECT_NE(said.find("2 of 3 jobs are missing: 0-1"), std::string::npos) << said;
-    EXPECT_NE(said.find("jobs/0/result.json' is the result of job 1 and was not taken"), std::string::npos) << said;
+    const std::string message = collect();
+    EXPECT_NE(message.find("2 of 3 jobs are missing: 0-1"), std::string::npos) << message;
+    EXPECT_NE(message.find("jobs/0/result.json' is the result of job 1 and was not taken"), std::string::npos)
+        << message;
     for (const int job : {0, 1}) EXPECT_FALSE(calculate_job(jobs, job, 1, nullptr));
     EXPECT_EQ(collect(), "");
   }
@@ -207,10 +210,10 @@ TEST(StudyJobs, RunsThatAreSwappedOrNotWholeAreFailures) {
   const StudyOutcome outcome = collect_jobs(write_to(jobs));
   ASSERT_TRUE(outcome.failure);
   EXPECT_EQ(outcome.failure->code(), ExitCode::wrong_input);
-  const std::string said = outcome.failure->what();
-  EXPECT_NE(said.find("3 of 3 variants did not finish"), std::string::npos) << said;
-  EXPECT_NE(said.find("base/history.csv' is missing"), std::string::npos) << said;
-  EXPECT_NE(said.find("cohesion_8/summary.json' is missing or of another run"), std::string::npos) << said;
+  const std::string message = outcome.failure->what();
+  EXPECT_NE(message.find("3 of 3 variants did not finish"), std::string::npos) << message;
+  EXPECT_NE(message.find("base/history.csv' is missing"), std::string::npos) << message;
+  EXPECT_NE(message.find("cohesion_8/summary.json' is missing or of another run"), std::string::npos) << message;
 }
 
 TEST(StudyJobs, TheTableOfRunsShowsThoseThatHaveEnded) {
@@ -256,11 +259,11 @@ TEST(StudyJobs, NamesInTheListOfJobsStayInItsFolder) {
     results::StudyJobs changed = result;
     change(changed);
     results::write_file(jobs / "jobs.json", changed);
-    return say([&] { calculate_job(jobs, 1, 1, nullptr); });
+    return catch_message([&] { calculate_job(jobs, 1, 1, nullptr); });
   };
   for (const char* name : {"../../x", "..", "/tmp/x", "", "report.html", "jobs"}) {
-    const std::string said = refusal([&](results::StudyJobs& j) { j.variants[1].folder = name; });
-    EXPECT_NE(said.find("names the folder '" + std::string(name) + "' for a run"), std::string::npos) << said;
+    const std::string message = refusal([&](results::StudyJobs& j) { j.variants[1].folder = name; });
+    EXPECT_NE(message.find("names the folder '" + std::string(name) + "' for a run"), std::string::npos) << message;
   }
   EXPECT_NE(refusal([](results::StudyJobs& j) { j.files[0].name = "../../case.toml"; }).find("'..' cannot be a name"),
             std::string::npos);
@@ -278,12 +281,12 @@ TEST(StudyJobs, PreparingAgainKeepsTheSameJobsAndRefusesOthers) {
   const fs::path folder = make_test_folder(), jobs = folder / "jobs";
   prepare(slice_samples, jobs, 6);
   calculate_job(jobs, 2, 1, nullptr);
-  EXPECT_NE(say([&] { prepare(slice_samples, jobs, 6); }).find("is not empty"), std::string::npos);
+  EXPECT_NE(catch_message([&] { prepare(slice_samples, jobs, 6); }).find("is not empty"), std::string::npos);
   prepare(slice_samples, jobs, 6, {}, true);
   EXPECT_EQ(list_jobs(jobs).missing.size(), 5u);
-  EXPECT_NE(say([&] { prepare(slice_samples, jobs, 5, {}, true); }).find("holds the jobs of another"),
+  EXPECT_NE(catch_message([&] { prepare(slice_samples, jobs, 5, {}, true); }).find("holds the jobs of another"),
             std::string::npos);
-  EXPECT_NE(say([&] {
+  EXPECT_NE(catch_message([&] {
               prepare(slice_samples, jobs, 6, {{"study.seed", "2"}}, true);
             }).find("holds the jobs of another"),
             std::string::npos);

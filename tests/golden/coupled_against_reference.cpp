@@ -183,7 +183,7 @@ TEST(CoupledAgainstReference, OtherCurvesAndBishopsFactorAreTheSame) {
 }
 
 template <int D>
-void expect_same_bits(const WetBody<D>& plain, WetSettings settings, int steps) {
+void expect_bitwise_identical(const WetBody<D>& plain, WetSettings settings, int steps) {
   std::vector<mpm::Body<D>> bodies;
   for (const int threads : {1, 2}) {
     bodies.push_back(golden::translate(plain, reference::wet_slope_curves(), 7));
@@ -216,9 +216,9 @@ TEST(CoupledAgainstReference, NumberOfThreadsDoesNotChangeABit) {
   const auto spatial = make_many_conditions<3>();
   for (const Smoothing smoothing : {Smoothing::none, Smoothing::stable}) {
     WetSettings settings{.time_step = stable_step(plane), .smoothing = smoothing, .smooth_pressure = true};
-    expect_same_bits(plane, settings, 300);
+    expect_bitwise_identical(plane, settings, 300);
     settings.time_step = stable_step(spatial);
-    expect_same_bits(spatial, settings, 100);
+    expect_bitwise_identical(spatial, settings, 100);
   }
 }
 

@@ -130,7 +130,7 @@ TEST(MixtureAgainstReference, WallThatIsPushedInIsTheSame) {
 }
 
 template <int D>
-void expect_same_bits(const reference::WetBody<D>& wet, int steps) {
+void expect_bitwise_identical(const reference::WetBody<D>& wet, int steps) {
   DarcySettings settings;
   settings.time_step = drained_step(wet);
   settings.smoothing = Smoothing::stable;
@@ -153,8 +153,8 @@ void expect_same_bits(const reference::WetBody<D>& wet, int steps) {
 }
 
 TEST(MixtureAgainstReference, NumberOfThreadsDoesNotChangeABit) {
-  expect_same_bits(golden::make_moving_slope<2>(), 60);
-  expect_same_bits(golden::make_moving_slope<3>(), 20);
+  expect_bitwise_identical(golden::make_moving_slope<2>(), 60);
+  expect_bitwise_identical(golden::make_moving_slope<3>(), 20);
 }
 
 }  // namespace

@@ -203,8 +203,8 @@ TEST_F(Resume, FromFilesThatAreLostOrChangedIsRefused) {
   const auto expect_refused = [&](const std::string& folder, const std::string& file) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(run_to_its_end(folder), 2) << file;
-    const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_NE(said.find("/" + folder + "/" + file + "' is "), std::string::npos) << said;
+    const std::string message = testing::internal::GetCapturedStderr();
+    EXPECT_NE(message.find("/" + folder + "/" + file + "' is "), std::string::npos) << message;
   };
   const auto damage = [&](const std::string& folder, const std::string& file) {
     const fs::path path = folder_ / folder / file, aside = folder_ / "aside";

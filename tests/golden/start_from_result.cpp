@@ -62,7 +62,7 @@ class StartFromResult : public testing::Test {
   /// Expects both stages on one body to be bitwise identical to the second one on a body that starts from the end of
   /// the first.
   template <int D>
-  void expect_same_bits(Bank bank, const std::string& water = "") {
+  void expect_bitwise_identical(Bank bank, const std::string& water = "") {
     bank.stages += water;
     const input::LoadedCase one = read(bank);
     mpm::Body<D> whole = run::prepare<D>(one.data, mesh::generate<D>(one.data.mesh));
@@ -111,16 +111,16 @@ class StartFromResult : public testing::Test {
 };
 
 TEST_F(StartFromResult, IsBitForBitTheNextStage) {
-  expect_same_bits<2>({});
-  expect_same_bits<3>({.dimension = 3});
+  expect_bitwise_identical<2>({});
+  expect_bitwise_identical<3>({.dimension = 3});
 }
 
 TEST_F(StartFromResult, IsBitForBitTheNextStageOfWetSoil) {
   // In the Darcy formulation a node sums the pores of its soils in their order.
   const std::string flows = "water = \"flows\"\n";
-  expect_same_bits<2>({.wet_base = true, .wet_bank = true}, flows);
-  expect_same_bits<2>({.wet_bank = true}, flows);
-  expect_same_bits<3>({.dimension = 3, .wet_base = true, .wet_bank = true}, flows);
+  expect_bitwise_identical<2>({.wet_base = true, .wet_bank = true}, flows);
+  expect_bitwise_identical<2>({.wet_bank = true}, flows);
+  expect_bitwise_identical<3>({.dimension = 3, .wet_base = true, .wet_bank = true}, flows);
 }
 
 /// Runs by the program's own entry, against one run with both stages. The last step differs by the round-off of the

@@ -69,7 +69,7 @@ mpm::Body<D> make_bank() {
 }
 
 template <int D>
-void expect_the_same_bits(int steps) {
+void expect_bitwise_identical(int steps) {
   for (const support::Mode& mode : support::all_modes()) {
     for (const bool moving : {true, false}) {
       std::uint64_t first = 0;
@@ -101,10 +101,10 @@ void expect_the_same_bits(int steps) {
 }
 
 TEST(Threads, PlaneBankIsTheSameForAnyNumber) {
-  expect_the_same_bits<2>(200);
+  expect_bitwise_identical<2>(200);
 }
 TEST(Threads, SpatialBankIsTheSameForAnyNumber) {
-  expect_the_same_bits<3>(120);
+  expect_bitwise_identical<3>(120);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ Seen expect_same(reference::WetBody<D> plain, const Variant& v, int steps,
     // and doing so now changes nothing.
     reference::classify_wet_elements(plain, v.settings);
     for (const reference::WetCell& cell : plain.cells)
-      if (cell.full && cell.wet) reference::distribute_water(plain, cell);
+      if (cell.full && cell.wet) reference::average_water(plain, cell);
     expect_close(compare_points(plain, body), point_scales, v.name, s);
     expect_close(compare_budgets(plain, body), budget_scales, v.name, s);
     EXPECT_EQ(plain.left, static_cast<int>(body.lost.size())) << v.name << ", step " << s;

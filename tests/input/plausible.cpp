@@ -205,9 +205,9 @@ TEST(UnitsOfPractice, GiveTheSameCaseAsSiUnits) {
 
 TEST(Sliver, BetweenSoilAndBoxIsReported) {
   for (const char* gap : {"44.00005", "44.05"}) {
-    const auto said = find_warnings(change(slope, "[44, 17]]", fmt::format("[{}, 17]]", gap)));
-    ASSERT_EQ(said.size(), 1u) << gap;
-    expect_part(said[0], "from the right side of the box");
+    const auto warnings = find_warnings(change(slope, "[44, 17]]", fmt::format("[{}, 17]]", gap)));
+    ASSERT_EQ(warnings.size(), 1u) << gap;
+    expect_part(warnings[0], "from the right side of the box");
   }
   for (const char* gap : {"44", "44.00000001", "44.5"})
     EXPECT_TRUE(find_warnings(change(slope, "[44, 17]]", fmt::format("[{}, 17]]", gap))).size() < 2) << gap;
@@ -217,9 +217,9 @@ TEST(Seam, ThinnerThanAnElementIsReported) {
   const std::string seam = change(change(slope, "[[0, 0], [44, 0],", "[[0, 0.3], [44, 0.3],"), "[regions]\n",
                                   "[[geometry.polygon]]\nname = \"seam\"\npoints = [[0, 0], [44, 0], [44, 0.3], [0, "
                                   "0.3]]\n[regions]\nseam = \"sand\"\n");
-  const auto said = find_warnings(seam);
-  ASSERT_EQ(said.size(), 1u);
-  expect_part(said[0], "polygon 'seam' is 0.3 m thick on average, less than one element of 0.75 m");
+  const auto warnings = find_warnings(seam);
+  ASSERT_EQ(warnings.size(), 1u);
+  expect_part(warnings[0], "polygon 'seam' is 0.3 m thick on average, less than one element of 0.75 m");
   EXPECT_TRUE(find_warnings(seam + "[[mesh.refine]]\nnear = [[22, 0.15]]\nsize = 0.1\ndistance = 30\n").empty());
 }
 

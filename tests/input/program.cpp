@@ -115,10 +115,10 @@ TEST(Program, PrintsItsWarningsBeforeARunAndKeepsThem) {
 }
 
 /// Starts the program in its own process, with its errors written to the file `said`.
-pid_t start_program(std::vector<const char*> arguments, const std::string& said) {
+pid_t start_program(std::vector<const char*> arguments, const std::string& message) {
   const pid_t child = fork();
   if (child != 0) return child;
-  if (std::freopen(said.c_str(), "w", stderr) == nullptr) _exit(126);
+  if (std::freopen(message.c_str(), "w", stderr) == nullptr) _exit(126);
   arguments.insert(arguments.begin(), "talus");
   arguments.push_back(nullptr);
   execv(TALUS_PROGRAM, const_cast<char**>(arguments.data()));
@@ -127,14 +127,14 @@ pid_t start_program(std::vector<const char*> arguments, const std::string& said)
 
 /// SIGTERM ends the program, before it has calculated for `most` seconds, with code 5, the sentence and nothing
 /// written.
-void expect_end_by_signal(pid_t child, double most, const std::string& said, const std::string& sentence,
+void expect_end_by_signal(pid_t child, double most, const std::string& message, const std::string& sentence,
                           const std::string& folder) {
   kill(child, SIGTERM);
   int status = 0;
   rusage used{};
   ASSERT_EQ(wait4(child, &status, 0, &used), child);
   EXPECT_EQ(WEXITSTATUS(status), 5);
-  EXPECT_EQ(read_text(said), "talus: error: " + sentence + "\n");
+  EXPECT_EQ(read_text(message), "talus: error: " + sentence + "\n");
   EXPECT_LT(static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec), most);
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
@@ -142,27 +142,28 @@ void expect_end_by_signal(pid_t child, double most, const std::string& said, con
 TEST(Program, EndsMeshingSoonAfterASignal) {
   // This mesh takes half a minute and more; it is ended after four seconds of work.
   const std::string path = write_file("talus_signal.toml", slope), folder = testing::TempDir() + "talus_signal",
-                    said = testing::TempDir() + "talus_signal.txt";
-  const pid_t child = start_program({"run", "-q", "--set", "mesh.size=0.04", "-o", folder.c_str(), path.c_str()}, said);
+                    message = testing::TempDir() + "talus_signal.txt";
+  const pid_t child =
+      start_program({"run", "-q", "--set", "mesh.size=0.04", "-o", folder.c_str(), path.c_str()}, message);
   // Gmsh works in a process of its own, which the program waits for.
   const pid_t mesher = support::find_child(child);
-  ASSERT_GT(mesher, 0) << read_text(said);
+  ASSERT_GT(mesher, 0) << read_text(message);
   constexpr double work = 4;
   support::wait_for_seconds(mesher, work);
-  expect_end_by_signal(child, work + 3, said, "interrupted while the mesh was made", folder);
+  expect_end_by_signal(child, work + 3, message, "interrupted while the mesh was made", folder);
 }
 
 TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
   // So many circles take half a minute and more on a fast machine.
-  const std::string folder = testing::TempDir() + "talus_search", said = testing::TempDir() + "talus_search.txt";
+  const std::string folder = testing::TempDir() + "talus_search", message = testing::TempDir() + "talus_search.txt";
   std::filesystem::remove_all(folder);
   const pid_t child = start_program({"run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "--set",
                                      "lem.entry_exit={ exits = 200, entries = 200, depths = 20 }", "-o", folder.c_str(),
                                      TALUS_SOURCE_DIR "/tests/data/misleading/clay_over_rock.toml"},
-                                    said);
+                                    message);
   constexpr double work = 1;
   support::wait_for_work(child, work);
-  expect_end_by_signal(child, work + 3, said, "interrupted while slip surfaces were searched", folder);
+  expect_end_by_signal(child, work + 3, message, "interrupted while slip surfaces were searched", folder);
 }
 
 TEST(Program, PrintsItsVersionEitherWay) {
@@ -251,12 +252,12 @@ TEST(Program, PrintsTheCheckOfADesignSetFirst) {
         write_file("talus_design.toml", change(slices_alone, "cohesion = 3", fmt::format("cohesion = {}", cohesion)) +
                                             "[lem]\nmethods = [\"bishop\"]\nnoncircular = false\nreferee = false\n"
                                             "[partial_factors]\nset = \"DA2\"\n");
-    const std::string said = run_program("run --overwrite --no-report -o " + folder + " " + path).text;
-    const auto check = said.find("Check with DA2: F/γ_R = "), factor = said.find("\nFactor of safety ");
-    ASSERT_NE(check, std::string::npos) << said;
-    ASSERT_LT(check, factor) << said;
-    EXPECT_NE(said.substr(check, factor - check).find(part), std::string::npos) << said;
-    EXPECT_NEAR(std::stod(said.substr(factor + 18)), 1.1 * std::stod(said.substr(check + 25)), 2e-3) << said;
+    const std::string message = run_program("run --overwrite --no-report -o " + folder + " " + path).text;
+    const auto check = message.find("Check with DA2: F/γ_R = "), factor = message.find("\nFactor of safety ");
+    ASSERT_NE(check, std::string::npos) << message;
+    ASSERT_LT(check, factor) << message;
+    EXPECT_NE(message.substr(check, factor - check).find(part), std::string::npos) << message;
+    EXPECT_NEAR(std::stod(message.substr(factor + 18)), 1.1 * std::stod(message.substr(check + 25)), 2e-3) << message;
   }
 }
 

@@ -111,11 +111,11 @@ TEST(Dates, AreReadAndWritten) {
 TEST_F(SeriesFromFile, MissingValuesAreRefused) {
   const std::string rain = "column = \"rain\"";
   for (const char* cell : {"-999", "-9999", "-99.9", "-999.0", "-999,00", "NaN", "nan", "NA", "N/A", "null", "", "-"}) {
-    const std::string said =
+    const std::string message =
         fault(fmt::format("date;rain [mm]\n2023-03-01;1\n2023-03-02;{}\n2023-03-03;1\n", cell), rain);
-    EXPECT_NE(said.find("station.csv:3: no value of 'rain'; 1 of 3 values are missing"), std::string::npos)
-        << cell << said;
-    EXPECT_NE(said.find("fill = \"zero\""), std::string::npos) << said;
+    EXPECT_NE(message.find("station.csv:3: no value of 'rain'; 1 of 3 values are missing"), std::string::npos)
+        << cell << message;
+    EXPECT_NE(message.find("fill = \"zero\""), std::string::npos) << message;
   }
   for (const char* cell : {"-9", "-9.9", "-98.9", "99.9", "-0.999"})
     EXPECT_EQ(fault(fmt::format("date;rain [mm]\n2023-03-01;1\n2023-03-02;{}\n", cell), rain), "") << cell;
@@ -127,8 +127,8 @@ TEST_F(SeriesFromFile, AMissingDayIsAGapWhereAllOthersAreThere) {
   std::string daily = "date,rain [mm]\n", events = daily;
   for (const int d : {1, 2, 3, 4, 5, 6, 9, 10, 11, 12}) daily += fmt::format("2023-03-{:02},{}\n", d, d);
   for (const int d : {1, 4, 5, 9, 17, 18, 30}) events += fmt::format("2023-03-{:02},{}\n", d, d);
-  const std::string said = fault(daily, "column = \"rain\"");
-  EXPECT_NE(said.find("station.csv:7: the rows after it are missing; 2 of 12 values"), std::string::npos) << said;
+  const std::string message = fault(daily, "column = \"rain\"");
+  EXPECT_NE(message.find("station.csv:7: the rows after it are missing; 2 of 12 values"), std::string::npos) << message;
   EXPECT_EQ(fault(events, "column = \"rain\""), "") << "rows as they come";
 }
 

@@ -138,14 +138,15 @@ std::string read_fault(const std::string& text) {
 }
 
 TEST(File, WithoutQuotationMarksReportsWhereTheyBelong) {
-  for (const auto& [from, to, said] : std::vector<std::array<std::string, 3>>{
+  for (const auto& [from, to, message] : std::vector<std::array<std::string, 3>>{
            {"cohesion = 2", "cohesion = 10 kPa", "put the value with its unit in quotation marks: \"10 kPa\""},
            {"\"30 deg\"", "25°", "put the value with its unit in quotation marks: \"25°\""},
            {"\"30 deg\"", "-1.5e1deg # slope", "quotation marks: \"-1.5e1deg\""},
            {"\"mohr_coulomb\"", "mohr_coulomb", "put the text in quotation marks: \"mohr_coulomb\""},
            {"[44, 5]", "[44 m, 5]", "quotation marks: \"44 m\""},
            {"porosity = 0.2", "porosity = True", "'True' is written in small letters: true"}})
-    EXPECT_NE(read_fault(change(slope, from, to)).find(said), std::string::npos) << read_fault(change(slope, from, to));
+    EXPECT_NE(read_fault(change(slope, from, to)).find(message), std::string::npos)
+        << read_fault(change(slope, from, to));
   EXPECT_DOUBLE_EQ(read_case_text(change(slope, "\"30 deg\"", "\"30°\""), "").data.materials.at("sand").friction_angle,
                    read_case_text(slope, "").data.materials.at("sand").friction_angle);
 }

@@ -114,11 +114,11 @@ TEST(TotalHead, IsNotBelowTheSoil) {
 }
 
 TEST(Hydraulic, APoolAboveTheCrestIsReported) {
-  const auto tell = [](const std::string& head) {
+  const auto find_warnings_for = [](const std::string& head) {
     return read_case_text(change(wet_slope, "head = 5", head), "slope.toml").warnings;
   };
-  EXPECT_TRUE(tell("head = 14").empty());
-  const auto warnings = tell("head = [[0, 5], [10, 16]]");
+  EXPECT_TRUE(find_warnings_for("head = 14").empty());
+  const auto warnings = find_warnings_for("head = [[0, 5], [10, 16]]");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].sentence.find("the pool on 'toe' stands up to 16 m, above the crest, 15 m"), std::string::npos)
       << warnings[0].sentence;
@@ -218,7 +218,7 @@ TEST(Levels, NeedGravityThatActsDownwards) {
   expect_fault(wet_slope + "[gravity]\nacceleration = @@0\n", "needs gravity to drive water");
 }
 
-TEST(HeldWater, NeedsFrozenGeometry) {
+TEST(DrainedWater, NeedsFrozenGeometry) {
   expect_wet_fault("conductivity_factor = 2", "water = @@\"held\"", "water = \"held\" needs geometry = \"frozen\"");
   expect_fault(wet_slope + "[strength_reduction.frozen]\ngeometry = @@\"moving\"\n", "needs geometry = \"frozen\"");
 }

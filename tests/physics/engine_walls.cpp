@@ -262,10 +262,10 @@ TYPED_TEST(EngineWalls, TwoSmoothPlatesPressFromTwoSides) {
   block.data.boundaries.push_back(make_plate("top", {0, y, 0}));
   block.data.boundaries.push_back(make_plate("right", {x, 0, 0}));
   const auto stress = block.press();
-  const double share = D == 2 ? nu / (1 - nu) : nu, modulus = block.young / (D == 2 ? 1 - nu * nu : 1);
-  const double exact = modulus * (y + share * x) / (1 - share * share);
+  const double fraction = D == 2 ? nu / (1 - nu) : nu, modulus = block.young / (D == 2 ? 1 - nu * nu : 1);
+  const double exact = modulus * (y + fraction * x) / (1 - fraction * fraction);
   EXPECT_NEAR(stress[1], exact, 2e-4 * std::abs(exact));
-  EXPECT_NEAR(stress[0], modulus * (x + share * y) / (1 - share * share), 2e-4 * std::abs(exact));
+  EXPECT_NEAR(stress[0], modulus * (x + fraction * y) / (1 - fraction * fraction), 2e-4 * std::abs(exact));
 }
 
 /// A smooth plate moves down, and the soil beside it slides along a fixed plane.

@@ -35,12 +35,12 @@ TEST(DarcyFlow, DischargeThroughLayersIsDarcysExactly) {
       << "but for the compression of water";
 }
 
-DarcyBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,
+DarcyBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double fraction,
                                     double jitter) {
   DarcyBody<2> body{make_column<2>(cells, height / cells, soil, n, jitter)};
   body.points.clear();
   fill_wet(
-      body, n, 0, [](const Vector<2>&) { return true; }, [&](const Vector<2>& x) { return share * gamma_w * x[1]; });
+      body, n, 0, [](const Vector<2>&) { return true; }, [&](const Vector<2>& x) { return fraction * gamma_w * x[1]; });
   for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
     body.solid_constraints[i].fixed = {true, true};
     if (body.mesh.nodes[i][1] == 0.0) body.water_constraints[i].fixed[1] = false;
@@ -51,7 +51,7 @@ DarcyBody<2> make_column_under_rain(const Soil& soil, double height, int cells, 
       body.surface[i] = {.kind = SurfaceKind::rain, .rain = {0, -rain}};
   body.gravity[1] = -g;
   std::vector<double> start;
-  for (const auto& x : body.mesh.nodes) start.push_back(share * gamma_w * x[1]);
+  for (const auto& x : body.mesh.nodes) start.push_back(fraction * gamma_w * x[1]);
   start_from_pressures(body, start);
   return body;
 }
@@ -78,7 +78,7 @@ TEST(DarcyFlow, InfiltrationFollowsRichardsEquationWithStepsOfAnyLength) {
       for (std::size_t i = 0; i < body.pressure.size(); ++i) {
         const double position = body.mesh.nodes[i][1] / height * fine - 0.5;
         const int low = std::clamp(static_cast<int>(position), 0, fine - 2);
-        const double share = position - low, p = (1 - share) * at(exact, low) + share * at(exact, low + 1);
+        const double fraction = position - low, p = (1 - fraction) * at(exact, low) + fraction * at(exact, low + 1);
         suction = std::max(suction, std::abs(body.pressure[i] - p));
         saturation = std::max(saturation, std::abs(soil.water.saturation(body.pressure[i]) - soil.water.saturation(p)));
       }

@@ -86,10 +86,10 @@ TEST(ReferenceMohrCoulomb, TensionCutOffLimitsOneTwoOrThreePrincipalStresses) {
   // One plane: the closed form is λ = (σ1 − σ_t)/E_c, which takes ν/(1−ν) of it from the two other directions.
   const Tensor before = diagonal(0, -8e3, -10e3);
   const Tensor one = update_stress(m, before, diagonal(2e-4, 0, 0)).sigma;
-  const double constrained = 20e6 * 0.7 / (1.3 * 0.4), surplus = constrained * 2e-4 - 2e3, share = 0.3 / 0.7;
+  const double constrained = 20e6 * 0.7 / (1.3 * 0.4), surplus = constrained * 2e-4 - 2e3, fraction = 0.3 / 0.7;
   EXPECT_NEAR(one(0, 0), 2e3, 1e-6);
-  EXPECT_NEAR(one(1, 1), -8e3 + share * 2e3, 1e-6);
-  EXPECT_NEAR(one(2, 2), -10e3 + share * 2e3, 1e-6);
+  EXPECT_NEAR(one(1, 1), -8e3 + fraction * 2e3, 1e-6);
+  EXPECT_NEAR(one(2, 2), -10e3 + fraction * 2e3, 1e-6);
   ASSERT_GT(surplus, 0);
   const Tensor two = update_stress(m, diagonal(0, 0, -10e3), diagonal(2e-4, 3e-4, 0)).sigma;
   EXPECT_NEAR(two(0, 0), 2e3, 1e-6);

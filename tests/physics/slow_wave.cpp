@@ -34,22 +34,22 @@ TEST(SlowWave, TimesAreTheClosedForms) {
 TEST(SlowWave, ReportsTheTimeThatIsTooShortAndARemedy) {
   const input::Case data = support::make_box_case<2>(support::make_wet_soil(young));
   const mpm::Body<2> body = make_wet_column(data);
-  const auto say = [&](double scaling, double duration, bool until_rest = false, double factor = 1) {
+  const auto describe_wave = [&](double scaling, double duration, bool until_rest = false, double factor = 1) {
     run::StagePlan<2> plan =
         support::make_stage(data, body, duration, {.mass_scaling = scaling, .conductivity_factor = factor});
     plan.until_rest = until_rest;
     return run::describe_slow_wave(body, plan).value_or("");
   };
-  EXPECT_EQ(say(1, 1e-3), "") << "nothing is scaled";
-  EXPECT_EQ(say(100, 1000), "") << "0.24 s in 28 s";
-  EXPECT_NE(say(1e5, 1000).find("the soil drains in 28 s"), std::string::npos) << say(1e5, 1000);
-  EXPECT_NE(say(1e4, 10).find("the stage lasts 10 s"), std::string::npos) << say(1e4, 10);
-  EXPECT_EQ(say(1e4, 10, true, 1e-3), "") << "it ends at rest, however long that takes, and hardly drains";
+  EXPECT_EQ(describe_wave(1, 1e-3), "") << "nothing is scaled";
+  EXPECT_EQ(describe_wave(100, 1000), "") << "0.24 s in 28 s";
+  EXPECT_NE(describe_wave(1e5, 1000).find("the soil drains in 28 s"), std::string::npos) << describe_wave(1e5, 1000);
+  EXPECT_NE(describe_wave(1e4, 10).find("the stage lasts 10 s"), std::string::npos) << describe_wave(1e4, 10);
+  EXPECT_EQ(describe_wave(1e4, 10, true, 1e-3), "") << "it ends at rest, however long that takes, and hardly drains";
   // The proposed scaling keeps it below a tenth.
-  const std::string said = say(1e5, 1000);
-  const double proposed = std::stod(said.substr(said.find("up to ") + 6));
+  const std::string message = describe_wave(1e5, 1000);
+  const double proposed = std::stod(message.substr(message.find("up to ") + 6));
   EXPECT_LT(proposed, 1e5);
-  EXPECT_EQ(say(proposed, 1000), "");
+  EXPECT_EQ(describe_wave(proposed, 1000), "");
 }
 
 TEST(FastWater, IsReportedOfPermeableSoilInTheDarcyFormulation) {
@@ -57,12 +57,12 @@ TEST(FastWater, IsReportedOfPermeableSoilInTheDarcyFormulation) {
   gravel.water.conductivity = 0.05;
   const input::Case data = support::make_box_case<2>(gravel);
   const mpm::Body<2> body = make_wet_column(data);
-  const auto say = [&](input::StepSettings settings) {
+  const auto describe_wave = [&](input::StepSettings settings) {
     return run::describe_fast_water(body, support::make_stage(data, body, 10, settings)).value_or("");
   };
-  EXPECT_EQ(say({.water = input::WaterMotion::flows}), "");
-  EXPECT_NE(say({.water = input::WaterMotion::seeps}).find("conductivity of 0.05 m/s"), std::string::npos);
-  EXPECT_EQ(say({.water = input::WaterMotion::seeps, .conductivity_factor = 0.1}), "");
+  EXPECT_EQ(describe_wave({.water = input::WaterMotion::flows}), "");
+  EXPECT_NE(describe_wave({.water = input::WaterMotion::seeps}).find("conductivity of 0.05 m/s"), std::string::npos);
+  EXPECT_EQ(describe_wave({.water = input::WaterMotion::seeps, .conductivity_factor = 0.1}), "");
 }
 
 /// Undrained water carries σ, drained water only u: the mean of σ' = γ'(H - y).
@@ -79,13 +79,13 @@ TEST(UndrainedWeight, IsReportedOfSoilAtRestUnderExcessPressure) {
     EXPECT_EQ(support::run_plan(body, support::make_rest_stage(data, body, 20, settings)), results::StageEnd::rest);
     const run::CarriedWeight after = run::find_carried_weight(body);
     const double buoyant = 0.6 * (2650 - 1000) * 9.81 * height / 2;
-    const std::string said = run::describe_undrained_weight(body, "gravity", before, {}).value_or("");
+    const std::string message = run::describe_undrained_weight(body, "gravity", before, {}).value_or("");
     if (is_held) {
       EXPECT_NEAR(after.grains, buoyant, 0.03 * buoyant);
-      EXPECT_EQ(said, "");
+      EXPECT_EQ(message, "");
     } else {
       EXPECT_LT(after.grains, 0.1 * buoyant);
-      EXPECT_NE(said.find("stage 'gravity': at its end the pore water carries"), std::string::npos) << said;
+      EXPECT_NE(message.find("stage 'gravity': at its end the pore water carries"), std::string::npos) << message;
     }
   }
 }

@@ -154,13 +154,14 @@ TEST(TimelineConsolidation, AColumnIsTerzaghis) {
 TEST(TimelineConsolidation, APoolThatLoadsTheSoilLeavesWhatTheWaterBears) {
   for (const double m_v : {1e-7, 1e-10}) {
     const Soil soil{1e-8, m_v};
-    const double share = 1 - m_v / soil.storage();
+    const double fraction = 1 - m_v / soil.storage();
     std::vector<double> times;
     for (const double t : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) times.push_back(t * height * height / soil.c_v());
     const support::WaterInTime water(write_column(soil, soil, 4, times, true));
-    const double error = find_error(
-        water, times, [&](double z, double t) { return share * find_terzaghi(z, t * soil.c_v() / (height * height)); });
-    RecordProperty(fmt::format("error_{}", m_v), fmt::format("{:.5f}, share {:.4f}", error, share));
+    const double error = find_error(water, times, [&](double z, double t) {
+      return fraction * find_terzaghi(z, t * soil.c_v() / (height * height));
+    });
+    RecordProperty(fmt::format("error_{}", m_v), fmt::format("{:.5f}, share {:.4f}", error, fraction));
     EXPECT_LT(error, band);
   }
 }

@@ -112,9 +112,9 @@ conductivity = "{17} m/s"
 
   /// Bishop's χ = S (T18.3) on the plane: F = [c + (γ d cos²β + S s) tan φ] / (γ d sin β cos β).
   double find_factor(double depth, double t) const {
-    const double s = find_suction(depth, t), share = driest + (1 - driest) * std::exp(-soil.alpha * s / gamma_w);
+    const double s = find_suction(depth, t), fraction = driest + (1 - driest) * std::exp(-soil.alpha * s / gamma_w);
     const double normal = unit_weight * depth * std::pow(std::cos(beta()), 2);
-    return (cohesion + (normal + share * s) * std::tan(friction)) / (normal * slope);
+    return (cohesion + (normal + fraction * s) * std::tan(friction)) / (normal * slope);
   }
 };
 

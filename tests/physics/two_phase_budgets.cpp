@@ -48,7 +48,7 @@ void expect_budgets(const WetSettings& settings) {
   for (const WetPoint<D>& point : body.points) begin += point.water_mass;
   for (int n = 0; n < 100; ++n) {
     classify_wet_elements(body, settings);
-    share_wet_state(body);
+    average_wet_state(body);
     Vector<D> before = Vector<D>::Zero(), after = before;
     double mass = 0;
     std::vector<double> water;
@@ -87,7 +87,7 @@ WetBody<D> make_moving_nodes(const WetSettings& settings) {
   WetBody<D> body = make_disturbed<D>();
   body.gravity.setZero();
   classify_wet_elements(body, settings);
-  share_wet_state(body);
+  average_wet_state(body);
   map_wet_points(body);
   add_wet_forces(body);
   std::mt19937 random(7);

@@ -35,9 +35,9 @@ double limit_flux(const WetBody<2>& body, double before) {
 
 TEST(TwoPhaseConditions, EvaporationHasItsRateAndDecreasesBeforeItsSuctionLimit) {
   WetBody<2> body = make_surface_node({.kind = SurfaceKind::rain, .evaporation = 0.02, .suction_limit = 1e5});
-  for (const auto& [suction, share] : {std::pair{-1e4, 1.0}, {8.9e4, 1.0}, {9.5e4, 0.5}, {1.1e5, 0.0}}) {
+  for (const auto& [suction, fraction] : {std::pair{-1e4, 1.0}, {8.9e4, 1.0}, {9.5e4, 0.5}, {1.1e5, 0.0}}) {
     body.nodes[0].suction = suction;
-    EXPECT_NEAR(limit_flux(body, -0.1), 0.02 * share, 1e-15);
+    EXPECT_NEAR(limit_flux(body, -0.1), 0.02 * fraction, 1e-15);
     EXPECT_NEAR(limit_flux(body, 0.1), 0.1, 1e-15);  // what leaves, leaves
   }
   body.surface[0].suction_limit = INFINITY;
@@ -120,9 +120,9 @@ TEST(TwoPhaseConditions, PointsOfAFullElementHoldTheirWaterAtOnePressure) {
     if (point.element == 0) before += point.water_mass, pores += pore_volume(body, point);
   }
   classify_wet_elements(body, {});
-  share_wet_state(body);
+  average_wet_state(body);
   const std::vector<WetPoint<2>> once = body.points;
-  share_wet_state(body);
+  average_wet_state(body);
   for (const WetPoint<2>& point : body.points) {
     const double holds = soil.water.saturation(point.pressure) * water_density(soil.water, point.pressure);
     EXPECT_NEAR(point.water_mass / (pore_volume(body, point) * holds), 1, 1e-14);

@@ -123,7 +123,7 @@ TEST(TwoPhaseInfiltration, FollowsRichardsEquationAndKeepsItsWater) {
       for (std::size_t p : cell.points) y += body.points[p].x[1] / 3;
       const double position = y / height * fine - 0.5;
       const int low = std::clamp(static_cast<int>(position), 0, fine - 2);
-      const double share = position - low, p = (1 - share) * at(exact, low) + share * at(exact, low + 1);
+      const double fraction = position - low, p = (1 - fraction) * at(exact, low) + fraction * at(exact, low + 1);
       largest = std::max(largest, std::abs(body.points[cell.points[0]].pressure - p));
       content_error = std::max(content_error, std::abs(soil.water.saturation(body.points[cell.points[0]].pressure) -
                                                        soil.water.saturation(p)));

@@ -57,15 +57,15 @@ void expect_built_in_cam_clay() {
       external.update<NS>(x, d, y, true);
       external.throw_failure();
       if (n % (steps / looks) != 0) continue;
-      const double share = static_cast<double>(n) / steps;
+      const double fraction = static_cast<double>(n) / steps;
       double size = 0;
       for (int i = 0; i < NS; ++i) size = std::max(size, std::abs(s[i]));
       for (int i = 0; i < NS; ++i) {
-        ASSERT_NEAR(x[i], s[i], 1e-3 * size) << path.name << ", component " << i << " at " << share;
+        ASSERT_NEAR(x[i], s[i], 1e-3 * size) << path.name << ", component " << i << " at " << fraction;
         largest = std::max(largest, std::abs(x[i] - s[i]) / size);
       }
-      ASSERT_NEAR(y[1], q[1], 1e-3 * q[1]) << path.name << ", p'c at " << share;
-      ASSERT_NEAR(y[2], q[2], 1e-3 * q[2]) << path.name << ", e at " << share;
+      ASSERT_NEAR(y[1], q[1], 1e-3 * q[1]) << path.name << ", p'c at " << fraction;
+      ASSERT_NEAR(y[2], q[2], 1e-3 * q[2]) << path.name << ", e at " << fraction;
       largest = std::max(largest, std::abs(y[1] / q[1] - 1));
     }
     if (path.strain[0] != 0.01) {  // and something happened

@@ -74,14 +74,14 @@ void move_darcy(DarcyBody<D>& body, const DarcySettings& settings, const Predict
 
 /// Outflow per pore volume of an element when `left` leaves its nodes [m³/m³].
 template <int D>
-std::vector<double> find_shares(const DarcyBody<D>& body, const std::vector<double>& left) {
-  std::vector<double> shares(body.cells.size(), 0);
+std::vector<double> compute_outflow_per_pore(const DarcyBody<D>& body, const std::vector<double>& left) {
+  std::vector<double> outflow(body.cells.size(), 0);
   for (int e = 0; e < body.mesh.element_count(); ++e)
     for (int i = 0; i <= D && at(body.cells, e).wet; ++i) {
       const int node = node_of(body.mesh, e, i);
-      at(shares, e) += at(left, node) / at(body.water, node).pores / (D + 1);
+      at(outflow, e) += at(left, node) / at(body.water, node).pores / (D + 1);
     }
-  return shares;
+  return outflow;
 }
 
 /// Size of the elements round each node [m].
@@ -101,7 +101,7 @@ std::vector<double> find_node_sizes(const mesh::Mesh<D>& mesh) {
 /// Updates the nodal remainder (T22.7): outflow of the nodes that their elements do not represent. It decays as the
 /// soil moves over the size of an element.
 template <int D>
-void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<double>& shares,
+void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std::vector<double>& outflow,
                     const std::vector<Vector<D>>& velocity) {
   for (std::size_t i = 0; i < body.own.size(); ++i) body.own[i] -= body.water[i].out;
   for (std::size_t e = 0; e < body.cells.size(); ++e)
@@ -109,7 +109,7 @@ void keep_own_water(DarcyBody<D>& body, const DarcySettings& settings, const std
       const WetPoint<D>& point = body.points[p];
       if (!soil_of(body, point).wet || !body.cells[e].wet) continue;
       for (int i = 0; i <= D; ++i)
-        at(body.own, node_of(body.mesh, static_cast<int>(e), i)) += find_pores(body, point) * shares[e] / (D + 1);
+        at(body.own, node_of(body.mesh, static_cast<int>(e), i)) += find_pores(body, point) * outflow[e] / (D + 1);
     }
   const std::vector<double> size = find_node_sizes(body.mesh);
   for (std::size_t i = 0; i < body.own.size() && !settings.frozen; ++i)
@@ -130,13 +130,13 @@ void move_water(DarcyBody<D>& body, const DarcySettings& settings, const std::ve
   }
   std::vector<double> out;
   for (const WaterNode& node : body.water) out.push_back(node.out);
-  const std::vector<double> shares = find_shares(body, out);
-  keep_own_water(body, settings, shares, velocity);
+  const std::vector<double> outflow = compute_outflow_per_pore(body, out);
+  keep_own_water(body, settings, outflow, velocity);
   for (std::size_t e = 0; e < body.cells.size(); ++e)
     for (std::size_t p : body.cells[e].points) {
       WetPoint<D>& point = body.points[p];
       if (soil_of(body, point).wet)
-        point.water_mass -= soil_of(body, point).water.density * find_pores(body, point) * shares[e];
+        point.water_mass -= soil_of(body, point).water.density * find_pores(body, point) * outflow[e];
     }
   const double density = body.soils[0].water.density;
   body.node_budgets.resize(body.water.size());
@@ -210,7 +210,7 @@ template <int D>
 void step(DarcyBody<D>& body, const DarcySettings& settings) {
   classify_wet_elements(body, settings);
   for (const WetCell& cell : body.cells)
-    if (cell.full) share_skeleton_state<D>(body, cell);
+    if (cell.full) average_skeleton_state<D>(body, cell);
   find_node_pressures(body);
   map_wet_points(body);
   add_wet_forces(body);

@@ -146,7 +146,7 @@ inline constexpr double line_tolerance = 1e-11;
 
 /// Bends the line after a solution with the pressure `next`. Returns whether it was right.
 /// `water`: what they have at the start [m³].
-inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, double water, double next, int round) {
+inline bool bend_line(LinearContent& line, const std::vector<SoilPores>& soils, double water, double next, int round) {
   if (!line.gives) return true;
   if (!line.full && next < 0) {
     line = fill_line(soils);
@@ -155,12 +155,12 @@ inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, doubl
   if (line.full) {
     if (next <= 0 || round >= draining_rounds) return true;
     line.full = false;
-    line.pressure = water < find_held(soils, 0).first ? find_suction(soils, water, 1) : 0;
-    std::tie(line.held, line.storage) = find_held(soils, line.pressure);
+    line.pressure = water < compute_content(soils, 0).first ? find_suction(soils, water, 1) : 0;
+    std::tie(line.held, line.storage) = compute_content(soils, line.pressure);
     return false;
   }
-  const auto [held, storage] = find_held(soils, next);
-  if (std::abs(line.at(next) - held) <= line_tolerance * find_held(soils, 0).first) return true;
+  const auto [held, storage] = compute_content(soils, next);
+  if (std::abs(line.at(next) - held) <= line_tolerance * compute_content(soils, 0).first) return true;
   line.pressure = next;
   line.held = held;
   line.storage = storage;
@@ -211,10 +211,10 @@ bool settle_surface(DarcyBody<D>& body, const DarcySettings& settings, const std
   for (std::size_t i = 0; i < surface.size(); ++i) {
     if (!surface[i].may_pond || body.water[i].pores <= 0) continue;
     const auto at = static_cast<Eigen::Index>(i);
-    const bool stands = body.ponded[i] ? -outside[at] <= settings.time_step * surface[i].inflow * (1 + 1e-12)
-                                       : body.pressure[i] + change[at] < 0;
-    settled = settled && stands == body.ponded[i];
-    body.ponded[i] = stands;
+    const bool is_ponded = body.ponded[i] ? -outside[at] <= settings.time_step * surface[i].inflow * (1 + 1e-12)
+                                          : body.pressure[i] + change[at] < 0;
+    settled = settled && is_ponded == body.ponded[i];
+    body.ponded[i] = is_ponded;
   }
   return settled;
 }
@@ -270,15 +270,15 @@ std::vector<ElementFlow> solve_pressures(DarcyBody<D>& body, const DarcySettings
   for (int i = 0; i < static_cast<int>(count); ++i) surface.push_back(find_surface_water(body, i));
   body.ponded.resize(body.mesh.nodes.size(), false);
   Eigen::VectorXd change = Eigen::VectorXd::Zero(count), outside = change;
-  std::vector<HeldLine> lines;
+  std::vector<LinearContent> lines;
   for (std::size_t i = 0; i < surface.size(); ++i)
-    lines.push_back(body.water[i].pores > 0 ? start_line(body.soils_at[i], body.pressure[i]) : HeldLine{});
+    lines.push_back(body.water[i].pores > 0 ? start_line(body.soils_at[i], body.pressure[i]) : LinearContent{});
   for (int round = 0; round < most_pressure_rounds; ++round) {
     Eigen::VectorXd source = growth + drained;
     Eigen::SparseMatrix<double> whole = matrix;
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto number = static_cast<std::size_t>(i);
-      const HeldLine& line = lines[number];
+      const LinearContent& line = lines[number];
       whole.coeffRef(i, i) += line.storage;
       if (body.water[number].pores > 0) source[i] += line.at(body.pressure[number]) - body.water[number].water;
     }

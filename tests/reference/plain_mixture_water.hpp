@@ -61,7 +61,7 @@ inline double find_dry_suction(const PoreWater& soil) {
 
 /// Returns the water content H of the pores at a pressure [m³], and its slope −dH/dp [m³/Pa]. In dry soil the residual
 /// content falls to zero at 1 GPa, on a logarithmic scale.
-inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, double p) {
+inline std::pair<double, double> compute_content(const std::vector<SoilPores>& soils, double p) {
   double held = 0, storage = 0;
   for (const SoilPores& s : soils) {
     const double stretched = std::exp(-p / s.soil->bulk_modulus);
@@ -83,10 +83,10 @@ inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, 
 inline double find_suction(const std::vector<SoilPores>& soils, double water, double guess) {
   if (water <= 0) return driest;
   double low = 0, high = std::max(1.0, 2 * guess);
-  while (find_held(soils, high).first > water && high < driest) low = high, high = std::min(4 * high, driest);
+  while (compute_content(soils, high).first > water && high < driest) low = high, high = std::min(4 * high, driest);
   double p = guess > low && guess < high ? guess : 0.5 * (low + high);
   for (int i = 0; i < 200; ++i) {
-    const auto [held, storage] = find_held(soils, p);
+    const auto [held, storage] = compute_content(soils, p);
     (held > water ? low : high) = p;
     double next = p + (held - water) / storage;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -104,22 +104,22 @@ inline bool retains(const PoreWater& soil) {
 /// Linearised water content of a node's pores over the pressure, through the content at `pressure`. In suction it is
 /// the tangent of the retention at the last solution; full pores contain the content at zero pressure and the
 /// compression of the water.
-struct HeldLine {
+struct LinearContent {
   double pressure = 0, held = 0, storage = 1;
   bool full = false, gives = false;
   double at(double p) const { return held - storage * (p - pressure); }
 };
 
-inline HeldLine fill_line(const std::vector<SoilPores>& soils) {
+inline LinearContent fill_line(const std::vector<SoilPores>& soils) {
   double storage = 0;
   for (const SoilPores& s : soils) storage += s.pores * s.soil->saturation(0) / s.soil->bulk_modulus;
-  return {.pressure = 0, .held = find_held(soils, 0).first, .storage = storage, .full = true, .gives = true};
+  return {.pressure = 0, .held = compute_content(soils, 0).first, .storage = storage, .full = true, .gives = true};
 }
 
-inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
+inline LinearContent start_line(const std::vector<SoilPores>& soils, double p) {
   const bool gives = std::any_of(soils.begin(), soils.end(), [](const SoilPores& s) { return retains(*s.soil); });
   if (gives && p <= 0) return fill_line(soils);
-  const auto [held, storage] = find_held(soils, p);
+  const auto [held, storage] = compute_content(soils, p);
   return {.pressure = p, .held = held, .storage = storage, .gives = gives};
 }
 
@@ -175,8 +175,9 @@ void find_node_pressures(DarcyBody<D>& body) {
     const bool gives =
         std::any_of(soils[i].begin(), soils[i].end(), [](const SoilPores& s) { return retains(*s.soil); });
     if (gives)
-      p = p > 0 && node.water < find_held(soils[i], 0).first ? find_suction(soils[i], node.water, p) : std::min(p, 0.0);
-    std::tie(node.held, node.storage) = find_held(soils[i], p);
+      p = p > 0 && node.water < compute_content(soils[i], 0).first ? find_suction(soils[i], node.water, p)
+                                                                   : std::min(p, 0.0);
+    std::tie(node.held, node.storage) = compute_content(soils[i], p);
   }
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).wet) continue;

@@ -18,9 +18,9 @@ namespace talus::reference {
 /// Share of the element volume above which an element at the free surface still counts as full, after (2.92).
 inline constexpr double full_share = 0.9;
 /// Nodes lighter than this fraction of the lightest point do not move: their mass is round-off.
-inline constexpr double massless_share = 1e-12;
+inline constexpr double massless_fraction = 1e-12;
 /// A point outside the mesh by less than this fraction of an altitude is outside by round-off only.
-inline constexpr double outside_share = 1e-9;
+inline constexpr double outside_fraction = 1e-9;
 
 /// Lists the points of every element and decides which elements are full: they hold one material only and either are
 /// inside the soil or are filled to more than `full_share`. An element is at the free surface when an element across
@@ -80,7 +80,7 @@ template <int D>
 double massless_limit(const Body<D>& body) {
   double smallest = INFINITY;
   for (const Point<D>& point : body.points) smallest = std::min(smallest, point.mass);
-  return massless_share * smallest;
+  return massless_fraction * smallest;
 }
 
 /// a_i = (f + f_damp)/(β m_i), constrained (2.39, 2.89–2.91). The sign in (2.89) is that of the momentum.
@@ -152,7 +152,7 @@ bool relocate(const mesh::Mesh<D>& mesh, Point<D>& point) {
       point.element = next;
       continue;
     }
-    if (n.minCoeff() < -outside_share) return false;
+    if (n.minCoeff() < -outside_fraction) return false;
     if (n.minCoeff() < 0) {
       n = n.cwiseMax(0.0) / n.cwiseMax(0.0).sum();
       for (int d = 0; d < D; ++d) {

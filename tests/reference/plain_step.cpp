@@ -23,7 +23,7 @@ template std::vector<double> smooth_over_nodes(const Body<3>&, const std::vector
 template void relocate_points(Body<3>&);
 template void step(Body<3>&, const Settings&);
 template void classify_wet_elements(WetBody<2>&, const WetSettings&);
-template void share_wet_state(WetBody<2>&);
+template void average_wet_state(WetBody<2>&);
 template void map_wet_points(WetBody<2>&);
 template void add_wet_forces(WetBody<2>&);
 template void load_free_surface(WetBody<2>&);
@@ -35,7 +35,7 @@ template void exchange_water(WetBody<2>&, const WetSettings&);
 template void move_wet_points(WetBody<2>&, const WetSettings&);
 template void step(WetBody<2>&, const WetSettings&);
 template void classify_wet_elements(WetBody<3>&, const WetSettings&);
-template void share_wet_state(WetBody<3>&);
+template void average_wet_state(WetBody<3>&);
 template void map_wet_points(WetBody<3>&);
 template void add_wet_forces(WetBody<3>&);
 template void load_free_surface(WetBody<3>&);

@@ -102,7 +102,7 @@ inline Tensor rotation_increment(const Tensor& gradient, double time_step) {
 
 /// Gives the V_p-weighted means of stress, plastic strain and gap to every point of a full element.
 template <int D>
-void share_mean_state(Body<D>& body, const Cell& cell) {
+void average_state(Body<D>& body, const Cell& cell) {
   const Tensor sigma = average_stress(body, cell);
   double plastic_strain = 0, gap = 0, volume = 0;
   for (std::size_t p : cell.points) {
@@ -141,7 +141,7 @@ void update_points(Body<D>& body, const Settings& settings) {
   body.plastic_dilation.assign(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
     const Cell& cell = body.cells[e];
-    if (cell.full) share_mean_state(body, cell);
+    if (cell.full) average_state(body, cell);
     double dilation = 0, volume = 0;
     const Tensor r = settings.objective ? rotation_increment(cell.gradient, settings.time_step) : Tensor::Identity();
     for (std::size_t p : cell.points) {

@@ -66,7 +66,7 @@ void move_wet_points(WetBody<D>& body, const WetSettings& settings) {
 template <int D>
 void step(WetBody<D>& body, const WetSettings& settings) {
   classify_wet_elements(body, settings);
-  share_wet_state(body);
+  average_wet_state(body);
   map_wet_points(body);                   // (2.68)–(2.72), (2.75)
   add_wet_forces(body);                   // (2.73), (2.74), (2.92)
   load_free_surface(body);                // (3.11)
@@ -84,7 +84,7 @@ void step(WetBody<D>& body, const WetSettings& settings) {
 
 // Compiled once, in plain_step.cpp.
 extern template void classify_wet_elements(WetBody<2>&, const WetSettings&);
-extern template void share_wet_state(WetBody<2>&);
+extern template void average_wet_state(WetBody<2>&);
 extern template void map_wet_points(WetBody<2>&);
 extern template void add_wet_forces(WetBody<2>&);
 extern template void load_free_surface(WetBody<2>&);
@@ -96,7 +96,7 @@ extern template void exchange_water(WetBody<2>&, const WetSettings&);
 extern template void move_wet_points(WetBody<2>&, const WetSettings&);
 extern template void step(WetBody<2>&, const WetSettings&);
 extern template void classify_wet_elements(WetBody<3>&, const WetSettings&);
-extern template void share_wet_state(WetBody<3>&);
+extern template void average_wet_state(WetBody<3>&);
 extern template void map_wet_points(WetBody<3>&);
 extern template void add_wet_forces(WetBody<3>&);
 extern template void load_free_surface(WetBody<3>&);

@@ -88,7 +88,7 @@ template <int D>
 double massless_limit(const WetBody<D>& body) {
   double smallest = INFINITY;
   for (const WetPoint<D>& point : body.points) smallest = std::min(smallest, point.mass);
-  return massless_share * smallest;
+  return massless_fraction * smallest;
 }
 
 /// Forces on the solid and, per unit of n S, on the water, without drag.

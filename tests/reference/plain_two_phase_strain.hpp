@@ -132,7 +132,7 @@ void update_wet_points(WetBody<D>& body, const WetSettings& settings) {
       volume += point.volume;
     }
     if (cell.is_active()) body.plastic_dilation[e] = dilation / volume;
-    if (cell.full && cell.wet) distribute_water(body, cell);
+    if (cell.full && cell.wet) average_water(body, cell);
   }
 }
 

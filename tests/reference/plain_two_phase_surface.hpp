@@ -25,11 +25,11 @@ double submergence(const WetBody<D>& body, int node) {
 }
 
 /// Areas below this fraction of Σ V|∇N| are not a surface: round-off, or the quadrature error of crowded points.
-inline constexpr double surface_share = 1e-3;
+inline constexpr double surface_fraction = 1e-3;
 
 /// Round-off of the sum of open sides that enclose a node, as those of an isolated element do, over their area [-];
 /// then the sides that touch the node define the outward direction.
-inline constexpr double closed_share = 1e-9;
+inline constexpr double closed_fraction = 1e-9;
 
 /// Pressure of the outer water on the soil at a node that is loaded by it, under the condition of node `like` [Pa].
 template <int D>
@@ -186,14 +186,14 @@ void load_free_surface(WetBody<D>& body) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
     if (open_elements[i] > 0) node.suction /= open_elements[i];
-    if (facing[i].norm() <= closed_share * size[i]) facing[i] = touching[i];
+    if (facing[i].norm() <= closed_fraction * size[i]) facing[i] = touching[i];
     const Vector<D> part = body.water_constraints[i].apply(node.outside);
-    if (part.dot(facing[i]) > 0 && part.norm() > surface_share * node.outside_scale) node.surface = part;
+    if (part.dot(facing[i]) > 0 && part.norm() > surface_fraction * node.outside_scale) node.surface = part;
   }
 }
 
 /// Fraction of the potential evaporation from soil under a suction: it decreases over the last tenth before the limit.
-inline double evaporation_share(double suction, double limit) {
+inline double evaporation_fraction(double suction, double limit) {
   if (std::isinf(limit)) return 1;
   return std::clamp((limit - suction) / (0.1 * limit), 0.0, 1.0);
 }
@@ -204,7 +204,7 @@ double offered_flux(const SurfaceCondition<D>& condition, const WetNode<D>& node
   if (condition.kind == SurfaceKind::flux) return -condition.inflow;
   if (condition.kind != SurfaceKind::rain) return 0;
   return std::min(0.0, condition.rain.dot(node.surface.normalized())) - condition.normal_rain +
-         condition.evaporation * evaporation_share(node.suction, condition.suction_limit);
+         condition.evaporation * evaporation_fraction(node.suction, condition.suction_limit);
 }
 
 /// Corrects the relative velocity by an impulse along the normal, opposite on the two phases, if the inflow exceeds the

@@ -39,7 +39,7 @@ inline double find_pressure(const PoreWater& water, double pores, double mass, d
 /// The points of a wet full element hold water as if there were no point: one pressure, at which the pores of all hold
 /// the water of all, and the water in proportion to the pores. None is lost.
 template <int D>
-void distribute_water(WetBody<D>& body, const WetCell& cell) {
+void average_water(WetBody<D>& body, const WetCell& cell) {
   double pressure = 0, volume = 0, water = 0, pores = 0;
   for (std::size_t i : cell.points) {
     const WetPoint<D>& point = body.points[i];
@@ -59,7 +59,7 @@ void distribute_water(WetBody<D>& body, const WetCell& cell) {
 
 /// Averages effective stress, plastic strain and gap over the points of each full element, weighted by V_p.
 template <int D>
-void share_skeleton_state(WetBody<D>& body, const WetCell& cell) {
+void average_skeleton_state(WetBody<D>& body, const WetCell& cell) {
   Tensor sigma = Tensor::Zero();
   double plastic_strain = 0, gap = 0, volume = 0;
   for (std::size_t i : cell.points) {
@@ -78,11 +78,11 @@ void share_skeleton_state(WetBody<D>& body, const WetCell& cell) {
 
 /// The same for every full element, and the water.
 template <int D>
-void share_wet_state(WetBody<D>& body) {
+void average_wet_state(WetBody<D>& body) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full) continue;
-    share_skeleton_state(body, cell);
-    if (cell.wet) distribute_water(body, cell);
+    average_skeleton_state(body, cell);
+    if (cell.wet) average_water(body, cell);
   }
 }
 

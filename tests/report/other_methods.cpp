@@ -229,7 +229,7 @@ TEST_F(OtherMethods, AreInTheUnitsOfTheCase) {
 }
 
 TEST_F(OtherMethods, ReportTheDifferenceOfTheMethods) {
-  const auto tell = [&](double elements) {
+  const auto describe = [&](double elements) {
     const fs::path folder = make_test_folder("agreement");
     json summary = *summary_;
     double spencer = 0;
@@ -243,9 +243,9 @@ TEST_F(OtherMethods, ReportTheDifferenceOfTheMethods) {
     fs::remove_all(folder);
     return page.document.at("answer").at("sentences").at(1).get<std::string>();
   };
-  EXPECT_EQ(tell(1.0001), "The two methods agree to three digits.");
-  EXPECT_EQ(tell(0.99), "The two methods agree to 1.0 %.");
-  EXPECT_EQ(tell(1.05), "The methods lie within 5.0 % of each other.");
+  EXPECT_EQ(describe(1.0001), "The two methods agree to three digits.");
+  EXPECT_EQ(describe(0.99), "The two methods agree to 1.0 %.");
+  EXPECT_EQ(describe(1.05), "The methods lie within 5.0 % of each other.");
 }
 
 TEST_F(OtherMethods, SlicesAreInVerticalBalance) {
@@ -384,10 +384,10 @@ TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
       EXPECT_GE(factor.at("upper").get<double>(), upper);
     }
   EXPECT_EQ(rows, 1);
-  bool is_said = false;
+  bool is_stated = false;
   for (const json& sentence : document.at("answer").at("sentences"))
-    is_said = is_said || sentence.get<std::string>().find("is proven to lie between") != std::string::npos;
-  EXPECT_TRUE(is_said);
+    is_stated = is_stated || sentence.get<std::string>().find("is proven to lie between") != std::string::npos;
+  EXPECT_TRUE(is_stated);
   fs::remove_all(folder);
 }
 

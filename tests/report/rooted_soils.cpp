@@ -35,7 +35,7 @@ json find_row(const json& soil, const std::string& key) {
   return json::object();
 }
 
-std::string tell(const std::string& text) {
+std::string collect_statements(const std::string& text) {
   std::string all;
   for (const json& sentence : list_assumptions(make_folder(text))) all += sentence.get<std::string>() + "\n";
   return all;
@@ -114,37 +114,38 @@ TEST(RootRows, CountWhatIsThereAtTheirAge) {
               1e-9);
 }
 
-#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
-#define EXPECT_SILENT(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+#define EXPECT_LACKS(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
 
 TEST(RootedAssumptions, StateWhereTheRootsAreAndThatTheyNeverBreak) {
-  const std::string text = tell(input::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
-  EXPECT_SAYS(text, "Roots under 'face': 0.94 % of the dry mass at the ground, the same down to 0.5 m. 50 % of that");
-  EXPECT_SAYS(text, "one material in loess, and the roots never break");
-  EXPECT_SAYS(text, "loess: modified Cam-clay");
+  const std::string text = collect_statements(input::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
+  EXPECT_CONTAINS(text,
+                  "Roots under 'face': 0.94 % of the dry mass at the ground, the same down to 0.5 m. 50 % of that");
+  EXPECT_CONTAINS(text, "one material in loess, and the roots never break");
+  EXPECT_CONTAINS(text, "loess: modified Cam-clay");
   for (const char* of_another_soil : {"perfectly plastic", "no tensile strength", "linear elastic", "divides"})
-    EXPECT_SILENT(text, of_another_soil);
-  EXPECT_SAYS(
-      tell(change(input::rooted_slope, "root_strength = 0.18", "root_strength = 0.18\nroot_breaking_strain = 0.3")),
-      "roots break as the activation strain grows");
+    EXPECT_LACKS(text, of_another_soil);
+  EXPECT_CONTAINS(collect_statements(change(input::rooted_slope, "root_strength = 0.18",
+                                            "root_strength = 0.18\nroot_breaking_strain = 0.3")),
+                  "roots break as the activation strain grows");
 }
 
 TEST(RootedAssumptions, OfACohesionNameItsBundle) {
-  const std::string text = tell(input::with_cohesion(
+  const std::string text = collect_statements(input::with_cohesion(
       "profile = \"exponential\"\ndecay_depth = 0.2\n[roots.bundle]\nmodel = \"wu_waldron\"\narea_ratios = "
       "[1e-3]\nstrengths = [10]\norientation = 1.0\n"));
-  EXPECT_SAYS(text,
-              "a cohesion of 10 kPa at the ground (Wu and Waldron's sum over 1 class of roots), falling with "
-              "exp(−z/0.2 m) down to 0.5 m.");
-  EXPECT_SAYS(text, "perfectly plastic");
-  EXPECT_SILENT(text, "Cam-clay");
+  EXPECT_CONTAINS(text,
+                  "a cohesion of 10 kPa at the ground (Wu and Waldron's sum over 1 class of roots), falling with "
+                  "exp(−z/0.2 m) down to 0.5 m.");
+  EXPECT_CONTAINS(text, "perfectly plastic");
+  EXPECT_LACKS(text, "Cam-clay");
 }
 
 TEST(RootedAssumptions, LimitStatementsOnSoftWaterToWhatTheStressAllows) {
-  const std::string text = tell(input::rooted_slope);
-  EXPECT_SAYS(text, "times less than that of real water");
-  EXPECT_SILENT(text, "instead of");
-  EXPECT_SAYS(tell(input::with_cohesion("cohesion = 5\n")), " % instead of ");
+  const std::string text = collect_statements(input::rooted_slope);
+  EXPECT_CONTAINS(text, "times less than that of real water");
+  EXPECT_LACKS(text, "instead of");
+  EXPECT_CONTAINS(collect_statements(input::with_cohesion("cohesion = 5\n")), " % instead of ");
 }
 
 TEST(RootedMethods, NameTheModelsInUse) {

@@ -187,15 +187,15 @@ TEST_F(WholeReport, BoundariesLieOnTheBox) {
 }
 
 TEST_F(WholeReport, AssumptionsFollowTheCase) {
-  const auto says = [](const json& doc, const std::string& part) {
+  const auto has_assumption = [](const json& doc, const std::string& part) {
     return std::any_of(doc.at("assumptions").begin(), doc.at("assumptions").end(),
                        [&](const json& s) { return s.get<std::string>().find(part) != std::string::npos; });
   };
-  EXPECT_TRUE(says(document(), "Plane strain"));
-  EXPECT_TRUE(says(document(), "ψ = 0"));
-  EXPECT_TRUE(says(document(), "not extrapolated"));
-  EXPECT_TRUE(says(document(), "without smoothing lock"));
-  EXPECT_TRUE(says(document(), "linear elastic): rock"));
+  EXPECT_TRUE(has_assumption(document(), "Plane strain"));
+  EXPECT_TRUE(has_assumption(document(), "ψ = 0"));
+  EXPECT_TRUE(has_assumption(document(), "not extrapolated"));
+  EXPECT_TRUE(has_assumption(document(), "without smoothing lock"));
+  EXPECT_TRUE(has_assumption(document(), "linear elastic): rock"));
   const json& methods = document().at("methods");
   EXPECT_NE(std::find(methods.begin(), methods.end(), "linear_elastic"), methods.end());
   EXPECT_EQ(std::find(methods.begin(), methods.end(), "mass_scaling"), methods.end());

@@ -62,11 +62,11 @@ inline bool wait_for_seconds(pid_t child, double seconds) {
   sigaddset(&ours, SIGRTMIN);
   pthread_sigmask(SIG_BLOCK, &ours, &before);
   const int reached = signalfd(-1, &ours, SFD_CLOEXEC | SFD_NONBLOCK);
-  sigevent tell{};
-  tell.sigev_notify = SIGEV_SIGNAL;
-  tell.sigev_signo = SIGRTMIN;
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGRTMIN;
   timer_t timer{};
-  timer_create(clock, &tell, &timer);
+  timer_create(clock, &event, &timer);
   const double whole = std::floor(seconds);
   const itimerspec at{{0, 0}, {static_cast<time_t>(whole), static_cast<long>(1e9 * (seconds - whole))}};
   timer_settime(timer, TIMER_ABSTIME, &at, nullptr);

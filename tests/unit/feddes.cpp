@@ -15,11 +15,11 @@ using material::Feddes;
 TEST(Feddes, IsATrapezium) {
   const Feddes law{{1e3, 3e3, 40e3, 240e3}};
   const struct {
-    double suction, share;
+    double suction, fraction;
   } points[] = {{-5e3, 0}, {0, 0},       {1e3, 0},      {1.5e3, 0.25}, {3e3, 1}, {20e3, 1},
                 {40e3, 1}, {90e3, 0.75}, {190e3, 0.25}, {240e3, 0},    {1e9, 0}};
-  for (const auto& [suction, share] : points) {
-    EXPECT_NEAR(law.evaluate(suction).value, share, 1e-14) << suction;
+  for (const auto& [suction, fraction] : points) {
+    EXPECT_NEAR(law.evaluate(suction).value, fraction, 1e-14) << suction;
     const auto lanes = law.evaluate(Pack(suction));
     for (int l = 0; l < lane_width; ++l) {
       EXPECT_EQ(lanes.value.value[l], law.evaluate(suction).value);

@@ -42,13 +42,13 @@ double find_error(const Law& law, double modulus, const Start& start, const std:
   double size = 0;
   for (double e : strain) size = std::max(size, std::abs(e));
   for (std::size_t j = 0; j < NS; ++j)
-    for (const double share : {1e-5, 4e-5}) {
+    for (const double fraction : {1e-5, 4e-5}) {
       auto up = strain, down = strain;
-      up[j] += share * size;
-      down[j] -= share * size;
+      up[j] += fraction * size;
+      down[j] -= fraction * size;
       const auto a = run<NS>(law, start, up, saturation), b = run<NS>(law, start, down, saturation);
       for (std::size_t i = 0; i < NS; ++i)
-        (share < 2e-5 ? fine : coarse)[i * NS + j] = (a[i] - b[i]) / (2 * share * size);
+        (fraction < 2e-5 ? fine : coarse)[i * NS + j] = (a[i] - b[i]) / (2 * fraction * size);
     }
   double error = 0, corner = 0;
   for (std::size_t k = 0; k < NS * NS; ++k) {

@@ -139,10 +139,10 @@ TEST(MeshFile, CutOffInTheMiddleIsRefused) {
   file.binary = false;
   const std::string path = file.write("cut");
   const auto size = std::filesystem::file_size(path);
-  for (double share : {0.01, 0.1, 0.3, 0.5, 0.8, 0.95}) {
+  for (double fraction : {0.01, 0.1, 0.3, 0.5, 0.8, 0.95}) {
     file.write("cut");
-    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(share * static_cast<double>(size)));
-    EXPECT_NE(get_message(path, 3), "no error") << share;
+    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(fraction * static_cast<double>(size)));
+    EXPECT_NE(get_message(path, 3), "no error") << fraction;
   }
 }
 

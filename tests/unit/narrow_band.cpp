@@ -45,19 +45,20 @@ TEST(NarrowBand, IsOneOnlyWhereSoilShearedAndDilated) {
 
 TEST(NarrowBand, RecommendsARemedy) {
   const mpm::Body<2> body = make_sheared(1, 0.2);
-  const auto tell = [&](double thickness, double size, std::optional<double> length) {
+  const auto describe_band = [&](double thickness, double size, std::optional<double> length) {
     run::StageState state;
     state.soft_band = thickness, state.soft_size = size;
     return run::describe_narrow_band(body, state, length, {}).value_or("");
   };
-  EXPECT_EQ(tell(0, 0, {}), "");
-  EXPECT_EQ(tell(2, 0.1, {}), "");
+  EXPECT_EQ(describe_band(0, 0, {}), "");
+  EXPECT_EQ(describe_band(2, 0.1, {}), "");
   EXPECT_EQ(
-      tell(1.2, 0.1, {}),
+      describe_band(1.2, 0.1, {}),
       "soil that softens ('soil0') sheared in a band of 1.2 elements of 0.1 m: when it moves, and how deep, depend "
       "on their size. Give mesh.softening_length, at least twice that");
-  EXPECT_EQ(tell(1.2, 0.1, 0.2), "") << "fine enough";
-  EXPECT_NE(tell(2.2, 0.2, 0.3).find("mesh.softening_length = 0.3 m must be at least twice that"), std::string::npos)
+  EXPECT_EQ(describe_band(1.2, 0.1, 0.2), "") << "fine enough";
+  EXPECT_NE(describe_band(2.2, 0.2, 0.3).find("mesh.softening_length = 0.3 m must be at least twice that"),
+            std::string::npos)
       << "elements too large for their length";
 }
 

@@ -27,9 +27,9 @@ mesh::Mesh<2> make_ground() {
   for (std::size_t k = 1; k < corners.size(); ++k) {
     const int pieces = 16;
     for (int i = 1; i <= pieces; ++i) {
-      const double share = static_cast<double>(i) / pieces;
-      mesh.nodes.push_back({corners[k - 1][0] + share * (corners[k][0] - corners[k - 1][0]),
-                            corners[k - 1][1] + share * (corners[k][1] - corners[k - 1][1])});
+      const double fraction = static_cast<double>(i) / pieces;
+      mesh.nodes.push_back({corners[k - 1][0] + fraction * (corners[k][0] - corners[k - 1][0]),
+                            corners[k - 1][1] + fraction * (corners[k][1] - corners[k - 1][1])});
       const int last = static_cast<int>(mesh.nodes.size()) - 1;
       mesh.sides["ground"].push_back({last - 1, last});
     }
@@ -97,7 +97,7 @@ TEST(RootDepth, NamesTheLineThatTheMeshLacks) {
   }
 }
 
-TEST(RootShare, FollowsTheProfileDownToTheDepth) {
+TEST(RootFraction, FollowsTheProfileDownToTheDepth) {
   Roots roots;
   roots.depth = 0.5;
   for (const double z : {0.0, 0.3, 0.5}) EXPECT_EQ(find_root_share(roots, z, 0), 1);
@@ -114,7 +114,7 @@ TEST(RootShare, FollowsTheProfileDownToTheDepth) {
   EXPECT_EQ(find_root_share(roots, 0.51, 0), 0);
 }
 
-TEST(RootShare, FollowsThePlantingAlongTheSlope) {
+TEST(RootFraction, FollowsThePlantingAlongTheSlope) {
   Roots roots;
   roots.depth = 1;
   roots.along = {{3, 0}, {3, 1}, {5, 1}, {7, 0.5}};  // nothing on the crest

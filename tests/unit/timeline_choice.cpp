@@ -46,8 +46,8 @@ TEST(TimelineChoice, BetweenItsTimesTheCurveIsStraight) {
   EXPECT_LE(distance, 0.003);
   for (std::size_t k = 0; k + 1 < tried.size(); ++k)
     for (int i = 1; i < 8; ++i) {
-      const double share = i / 8.0, t = tried[k] + share * (tried[k + 1] - tried[k]);
-      const double line = (1 - share) * factor(tried[k]) + share * factor(tried[k + 1]);
+      const double fraction = i / 8.0, t = tried[k] + fraction * (tried[k + 1] - tried[k]);
+      const double line = (1 - fraction) * factor(tried[k]) + fraction * factor(tried[k + 1]);
       EXPECT_NEAR(line / factor(t), 1, 0.004) << t;
     }
   EXPECT_LT(tried.size(), 40u);

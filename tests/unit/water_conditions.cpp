@@ -21,7 +21,7 @@ const mpm::SurfaceCondition& get_surface(const mpm::Body<D>& body, const std::ty
 }
 
 /// Fixed directions at a node, as sums of |component|: (1, 1) at a corner.
-Vec<2> get_held(const mpm::Body<2>& body, const Vec<2>& x) {
+Vec<2> get_fixed(const mpm::Body<2>& body, const Vec<2>& x) {
   Vec<2> sum{};
   const int c = body.water.constraint_of_node[static_cast<std::size_t>(find_node<2>(body.mesh(), x))];
   if (c < 0) return sum;
@@ -31,8 +31,8 @@ Vec<2> get_held(const mpm::Body<2>& body, const Vec<2>& x) {
   return sum;
 }
 
-void expect_held(const mpm::Body<2>& body, const Vec<2>& x, const Vec<2>& wanted) {
-  const Vec<2> held = get_held(body, x);
+void expect_fixed(const mpm::Body<2>& body, const Vec<2>& x, const Vec<2>& wanted) {
+  const Vec<2> held = get_fixed(body, x);
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(held[d], wanted[d], 1e-9) << x[0] << ", " << x[1];
 }
 
@@ -46,17 +46,17 @@ TEST(WaterConditions, RollersHoldTheWaterAndFixedSoilHoldsItAlongTheNormalOnly) 
   input::Case data = make_box_case<2>(make_wet_soil());
   for (input::Boundary& b : data.boundaries) b.fix = b.on == "bottom" ? input::Fix::full : b.fix;
   const auto body = run::prepare<2>(data, make_step_mesh<2>());
-  expect_held(body, {0, 1}, {1, 0});
-  expect_held(body, {2, 0}, {0, 1});
-  expect_held(body, {0, 0}, {1, 1});
-  expect_held(body, {1, 2}, {0, 0});
+  expect_fixed(body, {0, 1}, {1, 0});
+  expect_fixed(body, {2, 0}, {0, 1});
+  expect_fixed(body, {0, 0}, {1, 1});
+  expect_fixed(body, {1, 2}, {0, 0});
   EXPECT_EQ(body.water.surfaces.size(), 1u) << "rollers have no condition";
 }
 
 TEST(WaterConditions, AHeadOpensTheWallItIsOn) {
   const auto body = prepare_step({make_hydraulic("left", WaterCondition::total_head, 1.4)});
-  expect_held(body, {0, 1}, {0, 0});
-  expect_held(body, {0, 0}, {0, 1});
+  expect_fixed(body, {0, 1}, {0, 0});
+  expect_fixed(body, {0, 0}, {0, 1});
   EXPECT_EQ(get_surface<2>(body, {0, 1}).kind, mpm::SurfaceKind::head);
   EXPECT_EQ(get_surface<2>(body, {0, 1.5}).name, "left") << "above its level it is a seepage face";
   EXPECT_EQ(get_surface<2>(body, {1, 2}).name, "other surfaces");
@@ -69,8 +69,8 @@ TEST(WaterConditions, NoFlowOnTheGroundIsASkinAndOnAWallAWall) {
   const auto& skin = get_surface<2>(body, {1, 2});
   EXPECT_EQ(skin.kind, mpm::SurfaceKind::flux);
   EXPECT_EQ(skin.value.at(3), 0);
-  expect_held(body, {1, 2}, {0, 0});
-  expect_held(body, {0, 1}, {1, 0});
+  expect_fixed(body, {1, 2}, {0, 0});
+  expect_fixed(body, {0, 1}, {1, 0});
 }
 
 TEST(WaterConditions, FollowTheNearestGround) {
@@ -114,7 +114,7 @@ TEST(WaterConditions, AnInclinedImpermeableLineHoldsTheWaterAcrossIt) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = {make_hydraulic("clay", WaterCondition::no_flow)};
   const auto body = run::prepare<2>(data, mesh);
-  expect_held(body, rising ? Vec<2>{1, 1} : Vec<2>{1, 0.5}, {std::sqrt(0.5), std::sqrt(0.5)});
+  expect_fixed(body, rising ? Vec<2>{1, 1} : Vec<2>{1, 0.5}, {std::sqrt(0.5), std::sqrt(0.5)});
 }
 
 TEST(WaterConditions, PressuresChangeTheirSign) {

@@ -53,9 +53,9 @@ TEST(OddWater, ThatEndsInsideTheSectionFloodsTheToe) {
 }
 
 TEST(OddWater, PondsAreLevel) {
-  const std::string said = describe({{0, 12}, {20, 12}, {34, 7}, {50, 6}});
-  EXPECT_NE(said.find("standing water is level"), std::string::npos) << said;
-  EXPECT_NE(said.find("between y = 6 m and"), std::string::npos) << said;
+  const std::string message = describe({{0, 12}, {20, 12}, {34, 7}, {50, 6}});
+  EXPECT_NE(message.find("standing water is level"), std::string::npos) << message;
+  EXPECT_NE(message.find("between y = 6 m and"), std::string::npos) << message;
   EXPECT_NE(describe_mirrored({{0, 12}, {20, 12}, {34, 7}, {50, 6}}).find("standing water is level"),
             std::string::npos);
 }

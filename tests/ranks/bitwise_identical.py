@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """A case is bitwise identical on one and four ranks, one of them on two, and a checkpoint of four ranks resumes on one and on two.
 
-Usage: same_bits.py PROGRAM
+Usage: bitwise_identical.py PROGRAM
 
 Ends with 77 where there is no mpiexec, or no module of ranks beside the program. Compares histories, frames and the end of every run, byte by byte where
 they contain only numbers.

@@ -66,13 +66,13 @@ void compare(bool wet, const input::StepSettings& step) {
     EXPECT_EQ(plain.water.budgets[i].entered, whole.water.budgets[i].entered);
 }
 
-TEST(HandOver, OfDrySoilChangesNoBit) {
+TEST(Rebalance, OfDrySoilIsBitwiseIdentical) {
   compare(false, {.damping = 0.05, .smoothing = input::Smoothing::stable});
 }
-TEST(HandOver, OfWaterThatSeepsChangesNoBit) {
+TEST(Rebalance, OfTheDarcyFormulationIsBitwiseIdentical) {
   compare(true, {.damping = 0.05, .smoothing = input::Smoothing::stable});
 }
-TEST(HandOver, OfWaterThatFlowsChangesNoBit) {
+TEST(Rebalance, OfTheTwoVelocityFormulationIsBitwiseIdentical) {
   compare(true, {.damping = 0.05, .water = input::WaterMotion::flows});
 }
 
