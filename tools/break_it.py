@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Tries to break the program, and says where it did not end with an answer or a sentence.
+"""Tries to break the program, and reports runs that ended neither with a result nor with a message.
 
 Usage: tools/break_it.py PROGRAM CAMPAIGN [--count N] [--first N] [--out FOLDER] [--write]
 
 Campaigns:
-  cases    case files with words, numbers and lines changed, dropped and doubled: `check` must survive, and what it passes `run` must not refuse
+  cases    case files with words, numbers and lines changed, dropped and doubled: `check` must survive, and `run` must not reject a case that it accepts
   meshes   .msh files, in text and in binary, with bytes and numbers changed
-  results  result files with bytes changed, cut and moved: `report`, `plot`, `collect` and `--resume` say so, or give the same numbers
+  results  result files with bytes changed, cut and moved: `report`, `plot`, `collect` and `--resume` report it, or give the same numbers
   kills    kill -9 at random moments of a run, after which `--resume` gives bitwise identical results
   disks    files that may grow to a random size only, then `--resume` without the limit: bitwise identical
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: bitwise identical
-  names    hostile names in case files and lists of jobs: nothing outside the folder of results changes, nothing that is written steers what reads it
+  names    hostile names in case files and lists of jobs: nothing outside the folder of results changes, and no output controls its reader
   files    `--overwrite` of finished, killed and interrupted results among files of a user, and of folders that it must refuse
   damage   a listed file lost, swapped, cut or changed: `--resume` and `collect` name it, or end bitwise identical
-  signals  SIGTERM and SIGINT at random shares of the processor time of every method, then `--resume`: bitwise identical
-  inputs   what is no file in every place of a file, and case files that ask for too much: a sentence within 10 s of processor time and 500 MB
+  signals  SIGTERM and SIGINT at random fractions of the processor time of every method, then `--resume`: bitwise identical
+  inputs   devices, pipes and folders in place of every file, and oversized case files: a message within 10 s of processor time and 500 MB
   readers  `report`, `plot` and `collect` again and again beside a run, whose end must be whole
 
 Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json and the table of docs/reliability.md. Ends with 1 where
@@ -180,7 +180,7 @@ def try_results(program, numbers, work):
                     fault = compare(reference, folder)
                 except ValueError as error:
                     fault = str(error)
-                # a history that was read as it stood is text; it has no checksum
+                # a history is text without a checksum
                 fault = "" if path.suffix in (".csv", ".json") else fault and f"resumed, and {fault}"
             table.add(label + ", --resume", verdict, fault)
         else:
@@ -205,7 +205,7 @@ def try_kills(program, numbers, work):
 
 
 def check_half(program, work, folder, reference, verdict):
-    """What a run that failed left must go on to the same bits; a run may also have come through."""
+    """A failed run must resume to bitwise identical results; a run may also have finished."""
     if verdict.code not in (0, 6, 7):
         return f"code {verdict.code}: {verdict.said.strip()[-200:]}"
     ended = resume(program, work, folder)

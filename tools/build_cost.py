@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a build costs, in user and system seconds: a busy machine stretches the clock, but hardly these.
+"""Measures the cost of a build in user and system seconds, which a busy machine hardly affects.
 
     tools/build_cost.py                 the program (talus_cli), then all that `make test` builds besides
     tools/build_cost.py --program       the program only

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whether every source of the program compiles for 64-bit ARM: each is compiled, not linked, by a cross compiler.
+"""Checks that every source of the program compiles for 64-bit ARM, with a cross compiler and without linking.
 
 Usage: tools/check_aarch64.py [BUILD]   (a configured build folder; default build/release)
 
@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 COMPILER = "aarch64-linux-gnu-g++"
-# Of the machine that it is compiled on, and the headers that were compiled for it.
+# Options of the host machine, and of its precompiled headers.
 DROPPED = ("-march=", "-mprefer-vector-width=", "-fpch-preprocess", "-Winvalid-pch", "--param=")
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whether short cases still give the same bits: the numbers of every file that they write, for one and for two threads.
+"""Checks that short cases are bitwise identical to their reference hashes: the numbers of every file, for one and for two threads.
 
 Usage: tools/check_bits.py PROGRAM [--write] [--only NAME …]
 
@@ -26,7 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STORED = ROOT / "tests" / "data" / "bits.json"
 CASES = ["dry_slope", "layered_embankment", "storm_on_a_bank", "season_before_a_storm", "triaxial_loess", "triaxial_rooted_clay",
          "column_collapse", "sliding_block", "slope_3d", "banks", "wet_bank", "uncertain"]
-# What is told of the input, the program and the machine, and words.
+# Keys on the input, the program and the machine, and texts.
 LEFT_OUT = {"input", "input_hash", "program", "architecture", "level", "lane_width", "threads", "provenance", "jobs"}
 
 
@@ -88,7 +88,7 @@ def find_differences(name, stored, found):
 
 
 def find_place(program):
-    """What the bits depend on: "x86-64-v3, GNU 12.2.0", "native znver3 x86-64-v4, GNU 12.2.0"."""
+    """The level and compiler that the hashes depend on: "x86-64-v3, GNU 12.2.0", "native znver3 x86-64-v4, GNU 12.2.0"."""
     version = subprocess.run([program, "version"], check=True, capture_output=True, text=True).stdout
     _, compiler, _, architecture = version.partition("(")[2].rstrip(")\n").split(", ")
     if architecture.startswith("native"):

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds what documents name in backticks against the tree: files and folders, commands and their options, targets of make,
+"""Checks the names that documents have in backticks against the tree: files and folders, commands and their options, targets of make,
 tests, keys of a case, names of the sources, messages of the program. Exits with 1 and one line per claim that is not true.
 
 The number of the version is the same in all files, and every folder of src/ has its row in docs/architecture.md.
 
 Usage: check_claims.py | check_claims.py --self-test
 
-It reads text and runs nothing: a name is known when it stands in the code (comments do not count), `a.b` when the two stand
-together there. CHANGELOG.md tells of the past and is not read, nor are decisions whose status says `replaced by`.
+It reads text and runs nothing: a name exists when it is in the code (comments do not count), `a.b` when the two are together
+there. CHANGELOG.md describes the past and is not read, nor are decisions with the status `replaced by`.
 """
 import re
 import sys
@@ -35,7 +35,7 @@ NAMES_OF_OTHERS = {name for names in EXCEPTIONS.values() for name in names.split
 FOREIGN = {"apt-get", "cmake", "ctest", "git", "gmsh", "gnuplot", "kill", "paraview", "pip", "pvpython", "sudo", "xvfb-run"}
 CODE = set(".cpp .hpp .in .cu .py .ts .tsx .css .mjs .js .sh .cmake .toml .f .json .txt".split())
 WITHOUT_ENDING = {"Makefile", "run", "apt-packages"}
-# At the root: what builds and runs leave there. A name that is not ours does not become so by standing in this file.
+# At the root: files that builds and runs leave there. This file itself is not evidence for a name.
 NOT_OURS = {".git", "build", "results"}
 NO_CODE = {"package-lock.json", Path(__file__).name}
 ENDING = re.compile(r"[\w*]\.(?:[ch]pp|py|tsx?|m?js|css|sh|toml|md|json|csv|svg|png|gp|h5|html|vtkhdf|xdmf|vtu|msh|txt|f)$")
@@ -50,7 +50,7 @@ def strip_comments(name, text):
 
 
 class Tree:
-    """What there is: names of files, and the code in them."""
+    """The source tree: names of files, and the code in them."""
 
     def __init__(self, root):
         self.files, self.code = [], {}
@@ -71,7 +71,7 @@ class Tree:
 
     @cached_property
     def messages(self):
-        """What the program says, with literals that stand side by side joined, and holes for values."""
+        """Messages of the program, with adjacent literals joined, and holes for values."""
         joined = re.sub(r'"\s*"', "", self.join("src/", "python/", "web/src/"))
         return re.sub(r"\{[^{}\n]*\}", "…", joined)
 
@@ -109,7 +109,7 @@ class Tree:
                 for command in re.findall(r'Command(?: command)?\(\s*app,\s*"(\w+)"', text)}
 
     def has_file(self, claim, page):
-        """Whether a path ends as the claim does (a program as its source does), or lies beside the page."""
+        """Returns whether a path ends with the claim (a program with its source), or lies beside the page."""
         claim = re.sub(r"…|NAME", "*", claim.strip("/"))
         if "*" in claim:
             return any(fnmatch(file, f"*/{claim}{end}") for file in self.files for end in ("", "/"))
@@ -125,11 +125,11 @@ def find_spans(text):
 
 
 class Page:
-    """One document against the tree. Each check yields sentences."""
+    """One document against the tree. Each check yields messages."""
 
     def __init__(self, tree, path, text):
         self.tree, self.path, self.text = tree, path, text
-        # What the reader makes stands in a block of the page, or in a command.
+        # Files that the reader makes are in a block of the page, or in a command.
         commands = [span for _, span in find_spans(text) if span.startswith("talus ")]
         self.own = "\n".join([block for _, _, block in BLOCK.findall(text)] + commands)
 
@@ -192,7 +192,7 @@ class Page:
             yield from self.check_neighbours(key)
 
     def check_neighbours(self, span):
-        """a.b and A::b: they stand side by side, are two keys of one file, or a class and what it declares."""
+        """a.b and A::b: the names are adjacent in the code, two keys of one file, or a class and its member."""
         for one, joint, other in re.findall(r"(?=\b([A-Za-z_]\w*)(?:\[[^\[\]]*\]|\(\))?(\.|::)([A-Za-z_]\w+))", span):
             if (one, other) in self.tree.pairs or one in self.tree.named or one == "talus" or HOLE.fullmatch(other):
                 continue

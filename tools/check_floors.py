@@ -154,7 +154,7 @@ def main():
     arguments = sys.argv[1:]
     root = Path(arguments[0]) if arguments and arguments[0] != "--self-test" else Path(__file__).resolve().parent.parent
     faults = run_self_test() if arguments == ["--self-test"] else find_faults(root)
-    print("\n".join(faults) if faults else "check_floors: the house stands.")
+    print("\n".join(faults) if faults else "check_floors: no faults.")
     return 1 if faults else 0
 
 

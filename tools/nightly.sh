@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What takes too long for every change: all tests with sanitizers and with clang, every source through the linter, and the campaigns
-# that try to break the program. Each part's minutes and end stand in the last lines; ends with 1 where one of them failed.
+# Runs the checks that take too long for every change: all tests with sanitizers and with clang, every source through the linter, and
+# the campaigns that try to break the program. The last lines list minutes and result of each part; ends with 1 if one of them failed.
 # Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
 #        names files damage signals inputs readers
 set -uo pipefail

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What several ranks cost: a bank in 3D with as many points for each rank, and one of a fixed size, on 1, 2 and 4 ranks.
+"""Scaling over ranks: a bank in 3D with as many points for each rank, and one of a fixed size, on 1, 2 and 4 ranks.
 
 Usage: tools/rank_scaling.py PROGRAM [--wet] [--points N] [--ranks R …]
 
-PROGRAM is a build with -DTALUS_MPI=ON. Prints tables in Markdown: time of a step, share of it that rank 0 spends with messages (waiting for others too), bytes that it
-sends in a step. More ranks than cores share these: their times are sums, not speeds. Ten minutes on two cores.
+PROGRAM is a build with -DTALUS_MPI=ON. Prints tables in Markdown: time of a step, fraction of it that rank 0 spends with messages (waiting for others included), bytes that it
+sends in a step. More ranks than cores compete for the cores: their times are sums, not speeds. Ten minutes on two cores.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What a restructuring must not change: everything that the examples and the published problems print and write.
+"""Compares the output of the examples and the published problems before and after a restructuring.
 
 Usage: same_results.py store PROGRAM FOLDER [--only NAME …] [--jobs N]
        same_results.py compare FOLDER OTHER [--renamed OLD=NEW …] [--added KEY …]
@@ -54,7 +54,7 @@ CASES = {
     "banks": ("study", "tests/page/banks.toml", []),
     "uncertain": ("study", "tests/page/uncertain.toml", []),
 }
-# What differs from run to run; wherever it stands in a JSON file.
+# Keys that differ from run to run, at any level of a JSON file.
 VOLATILE = {"machine", "started", "commit", "version", "build_type", "compiler", "seconds", "wall", "cpu", "circles_per_second",
             "timing", "stage_steps", "date", "folder", "case_file"}
 PAGE_DATA = re.compile(r'<script type="application/json" id="talus-report">(.*?)</script>', re.S)
@@ -92,7 +92,7 @@ def strip(node):
 
 
 def strip_text(text):
-    """Lines that tell of seconds of computing end before them."""
+    """Lines with seconds of computing end before them."""
     kept = []
     for line in strip_lines(text):
         if line.startswith("Computing time") or " done in " in line or "wall" in line:

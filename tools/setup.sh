@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages of the given lists (default: tools/apt-packages.txt) that are missing.
-# When nothing is missing it only asks dpkg: no network, no rights, well under a second.
+# When nothing is missing it only queries dpkg: no network, no rights, well under a second.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 lists=("$@")

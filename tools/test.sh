@@ -16,7 +16,7 @@ if [ "$preset" = debug ]; then
 fi
 if [ "$preset" = tsan ]; then
   names=${names:-Thread|AnyNumber|cases\.Sampling|StudyOfRuns|RootedBank|WetBank|FrozenFactorAgrees}
-  # archer tells the sanitizer of OpenMP's barriers; libraries that are not built with it cannot be judged.
+  # archer reports OpenMP's barriers to the sanitizer; libraries that are not built with it cannot be checked.
   OMP_TOOL_LIBRARIES=$(find /usr/lib/llvm-*/lib -name libarcher.so 2>/dev/null | sort | tail -1)
   export OMP_TOOL_LIBRARIES
   export TSAN_OPTIONS="ignore_noninstrumented_modules=1${TSAN_OPTIONS:+:$TSAN_OPTIONS}"

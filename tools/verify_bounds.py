@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds slices and finite elements against proven bounds, on every published slope and on closed forms, in one table.
+"""Compares LEM and FEM with the lower and upper bounds of limit analysis, on every published slope and on closed forms, in one table.
 
 Usage: tools/verify_bounds.py PROGRAM [--file problems.json] [--only ID …] [--gap G] [--triangles N] [--jobs N] [--out FOLDER] [--wet] [--write]
 
@@ -80,7 +80,7 @@ def find_spiral_need(tangent, slope, parts=220):
 
 
 def find_spiral_factor(phi, cohesion_number, slope):
-    """Where a log-spiral needs c/(γH) divided by F; angles in degrees."""
+    """Factor of safety of the log-spiral mechanism for c/(γH) and a slope; angles in degrees."""
     low, high = 0.5, 2.5
     while high - low > 1e-4:
         factor = (low + high) / 2
@@ -121,7 +121,7 @@ def list_closed_forms():
             '[[geometry.polygon]]\nname = "block"\npoints = [[0, 4], [1, 4], [1, 4.5], [0, 4.5]]\n\n[materials.block]\nmodel = "mohr_coulomb"\n'
             'unit_weight = "0.000001 kN/m3"\ncohesion = "1e6 kPa"\nfriction_angle = 0\ntensile_strength = "1e9 kPa"\n\n'
             f'[[surcharge]]\nname = "load"\nx = [0, 1]\nload = ["{load!r} kPa", "{load!r} kPa"]\n').replace('soil = "soil"\n', 'soil = "soil"\nblock = "block"\n')))
-    # What a log-spiral needs is an upper bound.
+    # The log-spiral mechanism is an upper bound.
     for phi, cohesion in ((20, 12.38), (25.3, 16.1)):
         most = find_spiral_factor(phi, cohesion / 200, 45)
         forms.append((f"slope of 45°, φ = {phi}°, c/γH = {cohesion / 200:.4f}", f"log-spiral (Chen 1975): below {most:.4f}", (0, most),
@@ -131,7 +131,7 @@ def list_closed_forms():
 
 
 def bound(runner, name, text, options, tension):
-    """The summary of one run; a sentence where there is none."""
+    """The summary of one run; a message where there is none."""
     settings = [f"bounds.gap={options.gap}", f"bounds.triangles={options.triangles}", f'bounds.tension="{tension}"']
     try:
         return runner.run(name, text, settings)

@@ -3,7 +3,7 @@
 """Whole runs on a device beside the processor: factors, displacements, and where the time goes.
 
 Usage: tools/verify_device.py PROGRAM [--device gpu|emulated] [--only NAME ...] [--out FOLDER] [--write]
-The emulated device is the kernels of a GPU on the processor: it says that the numbers are the same, and nothing about a
+The emulated device is the kernels of a GPU on the processor: it verifies the numbers, and not the behaviour of a
 GPU's time. --write stores the table in docs/verification_data/device.md. The cases take a quarter of an hour with it.
 """
 import argparse

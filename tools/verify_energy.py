@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Where the energy goes and how fronts converge: a sand block on two floors, columns that collapse, the runout of the dry slope.
+"""Energy budgets and convergence of fronts: a sand block on two floors, columns that collapse, the runout of the dry slope.
 
 Usage: tools/verify_energy.py PROGRAM [--only NAME …] [--jobs N] [--out FOLDER] [--write]
 
@@ -198,7 +198,7 @@ def measure(runner, name, size):
 
 
 def find_order(values):
-    """Of convergence over three meshes, each half the size of the last; None where the differences do not shrink."""
+    """Order of convergence over three meshes, each half the size of the last; None where the differences do not shrink."""
     a, b = values[1] - values[0], values[2] - values[1]
     return math.log2(a / b) if b != 0 and a / b > 1 else None
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Same slope, same answer: random slopes that are written otherwise, by every method.
+"""Invariance: random slopes in equivalent descriptions, by every method.
 
 Usage: tools/verify_invariance.py PROGRAM [--count 100] [--only N …] [--out FOLDER] [--keep] [--jobs N] [--write]
 
@@ -131,7 +131,7 @@ class Judge:
         self.compare("lem", "beside FEM", base, self.calculate("lem", "beside", both)[:2])
 
     def check_order(self, summary):
-        """What the methods' order is on one surface, of circles that are not as shallow as the search allows."""
+        """Order of the methods on one surface, for circles that are deeper than the shallowest of the search."""
         limit = 1.01 * summary["lem"]["search"]["smallest_depth"]
         factors = {c["method"]: c["factor"] for c in summary["lem"]["critical"] if c.get("factor") and (c.get("depth") or math.inf) > limit}
         for low, high in (("fellenius", "bishop"), ("janbu", "janbu_corrected")):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Does a study in jobs lose nothing when its workers are killed at random, and has it the bits of one process?
+"""Checks that a study in jobs loses nothing when its workers are killed at random, and is bitwise identical to one process.
 
 Usage: tools/verify_jobs.py PROGRAM [--case CASE] [--jobs 100] [--workers 4] [--seed 1]
 
@@ -22,7 +22,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-KILLED = 0.3  # share of the processes of the command line
+KILLED = 0.3  # fraction of the processes of the command line
 JOBS_BETWEEN_KILLS = 9
 
 

@@ -4,7 +4,7 @@
 
 Usage: tools/verify_published.py PROGRAM [--file problems.json] [--only ID|KIND …] [--out FOLDER] [--jobs N] [--fem]
 
-Reads a file of the schema of tests/data/published/problems.json (its "meta" says what each key means), writes a case
+Reads a file of the schema of tests/data/published/problems.json (its "meta" defines each key), writes a case
 file for each problem, runs it, and compares factors, heads and discharges with the recomputed or published ones.
 KIND is one of: slices, coupled, seepage, closed, others, fem. --fem also runs the strength reductions by finite elements
 (minutes). --out keeps the case files, the results, published.csv and published.md there. Ends with 1 on a miss.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The referee on random slopes: proven intervals, the governing factor of limit equilibrium, and the interval of finite elements.
+"""The referee on random slopes: proven intervals, the governing LEM factor, and the interval of FEM.
 
 Usage: tools/verify_referee.py PROGRAM [--count 200] [--only N …] [--out FOLDER] [--jobs N] [--write]
 
@@ -32,7 +32,7 @@ ROUNDING = 1e-3  # bounds are compared as they are shown
 
 
 def judge(runner, number):
-    """A row: the slope, its proven interval, the governing factor, the one without the referee, finite elements."""
+    """A row: the slope, its proven interval, the governing factor, the one without the referee, the FEM factor."""
     entry = draw_slope(number)
     problem = read_problem(entry)
     size = round(0.7 * find_height(problem) / choose_level(problem, ELEMENTS), 6)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""How far a hillside on a weak bed runs after a storm, by material points that take over from the timeline, and what of it hangs on the moment and the mesh.
+"""Runout of a hillside on a weak bed after a storm, by MPM released from the timeline, and its dependence on the time of release and the mesh.
 
 Usage: tools/verify_storm_runout.py PROGRAM [--sizes M …] [--jobs N] [--write]
 
-The case is tests/data/storm_hillside.toml with the stages below. The points are let go at the time of failure with the next times on both sides, when finite
-elements lose their equilibrium, and after three days with a time two hours earlier. They begin with the stress of finite elements and are let go at once; after
-three days also with that of a level ground, held until they rest. --write stores the table in docs/verification_data/storm_runout.md. A quarter of an hour on two
+The case is tests/data/storm_hillside.toml with the stages below. MPM is released at the time of failure with the adjacent times on both sides, when FEM
+has no equilibrium, and after three days with a time two hours earlier. It starts from the stress of FEM without a holding stage; after
+three days also from that of a level ground, with a holding stage until rest. --write stores the table in docs/verification_data/storm_runout.md. A quarter of an hour on two
 cores. Ends with 1 where a run fails.
 """
 import argparse

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Random slopes with a water table and suction above it: does the frozen factor of material points agree with finite elements and slices?
+"""Random slopes with a water table and suction above it: comparison of the frozen factor of MPM with FEM and LEM.
 
 Usage: tools/verify_wet_slopes.py PROGRAM [--count 20] [--only N …] [--out FOLDER] [--keep] [--jobs N] [--write]
 
-Draws wet slopes (number N is always the same slope) whose soil retains water by van Genuchten's curve, and runs all three methods on each: slices (Spencer
-and Morgenstern–Price), finite elements on two meshes with the soil's own ψ and with ψ = φ, and the frozen factor of material points on two meshes. The frozen
-factor and that of the elements with the same ψ may differ by 5 %; so may it and the slices where ψ = φ, which slices assume. Prints
+Draws wet slopes (number N is always the same slope) whose soil retains water by van Genuchten's curve, and runs all three methods on each: LEM (Spencer
+and Morgenstern–Price), FEM on two meshes with the soil's own ψ and with ψ = φ, and the frozen factor of MPM on two meshes. The frozen
+factor and that of FEM with the same ψ may differ by 5 %; so may it and LEM where ψ = φ, which LEM assumes. Prints
 every slope, with what is known of those that differ (tests/data/wet_slopes.json). --write writes docs/verification_data/wet_slopes.md. Ends with 1 where a slope
 without a reason is apart, or has no factor.
 """
@@ -100,7 +100,7 @@ largest_suction = "{s["suction"]} kPa"
 
 
 def judge(runner, number):
-    """A row: the slope, the factors of points, elements and slices, and how far those that should agree are apart."""
+    """A row: the slope, the factors of MPM, FEM and LEM, and the differences of those that should agree."""
     slope = draw_slope(number)
     row = {"slope": number, "friction": slope["friction"], "dilatancy": slope["dilatancy"], "suction": slope["suction"], "points": None,
            "uncertainty": None, "same": None, "associated": None, "slices": None, "from_elements": None, "from_slices": None, "note": ""}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Bishop's simplified method on the slope with the pressures of the transducers: what equilibrium says of each stage.
+"""Bishop's simplified method on the slope with the pressures of the transducers: the factor of each stage.
 
 The base pressure is joined by straight lines between A to D and the inlet; above a point of the base it falls
 hydrostatically, or, where its head is above the ground, linearly to zero there. Suction above the water table is hydrostatic
@@ -69,7 +69,7 @@ def search(ground, weight, cohesion, friction, pressure, lower, upper, smallest_
 
 
 def factor(stage, pressures, cohesion, friction, measured=False):
-    """Of the slope in a stage, pressures at A to D [kPa]; circles that rise by less than 0.08 m are left out. In the test,
+    """Factor of safety of the slope in a stage, with pressures at A to D [kPa]; circles that rise by less than 0.08 m are left out. In the test,
     unlike in the calculation, the raised pressures at the inlet are without the source's factor of 1.35."""
     inlet = INLET[stage] / (1.35 if measured and stage != "initial" else 1)
     base = np.array([pressures[0], *pressures, inlet])

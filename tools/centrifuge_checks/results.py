@@ -68,8 +68,8 @@ class Results:
         return frames
 
     def highest_moved(self, frames):
-        """Of every frame: the height above the base from which soil of the face has gone, at the start (0.08 m: none), and
-        the share of the points that has moved."""
+        """For every frame: the height above the base from which soil of the face has moved, at the start (0.08 m: none), and
+        the fraction of the points that has moved."""
         start = frames[0]
         first = {int(i): p for i, p in zip(start["id"], start["points"])}
         heights, shares = [], []

@@ -43,7 +43,7 @@ def compare(fallow, rooted, suffix=""):
     for stage, end in zip(STAGES[:-1], fallow.hold_ends()):
         if fallow.onset is None or end <= fallow.onset:
             add_pressures(rows, stage, fallow.pressures(end), suffix)
-    if rooted.onset is None:  # it stands: what the last raise brings to a slope at rest
+    if rooted.onset is None:  # stable: the pressures of the last raise in a slope at rest
         add_pressures(rows, "rise 4", rooted.pressures(rooted.time[-1]), " (the rooted slope, which is stable)" + suffix)
     if fallow.onset is not None:
         add_pressures(rows, "failure", fallow.pressures(fallow.onset), suffix)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is run: the case and its rooted twin, both with a smaller K0 as well, and variants with one choice changed."""
+"""The runs: the case and its rooted twin, both with a smaller K0 as well, and variants with one choice changed."""
 
 SHORT = ["stage.injection.duration=500"]  # to 520 s
 JAKY = ["initial.k0=0.6"]

@@ -9,7 +9,7 @@ archive=$(sed -n 's/^URIs: *//p; s/^deb \([^ ]*\).*/\1/p' /etc/apt/sources.list.
 mkdir -p "$folder"
 if [ ! -e "$root/made" ]; then
   debootstrap --variant=minbase bookworm "$root" "$archive" >"$folder/debootstrap.log"
-  # Where its packages come from, and how: as this machine.
+  # The package sources are those of this machine.
   rm -f "$root/etc/apt/sources.list"
   cp -r /etc/apt/sources.list.d/debian.sources "$root/etc/apt/sources.list.d/" 2>/dev/null || true
   cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/"

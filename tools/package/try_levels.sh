@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Whether an installed package chooses the right level on processors that this machine is not, and whether the lowest level gives the
-# same bits on an emulated old processor and on this one. Usage: tools/package/try_levels.sh PREFIX/lib/talus
+# Checks that an installed package chooses the right level on emulated processors, and that the lowest level is bitwise identical
+# on an emulated old processor and on this one. Usage: tools/package/try_levels.sh PREFIX/lib/talus
 # Needs qemu-x86_64 (Debian: qemu-user); ends with 77, loudly, without it.
 set -euo pipefail
 levels=$1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Campaigns over numbered random cases: their command line, their runs side by side, and what is known of those that stand out."""
+"""Campaigns over numbered random cases: their command line, their parallel runs, and the reasons for outliers."""
 from __future__ import annotations
 
 import argparse
@@ -34,7 +34,7 @@ def judge_all(options, judge):
 
 
 def read_reasons(path):
-    """Why a case stands out, by its number as a text; empty without the file."""
+    """Reasons for outliers by the number of the case as text; empty without the file."""
     return json.loads(path.read_text()) if path.exists() else {}
 
 

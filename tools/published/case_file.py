@@ -92,7 +92,7 @@ def write_loads(lines, problem):
 
 
 def find_search_ranges(problem):
-    """Where the circles may leave and enter [m]; from the file, or of the face that the problem means where the ground
+    """Ranges in which circles may leave and enter [m]; from the file, or of the face that the problem means where the ground
     has two of them."""
     entry, length = problem.entry, problem.units.length
     exit_range, entry_range = entry.get("search_exit"), entry.get("search_entry")

@@ -117,7 +117,7 @@ def drop_straight(ring, tiny):
 
 
 def share_corners(rings, tiny):
-    """The rings with the corners of their neighbours on their sides, so that a mesh finds shared sides."""
+    """The rings with the corners of their neighbours on their sides, so that the sides of neighbours coincide in a mesh."""
     corners = sorted({p for _, ring in rings for p in ring})
     shared = []
     for material, ring in rings:

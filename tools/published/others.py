@@ -13,7 +13,7 @@ from .runs import Broken
 from .slices import find, read_factor
 from .table import MISS, NOTE, Row, judge
 
-# Where a kind of problem that needs its own program is compared with its answer.
+# Tests and tools that verify problems outside this campaign, by problem.
 ELSEWHERE = {
     "SY": "tests physics.SeepageInfiltration, cases.WaterFlow; tools/verify_water.py",
     "TERZ": "tests physics.SeepageInfiltration, physics.TwoPhaseConsolidation, cases.WaterColumns; tools/verify_water.py",

@@ -34,7 +34,7 @@ KNOWN = {
 
 @dataclass
 class Units:
-    """What one unit of the problem is in SI, and how a case file writes a stress or a unit weight of it."""
+    """Units of the problem: their value in SI, and the text of a stress or a unit weight in a case file."""
 
     imperial: bool
     length: float
@@ -115,7 +115,7 @@ def read_problem(entry):
 
 
 def cut_strip(strip, left, right):
-    """The part of a load, [(x, q)], that stands between two x."""
+    """The part of a load, [(x, q)], between two x."""
     strip = sorted(strip, key=lambda p: p[0])
     cut = [p for p in strip if left <= p[0] <= right]
     for x in (left, right):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The same slope written otherwise: case files as nested tables, and the changes that must not change their answer."""
+"""Equivalent descriptions of a slope: case files as nested tables, and changes that must not affect the results."""
 from __future__ import annotations
 
 import copy
@@ -154,7 +154,7 @@ def split_soils(case):
 
 
 def add_points(case):
-    """A point in every edge of the outlines and of the water table, at shares of its length that are no round numbers."""
+    """A point in every edge of the outlines and of the water table, at fractions of its length that are not round numbers."""
     case = copy.deepcopy(case)
 
     def refine(points, closed):
@@ -206,7 +206,7 @@ def to_practice(case):
 
 
 def enlarge(case, times):
-    """All lengths so much larger, and every other quantity as its dimension asks, with densities and gravity as they are."""
+    """All lengths so much larger, and every other quantity by its dimension, with densities and gravity as they are."""
     mass, length, time = times**3, times, math.sqrt(times)
 
     def change(key, leaf):

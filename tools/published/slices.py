@@ -15,7 +15,7 @@ BY_MOMENTS = ("oms", "bishop")  # on a polyline their factor depends on where mo
 
 
 def has_value(reference):
-    """Whether the recomputation has a factor at all; -1 says that it found none."""
+    """Returns whether the recomputation has a factor; -1 means none."""
     return isinstance(reference, (int, float)) and reference > 0
 
 

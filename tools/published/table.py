@@ -108,7 +108,7 @@ def group(rows):
 
 
 def describe_group(key, part):
-    """Number, verdicts and the row farthest from its reference among those that are judged."""
+    """Number, verdicts and the row farthest from its reference among those with a band."""
     judged = [r for r in part if r.verdict != NOTE and r.difference is not None]
     worst = max(judged, key=lambda r: abs(r.difference), default=None)
     passes = [r for r in judged if r.verdict == PASS]
@@ -147,7 +147,7 @@ Written by `tools/verify_published.py PROGRAM --fem --out FOLDER` from
 
 
 def show_worst(rows):
-    """Number of the judged rows and the largest difference among them."""
+    """Number of the rows with a band and the largest difference among them."""
     judged = [r for r in rows if r.verdict != NOTE]
     worst = max((r for r in judged if r.difference is not None), key=lambda r: abs(r.difference), default=None)
     return f"{len(judged)}: {show_difference(worst)}" if worst else "–"

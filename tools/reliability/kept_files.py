@@ -88,7 +88,7 @@ class References:
 
 
 def calculate(program, name, work, folder, rng, references):
-    """A run that ends, or that a signal or a kill ends at a random share of its processor time. Returns how it ended."""
+    """A run that ends, or that a signal or a kill ends at a random fraction of its processor time. Returns how it ended."""
     shutil.rmtree(folder, ignore_errors=True)
     ends = rng.choice(("finished", "killed", "interrupted"))
     seconds = references.get(name)[2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What every campaign needs: a run of the program with its verdict, folders that are compared, and the table."""
+"""Common parts of the campaigns: a run of the program with its verdict, comparison of folders, and the table."""
 import dataclasses
 import hashlib
 import json
@@ -100,7 +100,7 @@ class Process:
         return sum(map(read_seconds, list_family(self.popen.pid)))
 
     def catches(self, number):
-        """True when the program answers this signal itself; while it is loaded it does not yet."""
+        """Returns whether the program handles this signal; while it is being loaded it does not."""
         try:
             caught = re.search(r"SigCgt:\s*(\w+)", pathlib.Path(f"/proc/{self.popen.pid}/status").read_text())
         except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs the vegetated slope with settings and reads what is asked of it: onsets, displacements, sections, frames."""
+"""Runs the vegetated slope with settings and reads its results: onsets, displacements, sections, frames."""
 import pathlib
 import re
 import subprocess
@@ -54,7 +54,7 @@ class Slope(Run):
         return time[rain], table[f"{monitor}.displacement"][rain]
 
     def water(self):
-        """Of the rain on the ground [m³/m]: supplied, entered, run off; and the error of the budget."""
+        """Rain on the ground [m³/m]: supply, infiltration, runoff; and the error of the budget."""
         ground = next(s for s in self.summary["water"]["surfaces"] if s["name"] == "ground")
         return {key: ground[key] / DENSITY for key in ("supplied", "entered", "left", "runoff")} | {"error": self.summary["water"]["error"]}
 

@@ -66,7 +66,7 @@ def find_water(slopes):
 
 
 def find_wetted(r, time=230):
-    """Smallest and largest p'_c of what is wetted by then [kPa], and the share of it within 30 % of 50 kPa."""
+    """Smallest and largest p'_c of the wetted soil [kPa], and the fraction of it within 30 % of 50 kPa."""
     values = []
     for x, height in WETTED:
         y, value = r.profile(time, "preconsolidation_pressure", x)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is calculated: the four slopes of the source, and each choice that could have been made otherwise."""
+"""The calculated variants: the four slopes of the source, and every choice with an alternative."""
 import dataclasses
 
 CONTENT, LAYER = "materials.rooted.root_content", "materials.rooted.water.conductivity"

@@ -9,7 +9,7 @@ MODULUS, WATER_MODULUS = 20e6 * 0.7 / (1.3 * 0.4), 100e6
 
 
 def find_saturation(pressure):
-    """Of pressures positive in compression [Pa]."""
+    """Saturation at pressures positive in compression [Pa]."""
     suction = np.maximum(-pressure, 0)
     return S_MIN + (1 - S_MIN) * (1 + (suction / P_REF)**(1 / (1 - LAMBDA)))**-LAMBDA
 

@@ -6,11 +6,11 @@ from .runs import WATER_WEIGHT, Row, budget_row, by_element
 
 HOUR = 3600
 ALPHA, K_S, THETA_S, THETA_R, LENGTH = 10.0, 0.01 / HOUR, 0.4, 0.06, 1.0  # 1/m, m/s, -, -, m
-BEFORE, AFTER = 0.1, 0.9  # shares of k_s
+BEFORE, AFTER = 0.1, 0.9  # over k_s
 
 
 def find_roots(count=400):
-    """Of tan(λL) + 2λ = 0 for the dimensionless length αL: one in each ((i - ½)π/L, iπ/L), by bisection."""
+    """Roots of tan(λL) + 2λ = 0 for the dimensionless length αL: one in each ((i - ½)π/L, iπ/L), by bisection."""
     length = ALPHA * LENGTH
     low = (np.arange(1, count) - 0.5) * np.pi / length + 1e-12
     high = np.arange(1, count) * np.pi / length

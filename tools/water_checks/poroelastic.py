@@ -75,13 +75,13 @@ class Strip:
 
     @classmethod
     def find_approach(cls, t):
-        """Of the plates at the time t > RAMP [m]."""
+        """Settlement of the plates at the time t > RAMP [m]."""
         strain = 1 / (1 - RATIO) - (1 + STORAGE) / FACTOR * np.sum(cls.weights * np.cos(cls.roots) * find_left(cls, t))
         return cls.height * cls.load / 2 * strain / (2 * SHEAR)
 
 
 def find_left(body, t):
-    """What is left of each part of the series at the time t > RAMP: the mean of exp(–ξ²T) over the ramp."""
+    """Remaining fraction of each term of the series at the time t > RAMP: the mean of exp(–ξ²T) over the ramp."""
     rate = body.roots**2 * SPEED / body.square
     return (np.exp(-rate * (t - RAMP)) - np.exp(-rate * t)) / (rate * RAMP)
 

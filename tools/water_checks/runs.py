@@ -25,7 +25,7 @@ class Row:
     unit: str = ""
     note: str = ""
     run: "Run" = None
-    known_miss: bool = False  # told in the table, but no failure of the program
+    known_miss: bool = False  # listed in the table, but not a failure of the program
 
     @property
     def passes(self):

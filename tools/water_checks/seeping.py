@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Water that seeps, with pressures at the nodes: steady discharge beside the seepage solver, a soft column that settles, and the
+"""Darcy formulation, with pressures at the nodes: steady discharge beside the seepage solver, a soft column that settles, and the
 problems of two velocities that have no waves."""
 import numpy as np
 
