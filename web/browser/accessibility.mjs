@@ -41,7 +41,7 @@ async function findNamelessControls(page) {
     .map((node) => node.role.value);
 }
 
-/** Ids that stand more than once: labels and links then lead to the wrong element. */
+/** Ids that occur more than once: labels and links then lead to the wrong element. */
 function findDoubledIds(page) {
   return page.evaluate(() => {
     const ids = [...document.querySelectorAll("[id]")].map((element) => element.id);
@@ -61,8 +61,8 @@ export async function checkAccessibility(list, page, name) {
   await page.addScriptTag({ path: axe });
   const { violations, passes } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
   for (const { id, impact, help, nodes } of violations) {
-    const tell = (node) => `${node.target.join(" ")} (${node.any[0]?.message ?? node.failureSummary})`;
-    const where = nodes.slice(0, 4).map(tell);
+    const describe = (node) => `${node.target.join(" ")} (${node.any[0]?.message ?? node.failureSummary})`;
+    const where = nodes.slice(0, 4).map(describe);
     const text = `${id}: ${help}, ${nodes.length} times: ${where.join("; ")}`;
     if (impact === "serious" || impact === "critical") list.expect(false, `axe (${name}) ${impact}: ${text}`);
     else list.note(`axe (${name}) ${impact}: ${text}`);

@@ -41,7 +41,7 @@ try {
     if (!sequence && !report.method_table) return;
     const time = await measureInteractive(page);
     list.note(`load to interactive: ${time === null ? "never" : `${Math.round(time)} ms`}`);
-    // How long it took says as much of the machine, which may be busy: the time is printed and not judged.
+    // The time depends on the machine, which may be busy: it is printed and not checked.
     list.expect(time !== null, "the page becomes interactive", "no mark 'talus-interactive'");
   });
   await list.group("First screen", () => checkFirstScreen(list, page, report, summary));
@@ -80,7 +80,7 @@ try {
     list.expect(faults.length === 0, "no errors in the console", faults.slice(0, 8).join(" | "));
   });
   await list.group("All parts work", async () => {
-    // A part that fails is replaced by a sentence that says so.
+    // A part that fails is replaced by a message.
     const texts = await Promise.all(opened.map((session) => session.page.getByRole("alert").allInnerTexts()));
     const broken = [...new Set(texts.flat())].filter((text) => /cannot be/.test(text));
     list.expect(broken.length === 0, "no part of the page gave up", broken.join(" | "));

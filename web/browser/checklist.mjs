@@ -5,7 +5,7 @@ export class Checklist {
   failures = [];
   passed = 0;
 
-  /** Notes a fact; `detail` says what was seen. */
+  /** Records a check; `detail` is the observed value. */
   expect(holds, what, detail = "") {
     if (holds) ++this.passed;
     else this.failures.push(what);

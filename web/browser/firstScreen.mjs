@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page says: the factor of safety without scrolling; criteria, runout, warnings and comparisons anywhere.
+// Checks the text of the page: the factor of safety without scrolling; criteria, runout, warnings and comparisons anywhere.
 import { showsNumber } from "./results.mjs";
 import { scrollThrough } from "./session.mjs";
 
@@ -24,7 +24,7 @@ function readFirstScreen(page) {
 
 export async function checkFirstScreen(list, page, report, summary) {
   const first = await readFirstScreen(page);
-  // What does not fit is below, where parts are drawn as they are reached.
+  // Parts below the first screen are drawn when they are reached.
   await scrollThrough(page);
   await page.evaluate(() => document.querySelectorAll("#answer details").forEach((fold) => (fold.open = true)));
   const all = await page.innerText("body");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the results folder and the page's packed arrays say, read without any code of the page.
+// Reads the results folder and the packed arrays of the page without any code of the page.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { inflateSync } from "node:zlib";
@@ -51,7 +51,7 @@ export function findNumbers(text) {
   return [...powers.matchAll(/-?\d+(?:\.\d+)?(?:e[+-]?\d+)?/gi)].map((match) => Number(match[0]));
 }
 
-/** Whether a text shows `value` to `digits` significant digits, or better. */
+/** Returns whether a text shows `value` to `digits` significant digits, or better. */
 export function showsNumber(text, value, digits) {
   return findNumbers(text).some((n) => Math.abs(n - value) <= Math.abs(value) * 0.5 * 10 ** (1 - digits) + 1e-12);
 }

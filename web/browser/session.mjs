@@ -21,7 +21,7 @@ export function startBrowser() {
 
 /**
  * Opens the report in a page of its own. `faults` fills with errors of the console and of the page, `requests` with
- * everything asked of a network; all of it is refused.
+ * all network requests, which are refused.
  */
 export async function openReport(browser, file, options = {}) {
   const viewport = { width: 1280, height: 800 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the parts of the page share: the frame that is shown, the field, the point that was picked. */
+/** Common state of the parts of the page: the shown frame, the field, the picked point. */
 import { computed, signal } from "@preact/signals";
 
 import type { PackedArray, PackedPlaces, Report, Sequence } from "./contract";

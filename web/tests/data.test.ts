@@ -52,7 +52,7 @@ describe("readIntegers", () => {
     expect(await readIntegers(none, of([]))).toHaveLength(0);
   });
 
-  it("says which array has too few or too many numbers", async () => {
+  it("names the array with too few or too many numbers", async () => {
     const array: PackedArray = { ...base, type: "u8", shape: [2, 2] };
     await expect(readIntegers(array, of([1, 2, 3]))).rejects.toThrow("array 'a' has 3 numbers, not 4");
     await expect(readIntegers(array, of([1, 2, 3, 4, 5]))).rejects.toThrow("array 'a' has 5 numbers, not 4");

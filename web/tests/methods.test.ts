@@ -94,7 +94,7 @@ describe.skipIf(!summary?.methods)("the methods of a report", () => {
       );
       expect(run.trials.every((t, i) => i === 0 || t.factor >= run.trials[i - 1]!.factor)).toBe(true);
       if (run.factor === null) continue;
-      // Of one mesh the middle of the last bracket; of two extrapolated, inside the interval.
+      // With one mesh the factor is the middle of the last bracket; extrapolated from two it lies inside the interval.
       if (run.lower === null) expect(run.factor).toBeCloseTo((run.stable! + run.failed!) / 2, 9);
       else expect(run.lower <= run.factor && run.factor <= run.upper!).toBe(true);
     }

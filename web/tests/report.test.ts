@@ -117,7 +117,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
     const spacing = measureSpacing(positions, 2, report.model.mesh.mean_size);
     const lines = findWaterTable(positions, pressure, () => true, spacing);
     expect(lines.length).toBeGreaterThan(0);
-    // The start is the state after nothing has moved yet; an element knows its pressure, not where in it it is zero.
+    // The first frame is the initial state; an element has one pressure, so the position of zero inside it is unknown.
     const distances = lines.flat().map(([x, y]) => {
       const pieces = start.tables.flatMap((line) => line.slice(1).map((p, k) => [line[k]!, p] as const));
       const piece = pieces.find(([a, b]) => Math.min(a[0]!, b[0]!) <= x && x <= Math.max(a[0]!, b[0]!));

@@ -10,7 +10,7 @@ export interface ReportFile {
   report: Report;
   /** The texts of the packed arrays, by id. */
   arrays: Map<string, string>;
-  /** Ids that stand in the page more than once. */
+  /** Ids that occur more than once in the page. */
   doubled: string[];
   source: Source;
 }

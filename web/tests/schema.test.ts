@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** contract/report.schema.json is what src/contract/ says: the C++ tests hold what they write against that file. */
+/** contract/report.schema.json agrees with src/contract/: the C++ tests check their output against that file. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { createGenerator } from "ts-json-schema-generator";

@@ -124,8 +124,8 @@ function Meshes({ bounds }: { bounds: ProvenBounds }) {
   );
 }
 
-/** What is proven, in one sentence. */
-function sayInterval({ lower, upper, no_lower, no_upper, is_davis, takes_tension }: ProvenBounds): string {
+/** The proven interval in one sentence. */
+function describeInterval({ lower, upper, no_lower, no_upper, is_davis, takes_tension }: ProvenBounds): string {
   const soil =
     (is_davis ? "for soil with the strength of Davis, which is an estimate for ψ < φ" : "for ψ = φ") +
     (takes_tension ? ", and soil that bears no more tension than given" : "");
@@ -151,7 +151,7 @@ export function BoundsSection() {
         </p>
       ) : (
         <p>
-          {sayInterval(bounds)} {formatQuantity(bounds.seconds, "s", 3)}.
+          {describeInterval(bounds)} {formatQuantity(bounds.seconds, "s", 3)}.
         </p>
       )}
       <Figure bounds={bounds} />

@@ -9,7 +9,7 @@ export interface Principal {
   /** More compression, less compression [Pa], positive in tension. */
   most: number;
   least: number;
-  /** Of the one with more compression, from the x axis [rad]. */
+  /** Direction of the larger compression, from the x axis [rad]. */
   angle: number;
 }
 

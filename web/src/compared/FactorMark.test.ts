@@ -31,7 +31,7 @@ describe("marks of factors", () => {
     expect(judge(row("fem", 1.05, 1.04, 1.06), "given")).toBe(false);
   });
 
-  it("share a scale with room for what is near, and stay at its border otherwise", () => {
+  it("have a common scale for near values, and stay at its border otherwise", () => {
     const scale = makeFactorScale([row("lem", 1.1, 1.0, 1.2), row("lem", 23.4), row("fem", 1.3, 1.25, 1.31)])!;
     expect(scale.low).toBeLessThan(1);
     expect(scale.high).toBeGreaterThan(1.31);

@@ -6,7 +6,7 @@ import type { Factor, MethodName } from "../contract";
 /** [lower, upper] */
 export type Interval = [number, number];
 
-/** What is drawn of a row of the methods, or of a factor of the answer. */
+/** Marks of a row of the methods, or of a factor of the answer. */
 export interface Marked {
   method: MethodName;
   /** Word of the method, flow rule or criterion: "spencer", "associated". */
@@ -14,7 +14,7 @@ export interface Marked {
   factor: number | null;
   lower: number | null;
   upper: number | null;
-  /** Of a state of the slope for which nothing is proven: a later time. */
+  /** True for a state of the slope without proven bounds: a later time. */
   isElsewhere?: boolean;
   main?: boolean;
 }

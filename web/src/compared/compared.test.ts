@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/** What the methods share: surfaces that are laid over each other, contents of the page, pictures of the elements. */
+/** Parts common to the methods: surfaces drawn together, contents of the page, pictures of FEM. */
 import { describe, expect, it } from "vitest";
 
 import type { Report } from "../contract";
 import { chooseMagnification } from "../elements/ElementsFigure";
 import { moveNodes } from "../elements/fieldPainter";
-import { asksFor } from "../page/asked";
+import { selectsMethod } from "../page/selected";
 import { listContents } from "../page/contents";
 import { findDensity, formatShare } from "../sampling/probability";
 import { report } from "../state";
@@ -51,13 +51,13 @@ describe("a run without material points", () => {
   it("has a section, and no part of points", () => {
     const ids = listContents(lem).map((entry) => entry.id);
     expect(ids).toEqual(["answer", "section", "compared", "slices", "statement", "input", "provenance"]);
-    expect(asksFor(lem, "mpm")).toBe(false);
+    expect(selectsMethod(lem, "mpm")).toBe(false);
   });
 
   it("is known by its input when it failed before it had a table", () => {
     const input = { analysis: { methods: { value: ["lem", "fem"], given: true } } };
     const failed = { ...bare, input } as unknown as Report;
-    expect([asksFor(failed, "mpm"), asksFor(failed, "fem"), asksFor(bare, "mpm")]).toEqual([false, true, true]);
+    expect([selectsMethod(failed, "mpm"), selectsMethod(failed, "fem"), selectsMethod(bare, "mpm")]).toEqual([false, true, true]);
   });
 });
 
@@ -90,7 +90,7 @@ describe("probabilities", () => {
     expect(Math.sqrt(square - mean * mean)).toBeCloseTo(s, 4);
   });
 
-  it("are told in per cent until they are too small for it", () => {
+  it("are in per cent until they are too small for it", () => {
     expect([0.068, 0.5, 0, 3.2e-7, null].map(formatShare)).toEqual(["6.8 %", "50 %", "0", "3.2×10⁻⁷", "–"]);
   });
 });

@@ -13,7 +13,7 @@ export interface NamedSurface {
   points: number[][];
   /** Number of its colour and dashes. */
   look: number;
-  /** Whether it is shown at first: of slices that which governs and the circle of its method. */
+  /** True for surfaces shown at first: of LEM the governing one and the circle of its method. */
   first: boolean;
 }
 
@@ -33,6 +33,6 @@ export function listSurfaces(): NamedSurface[] {
     points: s.points,
     first: s.method !== "lem" || s === leading || isCircle(s),
   }));
-  // Those shown at first have the first colours.
+  // Surfaces shown at first have the first colours.
   return [...named.filter((s) => s.first), ...named.filter((s) => !s.first)].map((s, look) => ({ ...s, look }));
 }

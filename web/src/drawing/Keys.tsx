@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the colours and lines of a drawing mean. */
+/** Key to the colours and lines of a drawing. */
 import type { ComponentChildren } from "preact";
 
 import { report } from "../state";

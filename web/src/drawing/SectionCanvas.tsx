@@ -13,17 +13,17 @@ interface Props {
   label: string;
   box: Box;
   draw: (pen: Pen) => void;
-  /** What `draw` depends on. */
+  /** Dependencies of `draw`. */
   depends: unknown[];
   /** Lies over it, and is drawn alone when only `dependsOver` changes. */
   drawOver?: (pen: Pen) => void;
   dependsOver?: unknown[];
   bar?: Bar | Key | null;
   tallest?: number;
-  /** What stands at a place; `reach` is about four pixels [m]. */
+  /** Reading at a place; `reach` is about four pixels [m]. */
   read?: (at: [number, number], reach: number) => string;
   hint?: string;
-  /** Of the saved picture. */
+  /** File name of the saved picture. */
   file: string;
 }
 

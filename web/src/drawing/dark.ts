@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Whether the page is dark, for what is not drawn on a canvas alone. */
+/** True while the page is dark, for parts outside a canvas. */
 import { useEffect, useState } from "preact/hooks";
 
 import { isDark, watchTheme } from "../viewer/theme";

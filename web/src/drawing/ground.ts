@@ -22,7 +22,7 @@ function tracePolygons({ context, place }: Pen): void {
   }
 }
 
-/** Of a soil by its parameters: "c = 5 kPa, φ = 32°"; empty for a law without such. */
+/** Strength parameters of a soil: "c = 5 kPa, φ = 32°"; empty for a law without them. */
 export function describeStrength(material: string): string {
   const properties = report.value.model.materials.find((m) => m.name === material)?.properties ?? [];
   const write = (key: string) => {
@@ -148,9 +148,9 @@ export function drawSurcharges({ context, place, theme }: Pen): void {
       const steps = Math.max(1, Math.round(Math.abs(place([x[i + 1]!, 0])[0] - place([x[i]!, 0])[0]) / 16));
       context.beginPath();
       for (let k = 0; k <= steps; ++k) {
-        const share = k / steps;
-        const at = x[i]! + share * (x[i + 1]! - x[i]!);
-        const size = (26 * (load[i]! + share * (load[i + 1]! - load[i]!))) / largest;
+        const fraction = k / steps;
+        const at = x[i]! + fraction * (x[i + 1]! - x[i]!);
+        const size = (26 * (load[i]! + fraction * (load[i + 1]! - load[i]!))) / largest;
         const ground = findGround(at);
         if (ground === null || Math.abs(size) < 2) continue;
         const [px, py] = place([at, ground]);

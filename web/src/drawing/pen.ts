@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What a drawing of a section is made with: canvas, view, colours. */
+/** Tools for drawing a section: canvas, view, colours. */
 import { report } from "../state";
 import type { Camera } from "../viewer/camera";
 import type { Pixel } from "../viewer/lines";

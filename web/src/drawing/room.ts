@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Where a polygon has most room for a text. */
+/** Finds the place in a polygon with most space for a text. */
 
 type Point = readonly number[];
 export interface Room {
@@ -31,11 +31,11 @@ function measure(p: Point, points: readonly Point[]): number {
 }
 
 const places = 24;
-/** As a share of the width. */
+/** As a fraction of the width. */
 const preferred = 0.15;
 const known = new WeakMap<object, Room | null>();
 
-/** Of a grid of places the one farthest from the edges, and outside the polygons that lie over it; null for none. */
+/** Selects from a grid of places the one farthest from the edges and outside the polygons over it; null for none. */
 export function findRoom(points: readonly Point[], over: readonly (readonly Point[])[]): Room | null {
   const kept = known.get(points);
   if (kept !== undefined) return kept;
@@ -51,7 +51,7 @@ export function findRoom(points: readonly Point[], over: readonly (readonly Poin
       ];
       if (!isInside(at, points) || over.some((other) => isInside(at, other))) continue;
       const radius = Math.min(measure(at, points), ...over.map((other) => measure(at, other)));
-      // Of places with about the same room one left of the middle, where fewer surfaces and their factors stand.
+      // Among places with similar space, one left of the middle is preferred, where there are fewer surfaces and factors.
       const value = radius * (1 - 0.1 * Math.abs((at[0] - low[0]!) / (high[0]! - low[0]!) - preferred));
       if (!best || value > most) {
         best = { at, radius };

@@ -29,7 +29,7 @@ export interface SurfaceLabel {
   colour: string;
 }
 
-/** Places along a line that are tried for its label, as shares of its points. */
+/** Places along a line that are tried for its label, as fractions of its points. */
 const shares = [0.5, 0.38, 0.62, 0.26, 0.74, 0.16, 0.84, 0.32, 0.68, 0.44, 0.56, 0.2, 0.8, 0.1, 0.9];
 
 /** A text that stands in a picture: its middle, half its width and half its height [px]. */
@@ -47,7 +47,7 @@ const gap = 5;
 export const measureGap = (a: LabelBox, b: LabelBox): number =>
   Math.max(Math.abs(a.x - b.x) - a.half - b.half, Math.abs(a.y - b.y) - a.high - b.high) - gap;
 
-/** Of several places that of the first text that is free of the taken ones, else that which is farthest from them. */
+/** Selects the first place that is free of the taken ones, else the one farthest from them. */
 export function choosePlace(places: LabelBox[], taken: LabelBox[]): LabelBox {
   const free = (box: LabelBox) => Math.min(Infinity, ...taken.map((other) => measureGap(box, other)));
   return places.find((box) => free(box) >= 0) ?? places.reduce((best, box) => (free(box) > free(best) ? box : best));
@@ -86,7 +86,7 @@ export function drawSurfaceLabels(
   }
 }
 
-/** The place at a share of the length of a line. */
+/** The place at a fraction of the length of a line. */
 function walkAlong(line: Pixel[], share: number): Pixel {
   const lengths = line.slice(1).map((p, i) => Math.hypot(p[0] - line[i]![0], p[1] - line[i]![1]));
   let left = share * lengths.reduce((a, b) => a + b, 0);

@@ -30,7 +30,7 @@ export class View {
   private pending = { below: false, above: false, frame: 0 };
   private density = 1;
   private fitted = "";
-  /** Whether the reader moved the view. */
+  /** True after the reader moved the view. */
   touched = false;
 
   constructor(
@@ -122,7 +122,7 @@ export class View {
     this.host.style.touchAction = touched ? "none" : "";
   }
 
-  /** Of a pixel of the screen [m]. */
+  /** Place in the section of a pixel of the screen [m]. */
   locate(clientX: number, clientY: number): [number, number] {
     const { left, top } = this.host.getBoundingClientRect();
     const [cx, cy] = this.camera.centre;

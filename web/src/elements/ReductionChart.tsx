@@ -16,7 +16,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;
   const [axis, setAxis] = useState<AxisKind>("linear");
   const [hidden, toggle] = useSwitches();
-  // Failed trials far above the factor say nothing, and would press the curve together.
+  // Failed trials far above the factor carry no information, and would compress the curve.
   const beyond = useMemo(() => {
     const least = Math.min(...runs.flatMap((r) => r.trials.map((t) => t.factor)));
     const failed = Math.max(...runs.map((r) => r.failed ?? r.trials.at(-1)?.factor ?? least));

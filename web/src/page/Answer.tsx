@@ -12,7 +12,7 @@ import "./answer.css";
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
 const resistance = () => getResistance(report.value.method_table);
-/** What is compared with 1: the factor of safety over γ_R. */
+/** Value to be compared with 1: the factor of safety over γ_R. */
 const check = (factor: number | null) => (factor === null ? null : factor / resistance());
 const checkInterval = ({ lower, upper }: Factor) => ({ lower: check(lower), upper: check(upper) });
 const nameFactor = () =>
@@ -21,12 +21,12 @@ const nameFactor = () =>
     : `Factor of safety with design values over the resistance factor ${formatNumber(resistance(), 4)}`
   : report.value.slices?.drawdown ? "Factor of safety after drawdown"
   : "Factor of safety";
-const sayFailure = () =>
+const describeFailure = () =>
   hasDesignValues() ? "the slope is not verified"
   : report.value.timeline ? "the slope fails in this time"
   : "the slope fails as it stands";
 
-/** What is proven of a factor. */
+/** Proven interval of a factor. */
 function Interval({ factor }: { factor: Factor }) {
   const { lower, upper } = checkInterval(factor);
   return (
@@ -36,7 +36,7 @@ function Interval({ factor }: { factor: Factor }) {
   );
 }
 
-/** Of bounds alone. */
+/** Interval of a run with limit analysis only. */
 function ProvenInterval({ factor }: { factor: Factor }) {
   return (
     <div class="main-factor">
@@ -46,7 +46,7 @@ function ProvenInterval({ factor }: { factor: Factor }) {
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factor.upper !== null && check(factor.upper)! < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {factor.upper !== null && check(factor.upper)! < 1 && <strong class="bad">, below 1: {describeFailure()}</strong>}
         <span class="criterion">{factor.title}</span>
       </p>
     </div>
@@ -77,7 +77,7 @@ function Referee({ factor }: { factor: Factor }) {
   return <span class="criterion">proven: {formatInterval(checkInterval(factor))}</span>;
 }
 
-/** One beside the other where several methods answer. What is proven stands last, unless it governs. */
+/** Factors side by side with several methods. The proven interval comes last, unless it governs. */
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
@@ -94,7 +94,7 @@ function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | 
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {fails && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
       </p>
     </div>
   );
@@ -116,14 +116,14 @@ function MainFactor({ factor }: { factor: Factor }) {
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {fails && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
         <span class="criterion">{factor.title}</span>
       </p>
     </div>
   );
 }
 
-/** The table of the answer: all criteria of material points alone, a choice where several methods answer. */
+/** The table of the answer: all criteria of MPM alone, a selection with several methods. */
 function Factors({ factors }: { factors: Factor[] }) {
   const { shown, folded } = splitFactors(factors);
   return (
@@ -146,7 +146,7 @@ function Factors({ factors }: { factors: Factor[] }) {
   );
 }
 
-/** What an engineer asks for first, where there is no room for everything. */
+/** Results that are shown first on small screens. */
 const wanted = [
   "moved_volume",
   "largest_displacement",
@@ -168,7 +168,7 @@ function pickResults(results: NamedResult[], most: number): NamedResult[] {
     const found = wanted.indexOf(quantity);
     return found < 0 ? wanted.length : found;
   };
-  // Beside other methods the stages only prepare the strength reduction, and the mesh is told below.
+  // With other methods the stages only prepare the strength reduction, and the mesh is stated below.
   const beside = (report.value.method_table?.asked.length ?? 1) > 1;
   const isAside = ({ kind }: NamedResult) => beside && (kind === "stage" || kind === "mesh");
   return results
@@ -215,7 +215,7 @@ function MoreWords({ sentences }: { sentences: string[] }) {
 
 export function Answer() {
   const { answer } = report.value;
-  // The one that governs stands first.
+  // The governing one comes first.
   const mains = answer.factors
     .filter((factor) => factor.main && factor.value !== null)
     .sort((a, b) => a.value! - b.value!);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** A button that copies a text and says so. */
+/** A button that copies a text and confirms it. */
 import { useState } from "preact/hooks";
 
 import { copyText } from "./copy";

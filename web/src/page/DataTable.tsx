@@ -4,7 +4,7 @@ import type { ComponentChildren } from "preact";
 
 import { Scroller } from "./Scroller";
 
-/** Of a column: its name, or that of a column of numbers; false where the table lacks the column. */
+/** Head of a column: its name, or that of a column of numbers; false where the table lacks the column. */
 type Cell = string | false | { number: ComponentChildren; class: string };
 
 /** Heads of columns of numbers, which stand to the right; nothing for what is none. */

@@ -18,7 +18,7 @@ export function describeDrainage(water: NonNullable<Factor["water"]>): string {
 
 interface Props {
   factors: Factor[];
-  /** Those that share the axis. */
+  /** Factors on the same axis. */
   among: Factor[];
   caption: string;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** If one part fails, a sentence stands in its place and the rest of the report remains. */
+/** If one part fails, a message replaces it and the rest of the report remains. */
 import { Component, type ComponentChildren } from "preact";
 
 interface Props {

@@ -40,7 +40,7 @@ export function drawEverything() {
 }
 
 interface Props {
-  /** What the part takes before it is drawn [px], so that the page does not jump. */
+  /** Height of the part before it is drawn [px], so that the page does not jump. */
   height: number;
   children: () => ComponentChildren;
 }

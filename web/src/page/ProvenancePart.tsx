@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which program made this, on what, and where the time went. */
+/** Provenance: program, machine and computing times. */
 import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
@@ -29,7 +29,7 @@ function Bars({ caption, rows }: { caption: string; rows: { title: string; secon
   );
 }
 
-/** Older folders, and those of killed runs, do not know everything. */
+/** Older folders, and those of killed runs, are incomplete. */
 const known = (rows: [string, ComponentChildren][]): [string, ComponentChildren][] =>
   rows.map(([name, value]) => [name, value || "not known"]);
 

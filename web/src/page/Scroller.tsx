@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 interface Props {
   class: string;
-  /** What is scrolled, for those who do not see it. */
+  /** Name of the scrolled content, for screen readers. */
   label: string;
   children: ComponentChildren;
 }

@@ -3,7 +3,7 @@
 import { report } from "../state";
 import { formatDate, formatSentence } from "./format";
 
-/** What a status means to the one who reads the results. */
+/** Text of a status for the reader of the results. */
 const statusTexts: { [status: string]: string } = {
   interrupted: "This calculation was interrupted: what follows is what had been computed by then.",
   unstable: "This calculation became unstable and was stopped: results up to the last good state only.",

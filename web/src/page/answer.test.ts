@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the answer shows first where several methods were asked.
+// The first statement of the answer with several methods.
 import { describe, expect, it } from "vitest";
 
 import type { Factor, MethodTable, Report } from "../contract";
@@ -68,7 +68,7 @@ describe("the viewer", () => {
     }) as unknown as Report;
   const points = [1.3, 1.4, 1.5, 1.6].map((srf) => ({ srf, ...(srf < 1.45 ? still : moving) }));
 
-  it("opens on the first trial above the factor that goes on moving", () => {
+  it("opens on the first trial above the factor that continues to move", () => {
     expect(findMechanism(make(points))).toEqual({ sequence: 1, frame: 2 });
   });
   it("opens on the first above the factor where all come to rest", () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which parts this report has, in the order of the page. */
+/** Parts of this report, in the order of the page. */
 import type { Report } from "../contract";
 
 export interface Entry {
@@ -15,7 +15,7 @@ export function listContents(report: Report): Entry[] {
   const hasSoil = report.model.dimension === 2 && report.model.polygons.length > 0;
   const entries: [boolean, string, string][] = [
     [true, "answer", "Answer"],
-    // Of a study the section of its case, without surfaces.
+    // A study shows the section of its case, without surfaces.
     [report.sequences.length > 0 || surfaces || (isStudy && hasSoil), "section", report.model.dimension === 3 ? "View" : "Section"],
     [isStudy && report.study?.sampling !== undefined, "sampling", "Sampling"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],

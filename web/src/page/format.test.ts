@@ -35,7 +35,7 @@ describe("formatNumber", () => {
     [Number.POSITIVE_INFINITY, "∞"],
   ])("writes %s as %s", (value, text) => expect(formatNumber(value)).toBe(text));
 
-  it("keeps the zeros of a result when asked to", () => {
+  it("keeps the zeros of a result on request", () => {
     expect(formatNumber(2.8, 3)).toBe("2.8");
     expect(formatNumber(2.8, 3, true)).toBe("2.80");
   });
@@ -53,7 +53,7 @@ it("gives factors of safety three decimals", () => {
   expect(formatFactor(null)).toBe("–");
 });
 
-it("says durations as a person does", () => {
+it("writes durations in usual units", () => {
   expect(formatDuration(16.887)).toBe("16.9\u00a0s");
   expect(formatDuration(245)).toBe("4\u00a0min 05\u00a0s");
   // Not "60 min": rounding goes first.

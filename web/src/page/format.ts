@@ -16,7 +16,7 @@ function groupDigits(text: string): string {
 
 /**
  * A number with `digits` significant ones; whole numbers below a million stay whole. No number: a dash.
- * `keepZeros` says how well a result is known: 2.80 and not 2.8.
+ * `keepZeros` keeps the precision of a result: 2.80 and not 2.8.
  */
 export function formatNumber(value: number | null | undefined, digits = 4, keepZeros = false): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -64,7 +64,7 @@ export function formatQuantity(value: number | null | undefined, unit: Unit, dig
 export const formatValue = (value: number, unit: string, digits = 4): string =>
   formatQuantity(value, { name: unit, si: 1 }, digits);
 
-/** Seconds as a person says them: "16.9 s", "4 min 05 s", "2 h 10 min". */
+/** Duration in usual units: "16.9 s", "4 min 05 s", "2 h 10 min". */
 export function formatDuration(seconds: number): string {
   if (seconds < 120) return `${formatNumber(seconds, 3)}\u00a0s`;
   const whole = Math.round(seconds);

@@ -44,7 +44,7 @@ describe("listBlocks", () => {
 });
 
 describe("writeToml", () => {
-  it("writes what the case file gave, and heads only where something stands below", () => {
+  it("writes what the case file gave, and heads only above contents", () => {
     expect(writeToml(input, true)).toBe(
       [
         'title = "A \\"cut\\""',
@@ -69,7 +69,7 @@ describe("writeToml", () => {
     );
   });
 
-  it("writes defaults when asked, but no value that is none", () => {
+  it("writes defaults on request, but no empty values", () => {
     const text = writeToml(input, false);
     expect(text).toContain("dimension = 2");
     expect(text).not.toMatch(/tensile_strength|null|line =/);

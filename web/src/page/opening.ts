@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the viewer opens on where slip surfaces of other methods lie over the material points. */
+/** Initial state of the viewer with slip surfaces of other methods over the material points. */
 import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/curve/rest";
 import type { Report } from "../contract";
@@ -34,7 +34,7 @@ export function openAtMechanism(report: Report): void {
   if (!found) return;
   sequenceIndex.value = found.sequence;
   frameIndex.value = found.frame;
-  // Those of all trials are the strains of the run-away ones, next to which a slip band pales. Another sequence has its
+  // Limits over all trials are the strains of the failed ones, next to which a slip band is pale. Another sequence has its
   // usual limits again.
   const usual = limitMode.value;
   limitMode.value = "frame";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What happens around printing: light colours, all parts drawn, everything folded out, a running title. */
+/** Prepares printing: light colours, all parts drawn, everything unfolded, a running title. */
 import { formatDate } from "./format";
 import { drawEverything } from "./Lazy";
 import type { Report } from "../contract";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which factors of safety the answer shows at once; the others stand behind a fold. */
+/** Selects the factors of safety that the answer shows at once; the others are folded. */
 import type { Factor, MethodTable } from "../contract";
 
 /** γ_R of the design values, which divides the factor of safety; 1 without. */
@@ -9,7 +9,7 @@ export const getResistance = (table: MethodTable | undefined) =>
 /** A fold for fewer rows saves nothing. */
 const worthFolding = 3;
 
-/** Of material points alone all; of several methods the main ones and those that tell why they differ. */
+/** With MPM alone all factors; with several methods the main ones and those that explain the differences. */
 export function splitFactors(factors: Factor[]): { shown: Factor[]; folded: Factor[] } {
   if (factors.every((factor) => factor.method === "mpm")) return { shown: factors, folded: [] };
   const main = factors.find((factor) => factor.method === "lem" && factor.main);

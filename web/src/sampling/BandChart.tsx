@@ -11,10 +11,10 @@ import { formatShare } from "./probability";
 
 interface Props {
   title: string;
-  /** Of the abscissa. */
+  /** Title of the abscissa. */
   axis: string;
   axisUnit: string;
-  /** Of the ordinate. */
+  /** Title of the ordinate. */
   probability: string;
   /** [x, probability, lower, upper]. */
   points: number[][];

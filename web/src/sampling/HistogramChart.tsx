@@ -14,7 +14,7 @@ interface Props {
   values: SampledValues;
   title: string;
   unit: string;
-  /** What lies below fails. */
+  /** Samples below this limit fail. */
   limit: number | null;
   probability: number | null;
   part: string;

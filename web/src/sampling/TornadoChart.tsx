@@ -23,7 +23,7 @@ export interface TornadoBar {
 
 interface TornadoProps {
   bars: TornadoBar[];
-  /** Where no number is changed; null: not known. */
+  /** Result without changes; null: unknown. */
   base: number | null;
   titles: { chart: string; low: string; high: string; axis: string; note: string };
   part: string;

@@ -33,7 +33,7 @@ function useFactors(map: FactorMap | undefined): Float32Array | null {
   return values && values.id === map?.factor.id ? values.factors : null;
 }
 
-/** Of a search on a grid its own map; of other searches the trial circles, which lie denser where it matters. */
+/** Map of centres: that of a search on a grid, else of the trial circles, which are denser near the minimum. */
 function useMap(slices: Slices, method: string): CentreMap | null {
   const map = slices.maps.find((m) => m.method === method);
   const values = useFactors(map);

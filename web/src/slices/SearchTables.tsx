@@ -14,13 +14,13 @@ const kinds: Record<SliceSearch["kind"], string> = {
 
 function describeRanges(search: SliceSearch): string {
   const { length } = report.value.units;
-  const tell = formatCoordinate;
+  const formatPlace = formatCoordinate;
   const parts = [];
-  if (search.exit) parts.push(`exit from x = ${tell(search.exit[0]!)} to ${tell(search.exit[1]!)} ${length.name}`);
-  if (search.entry) parts.push(`entry from x = ${tell(search.entry[0]!)} to ${tell(search.entry[1]!)} ${length.name}`);
+  if (search.exit) parts.push(`exit from x = ${formatPlace(search.exit[0]!)} to ${formatPlace(search.exit[1]!)} ${length.name}`);
+  if (search.entry) parts.push(`entry from x = ${formatPlace(search.entry[0]!)} to ${formatPlace(search.entry[1]!)} ${length.name}`);
   if (search.grid?.length === 2)
     parts.push(
-      `centres from (${search.grid[0]!.map(tell).join(", ")}) to (${search.grid[1]!.map(tell).join(", ")}) ${length.name}`,
+      `centres from (${search.grid[0]!.map(formatPlace).join(", ")}) to (${search.grid[1]!.map(formatPlace).join(", ")}) ${length.name}`,
     );
   return parts.length ? `: ${parts.join("; ")}` : "";
 }
@@ -97,7 +97,7 @@ export function Minima({ slices, selected, lit, light }: MinimaProps) {
   const minima = slices.minima.filter((m) => m.method === selected.method);
   if (minima.length === 0) return null;
   const { length } = report.value.units;
-  const tell = formatCoordinate;
+  const formatPlace = formatCoordinate;
   return (
     <figure class="chart-figure" aria-label="Local minima">
       <h4>Local minima, {titleMethod(slices, selected.method)}</h4>
@@ -107,9 +107,9 @@ export function Minima({ slices, selected, lit, light }: MinimaProps) {
             <button type="button" aria-pressed={lit === m} onClick={() => light(lit === m ? null : m)}>
               <strong>F = {m.factor.toFixed(3)}</strong>
               {m.circle &&
-                ` centre (${m.circle.centre.map(tell).join(", ")}), radius ${formatNumber(m.circle.radius / length.si, 4)} ${length.name}`}
+                ` centre (${m.circle.centre.map(formatPlace).join(", ")}), radius ${formatNumber(m.circle.radius / length.si, 4)} ${length.name}`}
               {m.points.length > 1 &&
-                `, from x = ${tell(m.points[0]![0]!)} to ${tell(m.points.at(-1)![0]!)} ${length.name}`}
+                `, from x = ${formatPlace(m.points[0]![0]!)} to ${formatPlace(m.points.at(-1)![0]!)} ${length.name}`}
             </button>
           </li>
         ))}

@@ -55,7 +55,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
     () => (trials && show !== "best" ? makeBands(trials.low, below, chooseColours(dark)) : null),
     [trials, show, below, dark],
   );
-  /** Those beyond the bands are grey, or not drawn. */
+  /** Trials beyond the bands are grey, or not drawn. */
   const most = show === "best" ? 0 : show === "below" ? below : Infinity;
   const others = slices.surfaces.filter((s) => s !== selected && s.factor !== null);
   const { exit, entry } = slices.search ?? {};

@@ -25,9 +25,9 @@ export function traceContour(
       for (let k = 0; k < 4; ++k) {
         const [a, b] = [values[k]!, values[(k + 1) % 4]!];
         if (a < level === b < level) continue;
-        const share = (level - a) / (b - a);
+        const fraction = (level - a) / (b - a);
         const [from, to] = [corners[k]!, corners[(k + 1) % 4]!];
-        cuts.push([from[0] + share * (to[0] - from[0]) + 0.5, from[1] + share * (to[1] - from[1]) + 0.5]);
+        cuts.push([from[0] + fraction * (to[0] - from[0]) + 0.5, from[1] + fraction * (to[1] - from[1]) + 0.5]);
       }
       // Four cuts are a saddle: which pairs belong together is open, and either is right.
       for (let k = 0; k + 1 < cuts.length; k += 2) segments.push([...cuts[k]!, ...cuts[k + 1]!]);

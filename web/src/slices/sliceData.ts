@@ -18,7 +18,7 @@ export const titleMethod = (slices: Slices, name: string) => slices.methods.find
 export interface SliceColumn {
   name: string;
   title: string;
-  /** For the head of the table, where an index stands below the line. */
+  /** Text for the head of the table, with subscripts. */
   symbol: string;
   unit: string;
   values: (number | string | null)[];
@@ -38,7 +38,7 @@ type MakeColumn = (
   digits?: number | "place",
 ) => SliceColumn[];
 
-/** What the strength after a rapid drawdown comes from. */
+/** Columns on the strength after a rapid drawdown. */
 const makeDrawdownColumns = (drawn: DrawnSurface, column: MakeColumn, stress: { name: string; si: number }) => [
   ...column("normal_before", "Effective normal stress before drawdown", "σ′_fc", stress, drawn.normal, false),
   ...column("shear_before", "Shear stress before drawdown", "τ_fc", stress, drawn.shear, false),
@@ -119,7 +119,7 @@ export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
   ];
 }
 
-/** Trials of one method: which stand, from the safest to the weakest, and the limits of their colours. */
+/** Trials of one method that are drawn, from the safest to the weakest, and the limits of their colours. */
 export interface RankedTrials {
   order: Uint32Array;
   factors: Float32Array;
@@ -134,7 +134,7 @@ export function rankTrials(all: ArrayLike<number>, methods: number, method: numb
   if (!order.length) return null;
   order.sort((a, b) => factors[b]! - factors[a]!);
   const low = factors[order.at(-1)!]!;
-  // Outliers do not stretch the colours: the safest fifth shares its colour.
+  // Outliers do not stretch the colours: the safest fifth has one colour.
   const high = factors[order[Math.floor(order.length / 5)]!]!;
   return { order, factors, low, high: Math.max(high, low * 1.05) };
 }

@@ -89,7 +89,7 @@ describe("the line of thrust", () => {
   const trace = (thrust_right: (number | null)[]) =>
     traceThrust({ slices: { ...slices, thrust_right } } as unknown as SlicedSurface);
 
-  it("is drawn where it stands in the mass or just beside it, without its last point", () => {
+  it("is drawn in the mass or just beside it, without its last point", () => {
     expect(trace([0.5, 0.7, -0.3, 2.4, 1])).toEqual([
       [
         [1, 0.5],

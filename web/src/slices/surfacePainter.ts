@@ -28,7 +28,7 @@ export function drawSlices({ context, place, theme }: Pen, { slices }: SlicedSur
   context.globalAlpha = 1;
 }
 
-/** Where the forces between slices act; a method without them has no such line. */
+/** Returns whether a surface has a line of thrust; methods without interslice forces have none. */
 export function hasThrust({ slices }: SlicedSurface): boolean {
   return !!slices && slices.normal_right.some((e) => e) && slices.thrust_right.some((y) => y !== null && y !== 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What is behind the factor of safety in time: the balance of the water, and every time that was tried. */
+/** Details of the factor of safety in time: the water balance, and every searched time. */
 import { formatNumber } from "../charts/base/numbers";
 import { ChartTable, numbers } from "../page/DataTable";
 import type { Release } from "../contract/timeline";
@@ -8,7 +8,7 @@ import { report } from "../state";
 import { chooseMoment, chosenMoment, findRelease, showRelease } from "./chosen";
 import "./timeline.css";
 
-/** What moved after each hand-over: how much of it hangs on its time. */
+/** Moved soil after each release, and its dependence on the time of release. */
 function Releases({ releases }: { releases: Release[] }) {
   const { units } = report.value;
   const length = (x: number) => formatQuantity(x, units.displacement);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What of the timeline is shown: the time, one for the curve, the section and the table; the released points. */
+/** Shown part of the timeline: one time for the curve, the section and the table; the released points. */
 import { signal } from "@preact/signals";
 
 import type { Release, Timeline } from "../contract/timeline";
@@ -26,7 +26,7 @@ export function chooseMoment(moment: number) {
 export type FirstFigure = "time" | "motion";
 const figure = signal<FirstFigure | null>(null);
 
-/** Which first figure is shown: where points were released, where they came to lie is the answer. */
+/** Selects the first figure: with a release it is the final position of the soil. */
 export function chosenFigure(timeline: Timeline): FirstFigure {
   const moved = timeline.releases?.some((r) => r.error === null) ?? false;
   return report.value.sequences.length === 0 ? "time" : (figure.value ?? (moved ? "motion" : "time"));

@@ -17,7 +17,7 @@ export function findRain(conditions: HydraulicCondition[]): HydraulicCondition["
   return rains.sort((a, b) => most(b) - most(a))[0]?.series;
 }
 
-/** That series between 0 and `duration` [s]; rows that change linearly have their mean. */
+/** The rain series between 0 and `duration` [s]; rows that change linearly have their mean. */
 export function listRain(conditions: HydraulicCondition[], duration: number): RainBar[] {
   const series = findRain(conditions);
   if (!series) return [];
@@ -49,8 +49,8 @@ export function listLevels(conditions: HydraulicCondition[], duration: number): 
       const i = time.findIndex((later) => later > t);
       if (i < 0) return values.at(-1)!;
       if (i === 0) return values[0]!;
-      const share = (t - time[i - 1]!) / (time[i]! - time[i - 1]!);
-      return values[i - 1]! + share * (values[i]! - values[i - 1]!);
+      const fraction = (t - time[i - 1]!) / (time[i]! - time[i - 1]!);
+      return values[i - 1]! + fraction * (values[i]! - values[i - 1]!);
     };
     const inside = time.flatMap((t, i): [number, number][] => (t >= 0 && t <= duration ? [[t, values[i]!]] : []));
     const before: [number, number] = [0, inside.length && inside[0]![0] === 0 ? inside[0]![1] : at(0)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What is drawn besides and instead of the points. */
+/** Menu of the layers drawn besides and instead of the points. */
 import { report, sequence } from "../state";
 import { findComponents } from "./arrows";
 import { Choice } from "./Choice";
@@ -9,7 +9,7 @@ import { arrowQuantity, arrowTitles, chosenSurfaces, layers, layerTitles, type A
 function hasLayer(name: LayerName): boolean {
   const { model } = report.value;
   if (name === "water") return model.water.length > 0 || (model.dimension === 2 && hasPressure());
-  // Where the water table of each frame is not known, that of the start is the water table.
+  // Without a water table of each frame, the initial one is the water table.
   if (name === "startWater") return (model.water.at(-1)?.tables.length ?? 0) > 0 && hasPressure();
   if (name === "hydraulics") return report.value.water?.conditions.some((c) => c.lines.length > 0) ?? false;
   if (name === "mesh") return model.mesh.cells !== undefined;
@@ -25,7 +25,7 @@ function hasLayer(name: LayerName): boolean {
 
 const hasPressure = () => sequence.value?.fields.some((f) => f.name === "pore_pressure") ?? false;
 
-/** Names that say what the layer is in this model. */
+/** Names of the layers in this model. */
 function writeName(name: LayerName): string {
   if (report.value.model.dimension === 2) return layerTitles[name];
   return name === "mesh" ? "Surface of the background mesh" : name === "rulers" ? "Axes and box" : layerTitles[name];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the lines and symbols in the section mean. */
+/** Key to the lines and symbols in the section. */
 import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";
 import { writeCondition } from "../page/format";

@@ -13,7 +13,7 @@ import { PointHistory } from "./PointHistory";
 import { frame, shown, type Shown } from "./shown";
 import type { Stage } from "./stage";
 
-/** Numbers of all fields that are kept decoded; above, each is read for the picked point and let go. */
+/** Number of fields that stay decoded; beyond it, each is read for the picked point and released. */
 const keptNumbers = 3e7;
 
 /** The picked point's values over the frames, per field; they come in one after the other. */

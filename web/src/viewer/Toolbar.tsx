@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What is shown: sequence, field; what is needed less often stands in menus. */
+/** Selects sequence and field; settings that are needed less often are in menus. */
 import { fieldName, report, sequenceIndex } from "../state";
 import { Choice } from "./Choice";
 import { ColourMenu } from "./ColourMenu";

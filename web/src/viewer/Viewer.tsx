@@ -32,7 +32,7 @@ const directions: Record<string, [number, number]> = {
   ArrowDown: [0, 1],
 };
 
-/** What a key does; false for a key that is not the viewer's. */
+/** Acts on a key; returns false for a key that the viewer does not use. */
 function actOnKey(event: KeyboardEvent, stage: Stage): boolean {
   if (event.ctrlKey || event.altKey || event.metaKey) return false;
   const direction = directions[event.key];
@@ -111,7 +111,7 @@ function closeMenus(): () => void {
   };
 }
 
-/** What the picture shows, for who cannot see it. */
+/** Describes the picture for screen readers. */
 function describe(): string {
   const frames = sequence.value?.frames ?? [];
   const label = frames[Math.min(frameIndex.value, frames.length - 1)]?.label ?? "";

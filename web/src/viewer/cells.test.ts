@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { findCells, measureArea, type Cells } from "./cells";
 import { findMovedLimits } from "./moved";
 import { toLocal } from "./painter";
-import { shareVolume } from "./sizes";
+import { distributeVolume } from "./sizes";
 
 /** Points near the middles of squares of side 0.5 in a box of 20 m by 10 m, those left out where `isGap`. */
 function makeBlock(isGap: (x: number, y: number) => boolean = () => false) {
@@ -17,7 +17,7 @@ function makeBlock(isGap: (x: number, y: number) => boolean = () => false) {
   return { positions: Float32Array.from(at), sizes: new Float32Array(at.length / 2).fill(0.5) };
 }
 
-/** Whether a place lies in one of the triangles. */
+/** Returns whether a place lies in one of the triangles. */
 function isCovered(cover: ArrayLike<number>, x: number, y: number): boolean {
   for (let t = 0; t < cover.length; t += 6) {
     const side = (i: number, j: number) => {
@@ -30,7 +30,7 @@ function isCovered(cover: ArrayLike<number>, x: number, y: number): boolean {
   return false;
 }
 
-/** What the painter decides for a pixel: it belongs to the nearest point, if its cell goes there. */
+/** The painter's rule for a pixel: it belongs to the nearest point, if its cell extends to it. */
 function isDrawn(cells: Cells, positions: Float32Array, x: number, y: number): boolean {
   let [best, distance] = [-1, Infinity];
   for (let i = 0; i < cells.radii.length; ++i) {
@@ -85,19 +85,19 @@ it("draws no point that left the grid, and a lonely one with half its size", () 
   expect(radii[9]).toBeCloseTo(0.25, 6);
 });
 
-it("stands up to few points, to points in a line and to points at the same place", () => {
+it("handles few points, to points in a line and to points at the same place", () => {
   for (const at of [[], [1, 1], [1, 1, 2, 2], [0, 0, 1, 0, 2, 0, 3, 0], [1, 1, 1, 1, 1, 1, 2, 2]]) {
     const { radii } = findCells(Float32Array.from(at), new Float32Array(at.length / 2).fill(0.5));
     for (const radius of radii) expect(radius).toBeGreaterThanOrEqual(0.25);
   }
 });
 
-it("shares the body out by volume: squares and cubes together fill what the mean ones do", () => {
-  const sizes = shareVolume([1, 4, 4, 7, NaN], 5, 2, 2);
+it("divides the body by volume: squares and cubes together fill what the mean ones do", () => {
+  const sizes = distributeVolume([1, 4, 4, 7, NaN], 5, 2, 2);
   expect([...sizes].slice(0, 4).reduce((sum, side) => sum + side ** 2, 0)).toBeCloseTo(4 * 2 ** 2, 4);
   expect(sizes[1]! / sizes[0]!).toBeCloseTo(2, 6);
   expect(sizes[4]).toBe(2);
-  const cubes = shareVolume([1, 8], 2, 1, 3);
+  const cubes = distributeVolume([1, 8], 2, 1, 3);
   expect(cubes[1]! / cubes[0]!).toBeCloseTo(2, 6);
 });
 

@@ -86,8 +86,8 @@ export function findCells(
     const [n, m] = [findNormal(before), findNormal(after)];
     const k = triangles[after]!;
     // The mitre of a sharp corner is cut.
-    const share = (0.5 * size(k)) / Math.max(0.6, 1 + n[0] * m[0] + n[1] * m[1]);
-    const out: [number, number] = [at[2 * k]! + share * (n[0] + m[0]), at[2 * k + 1]! + share * (n[1] + m[1])];
+    const fraction = (0.5 * size(k)) / Math.max(0.6, 1 + n[0] * m[0] + n[1] * m[1]);
+    const out: [number, number] = [at[2 * k]! + fraction * (n[0] + m[0]), at[2 * k + 1]! + fraction * (n[1] + m[1])];
     widen(k, Math.hypot(out[0] - at[2 * k]!, out[1] - at[2 * k + 1]!));
     return [Math.min(walls[2]!, Math.max(walls[0]!, out[0])), Math.max(walls[1]!, out[1])];
   };

@@ -82,8 +82,8 @@ export function tabulateCategories(): Uint8Array {
 
 /** Place of a value in the table, 0 to 255; -1 for no value. */
 export function findColour(value: number, scale: Scale): number {
-  const share = findShare(value, scale);
-  return Number.isNaN(share) ? -1 : Math.min(255, Math.floor(share * 255 + 0.5));
+  const fraction = findShare(value, scale);
+  return Number.isNaN(fraction) ? -1 : Math.min(255, Math.floor(fraction * 255 + 0.5));
 }
 
 /** Colour of a place in the table as CSS. */

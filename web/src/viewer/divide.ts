@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Where a section is divided whose soil moves to both sides, as an embankment does on soft ground. */
+/** Divides a section whose soil moves to both sides, such as an embankment on soft ground. */
 
 /** Soil on the left of `x` moved in the direction `left` (-1, 1) of x, soil on its right in the other. */
 export interface Divide {

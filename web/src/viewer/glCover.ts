@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What makes the cells of a section one body: its triangles become opaque, the rest of the cells is taken away. */
+/** Joins the cells of a section to one body: its triangles become opaque, the rest of the cells is removed. */
 import {
   AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DstAlphaFactor, DynamicDrawUsage, Mesh, OneFactor,
   ShaderMaterial, Sphere, Vector3, ZeroFactor, type BlendingDstFactor, type BlendingSrcFactor, type Scene,

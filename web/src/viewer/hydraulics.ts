@@ -14,8 +14,8 @@ export function evaluateSeries(condition: HydraulicCondition, time: number): num
   while (i + 1 < times.length && times[i + 1]! <= time) ++i;
   if (i < 0) return values[0]!;
   if (i + 1 === times.length) return values[i]!;
-  const share = (time - times[i]!) / (times[i + 1]! - times[i]!);
-  return values[i]! + share * (values[i + 1]! - values[i]!);
+  const fraction = (time - times[i]!) / (times[i + 1]! - times[i]!);
+  return values[i]! + fraction * (values[i + 1]! - values[i]!);
 }
 
 /** The parts of a line that lie below a level, in metres. */
@@ -29,8 +29,8 @@ export function clipBelow(line: number[][], level: number): number[][][] {
   line.forEach((p, i) => {
     const q = line[i - 1];
     if (q && q[1]! < level !== p[1]! < level && q[1] !== p[1]) {
-      const share = (level - q[1]!) / (p[1]! - q[1]!);
-      part.push([q[0]! + share * (p[0]! - q[0]!), level]);
+      const fraction = (level - q[1]!) / (p[1]! - q[1]!);
+      part.push([q[0]! + fraction * (p[0]! - q[0]!), level]);
       if (p[1]! >= level) end();
     }
     if (p[1]! < level || (p[1] === level && (!q || q[1]! <= level))) part.push(p);
@@ -64,8 +64,8 @@ function drawLineArrows(sketch: Sketch, line: Pixel[], length: number, aim: (out
     if (side < 0) out = [-out[0], -out[1]];
     const [dx, dy] = aim(out);
     for (let k = 0; k < count; ++k) {
-      const share = (k + 0.5) / count;
-      const foot: Pixel = [a[0] + share * (b[0] - a[0]) + 4 * out[0], a[1] + share * (b[1] - a[1]) + 4 * out[1]];
+      const fraction = (k + 0.5) / count;
+      const foot: Pixel = [a[0] + fraction * (b[0] - a[0]) + 4 * out[0], a[1] + fraction * (b[1] - a[1]) + 4 * out[1]];
       const far: Pixel = [foot[0] + length * dx, foot[1] + length * dy];
       const [from, to] = inwards ? [far, foot] : [foot, far];
       const [ux, uy] = inwards ? [-dx, -dy] : [dx, dy];

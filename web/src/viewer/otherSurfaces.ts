@@ -5,7 +5,7 @@ import { chosenSurfaces } from "./settings";
 
 export type OtherSurface = NamedSurface & { shown: boolean };
 
-/** Those of material points are the viewer's own. */
+/** Slip surfaces of other methods; those of MPM are drawn by the viewer itself. */
 export function listOtherSurfaces(): OtherSurface[] {
   return listSurfaces()
     .filter((surface) => surface.method !== "mpm")

@@ -17,7 +17,7 @@ import type { Theme } from "./theme";
 export interface Overlay {
   model: Model;
   layers: Record<LayerName, boolean>;
-  /** Whether the view is turned in space. */
+  /** True while the view is rotated in space. */
   inSpace: boolean;
   /** Front and back of the body along z [m]; equal for a section seen from the front. */
   depth: [number, number];
@@ -25,25 +25,25 @@ export interface Overlay {
   /** One, or one of each side. */
   slips: [number, number][][];
   ridge: [number, number][];
-  /** Of slices and finite elements. */
+  /** Slip surfaces of LEM and FEM. */
   otherSurfaces: OtherSurface[];
-  /** Of the shown frame; null where it is not known, and that of the start is drawn. */
+  /** Water tables of the shown frame; null where unknown, and the initial one is drawn. */
   waterTables: [number, number][][] | null;
   hydraulics: HydraulicCondition[];
-  /** Of the shown frame [s]. */
+  /** Time of the shown frame [s]. */
   time: number;
   /** Closed lines around the body as it is now. */
   present: [number, number][][];
-  /** Where the point is now that lay nearest to a place at first [m]. */
+  /** Present position of the point that was nearest to a place at first [m]. */
   follow: (at: readonly number[]) => Vec;
   arrows: ArrowField | null;
   monitors: { name: string; at: Vec }[];
   picked: Vec | null;
-  /** Where the picked point stood in each frame. */
+  /** Position of the picked point in each frame. */
   path: Vec[];
 }
 
-/** Where water tables end on the ground, and not at an outer side of the model. */
+/** Ends of water tables on the ground, without those at an outer side of the model. */
 export function findExits(tables: [number, number][][], [low, high]: [Vec, Vec]): [number, number][] {
   const near = 0.015 * (high[0] - low[0]);
   const isOpen = ([a, b]: [number, number][]) => Math.hypot(a![0] - b![0], a![1] - b![1]) > near;

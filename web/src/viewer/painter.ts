@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the two ways of drawing the body, WebGL and the plain canvas, have in common. */
+/** Common interface of the two ways of drawing the body, WebGL and the plain canvas. */
 import type { Camera, Vec } from "./camera";
 import type { Scale } from "./scale";
 
@@ -15,7 +15,7 @@ export interface Body {
   values: Float32Array;
   /** [point] radius [m] that a point is drawn with; 0 for a point that is not shown, below 0 where it has no value. */
   radii: Float32Array;
-  /** What cuts the cells of a section where the soil ends; null in space, where points are shaded spheres. */
+  /** Cover that cuts the cells of a section where the soil ends; null in space, where points are shaded spheres. */
   cover: Cover | null;
   scale: Scale;
   /** 256 colours as red, green, blue, 255. */

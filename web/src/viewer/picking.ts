@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which point stands under a pixel, or next to another point in a direction. */
+/** Finds the point under a pixel, or next to another point in a direction. */
 import { pickedPoint } from "../state";
 import { inSpace } from "./settings";
 import { shown } from "./shown";

@@ -8,7 +8,7 @@ import { paperTheme } from "./theme";
 /** Width that the picture is laid out in for paper [px], so that its texts can be read there. */
 const paperWidth = 760;
 
-/** What a picture needs of the stage. */
+/** Parts of the stage that a picture needs. */
 interface Pictured {
   readonly camera: { width: number; height: number };
   drawInto(context: CanvasRenderingContext2D, theme: Theme, density: number): void;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Where soil shears most: the ridge of the deviatoric strain. */
+/** Axis of the largest shear: the ridge of the deviatoric strain. */
 import { findLeft } from "./moved";
 import { smooth } from "./smooth";
 

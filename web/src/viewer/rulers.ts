@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What tells lengths and directions: rulers along a section, a box with lengths and the axes in space. */
+/** Rulers: along a section, or a box with lengths and the axes in space. */
 import { report } from "../state";
 import type { Camera, Vec } from "./camera";
 import { makeTicks } from "./format";
@@ -104,8 +104,8 @@ export function drawBox(context: CanvasRenderingContext2D, camera: Camera, box: 
     const [dx, dy] = [(a[0] + b[0]) / 2 - middle[0], (a[1] + b[1]) / 2 - middle[1]];
     if (out[0] * dx + out[1] * dy < 0) out = [-out[0], -out[1]];
     for (const tick of makeTicks(low[k]! / si, high[k]! / si, Math.max(2, length / 70))) {
-      const share = (tick.value * si - low[k]!) / (high[k]! - low[k]!);
-      const [x, y] = [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
+      const fraction = (tick.value * si - low[k]!) / (high[k]! - low[k]!);
+      const [x, y] = [a[0] + fraction * (b[0] - a[0]), a[1] + fraction * (b[1] - a[1])];
       strokeLine(context, [[x, y], [x + 5 * out[0], y + 5 * out[1]]], { colour: theme.muted, width: 1 });
       context.fillStyle = theme.muted;
       context.fillText(tick.text, x + 15 * out[0], y + 13 * out[1]);

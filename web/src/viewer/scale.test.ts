@@ -8,7 +8,7 @@ import { bandColours, findShare, makeLevels, makeScale } from "./scale";
 describe("a logarithmic scale", () => {
   const scale = makeScale(0.001, 1, true);
 
-  it("gives each decade the same share", () => {
+  it("gives each decade the same fraction", () => {
     [0.001, 0.01, 0.1, 1].forEach((value, i) => expect(findShare(value, scale)).toBeCloseTo(i / 3, 10));
     expect(findShare(0, scale)).toBe(0);
     expect(findShare(50, scale)).toBe(1);

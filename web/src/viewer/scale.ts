@@ -22,10 +22,10 @@ export function makeScale(low: number, high: number, logarithmic = false): Scale
 /** Share, 0 to 1, of the way from the lower to the upper end; NaN for no value. */
 export function findShare(value: number, { low, high, logarithmic }: Scale): number {
   if (Number.isNaN(value)) return NaN;
-  const share = logarithmic
+  const fraction = logarithmic
     ? Math.log(Math.max(value, 1e-30) / low) / Math.log(high / low)
     : (value - low) / (high - low || 1);
-  return Math.min(1, Math.max(0, share));
+  return Math.min(1, Math.max(0, fraction));
 }
 
 export interface Level {
@@ -56,10 +56,10 @@ export function makeLevels(scale: Scale, count: number): Level[] {
  * (increasing, within 0 and 1). The bands' colours run evenly over the whole table.
  */
 export function bandColours(table: Uint8Array, ends: number[]): Uint8Array {
-  const inner = ends.filter((share) => share > 0.004 && share < 0.996);
+  const inner = ends.filter((fraction) => fraction > 0.004 && fraction < 0.996);
   const banded = new Uint8Array(table.length);
   for (let i = 0; i < 256; ++i) {
-    const band = inner.filter((share) => share <= (i + 0.5) / 256).length;
+    const band = inner.filter((fraction) => fraction <= (i + 0.5) / 256).length;
     const from = Math.round((255 * band) / Math.max(1, inner.length));
     banded.set(table.subarray(4 * from, 4 * from + 4), 4 * i);
   }

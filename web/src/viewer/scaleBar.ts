@@ -4,7 +4,7 @@ import { writeColour } from "./colours";
 import { findShare, makeLevels, type Level, type Scale } from "./scale";
 import type { Theme } from "./theme";
 
-/** Width of the canvas [px] from which the bar stands upright at the right; below, it lies along the top. */
+/** Width of the canvas [px] from which the bar is vertical at the right; below, it is horizontal at the top. */
 export const uprightFrom = 900;
 
 export interface Bar {
@@ -14,7 +14,7 @@ export interface Bar {
   scale: Scale;
   /** Ends of bands in that unit, or null where colours run. */
   levels: Level[] | null;
-  /** Whether there are values beyond the ends. */
+  /** True with values beyond the ends. */
   below: boolean;
   above: boolean;
 }
@@ -68,7 +68,7 @@ function drawBar(
   const length = upright ? height - 160 : Math.min(240, width - 90);
   const thick = upright ? 14 : 10;
   const [x, y] = upright ? [width - 74, 48] : [(width - length) / 2, 26];
-  /** Pixel along the bar of a share of its length, from the low end. */
+  /** Pixel along the bar at a fraction of its length, from the low end. */
   const at = (share: number) => (upright ? y + length * (1 - share) : x + length * share);
   for (let p = 0; p < length; ++p) {
     context.fillStyle = writeColour(bar.colours, Math.round((255 * p) / (length - 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the reader has set in the viewer: colours, limits, layers, arrows, the view in space, playing. */
+/** Settings of the viewer by the reader: colours, limits, layers, arrows, the view in space, playing. */
 import { signal } from "@preact/signals";
 
 import { report, sequenceIndex, frameIndex, fieldName } from "../state";
@@ -15,10 +15,10 @@ export const handLimits = signal<[number, number]>([0, 1]);
 
 /** How many bands of one colour the scale has, about; 0 for colours that run. */
 export const bands = signal(0);
-/** Whether strains, displacements and the like are coloured by their logarithm. */
+/** True while strains, displacements and similar fields are coloured by their logarithm. */
 export const logarithmic = signal(false);
 
-/** What arrows may show, by the name of the field. */
+/** Titles of the fields that arrows may show. */
 export const arrowTitles = {
   none: "None",
   displacement: "Displacement",
@@ -26,7 +26,7 @@ export const arrowTitles = {
   darcy_velocity: "Flow of the water",
 } as const;
 export type ArrowQuantity = keyof typeof arrowTitles;
-/** What arrows show. */
+/** Field of the arrows. */
 export const arrowQuantity = signal<ArrowQuantity>("none");
 
 export const layerTitles = {
@@ -68,7 +68,7 @@ export const layers = signal<Record<LayerName, boolean>>({
 /** Names of surfaces of other methods that are drawn or not, where the reader has chosen. */
 export const chosenSurfaces = signal<{ [name: string]: boolean }>({});
 
-/** Whether the section is turned in space; always true for a model in three dimensions. */
+/** True while the section is rotated in space; always for a model in three dimensions. */
 export const inSpace = signal(false);
 /** Shares of the box, 0 to 1, along x, y and z between which points are shown. */
 export const cut = signal<[number, number][]>([[0, 1], [0, 1], [0, 1]]);

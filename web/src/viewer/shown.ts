@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What is shown now: the decoded arrays of the sequence and field. */
+/** Present data: the decoded arrays of the sequence and field. */
 import { computed, effect, signal } from "@preact/signals";
 
 import type { Sequence, SequenceField } from "../contract";
@@ -34,7 +34,7 @@ function makeMaterialField(current: Sequence): SequenceField {
   return { name: materialField, title: "material", unit, values: current.materials, scale, diverging: false };
 }
 
-/** What colours can show in the sequence. */
+/** Fields that colours can show in the sequence. */
 export const fields = computed<SequenceField[]>(() => {
   const now = sequence.value;
   return now ? [...now.fields, makeMaterialField(now)] : [];
@@ -76,7 +76,7 @@ async function loadShown(current: Sequence, wanted: SequenceField): Promise<void
 
 export const fail = (error: unknown) => void (failure.value = error instanceof Error ? error.message : String(error));
 
-/** Decodes what the reader asks to see; returns what ends that. */
+/** Decodes the selected field; returns the function that ends this. */
 export function startLoading(): () => void {
   const ends = [
     effect(() => {
@@ -89,7 +89,7 @@ export function startLoading(): () => void {
   return () => ends.forEach((end) => end());
 }
 
-/** Whether a logarithmic scale has a sense: for quantities that are never below 0 and not categories. */
+/** True for fields with a logarithmic scale: quantities that are never negative and not categories. */
 export const canBeLogarithmic = computed(() => {
   const now = field.value;
   return !!now && now.name !== materialField && !now.diverging && (now.values.range?.[0] ?? -1) >= 0;

@@ -11,10 +11,10 @@ import { frame, shown, takeFrame, takePositions, type Shown } from "./shown";
 const sphereShare = 0.72;
 
 /**
- * Side [m] of the square or cube that each point stands for: its share of the body by its volume. Points left out of
+ * Side [m] of the square or cube that each point stands for: its fraction of the body by its volume. Points left out of
  * the report are so shared among those that are shown. A point without a volume has the mean size.
  */
-export function shareVolume(volumes: ArrayLike<number> | null, count: number, spacing: number, dimension: number) {
+export function distributeVolume(volumes: ArrayLike<number> | null, count: number, spacing: number, dimension: number) {
   const sizes = new Float32Array(count).fill(spacing);
   if (!volumes) return sizes;
   let [sum, found] = [0, 0];
@@ -32,7 +32,7 @@ export const sizes = computed<Float32Array>(() => {
   if (!now) return new Float32Array();
   const count = now.sequence.point_count;
   const volumes = now.volumes && takeFrame(now.volumes, frame.value, count);
-  return shareVolume(volumes, count, now.spacing, report.value.model.dimension);
+  return distributeVolume(volumes, count, now.spacing, report.value.model.dimension);
 });
 
 /** Numbers of cells that are kept, so that a second round of playing need not find them again. */
@@ -67,10 +67,10 @@ export const radii = computed<Float32Array>(() => {
   const flat = !inSpace.value && cells.value ? cells.value.radii : null;
   const sides = sizes.value;
   const [low, high] = now.box;
-  /** Whether a coordinate lies between the planes that the reader has set along an axis. */
+  /** Returns whether a coordinate is cut off by the planes that the reader has set along an axis. */
   const isCut = (place: number, k: number) => {
-    const share = (place - low[k]!) / (high[k]! - low[k]! || 1);
-    return share < cut.value[k]![0] - 1e-6 || share > cut.value[k]![1] + 1e-6;
+    const fraction = (place - low[k]!) / (high[k]! - low[k]! || 1);
+    return fraction < cut.value[k]![0] - 1e-6 || fraction > cut.value[k]![1] + 1e-6;
   };
   const hasCut = dimension === 3 && cut.value.some(([from, to]) => from > 0 || to < 1);
   const found = new Float32Array(count);
@@ -83,5 +83,5 @@ export const radii = computed<Float32Array>(() => {
   return found;
 });
 
-/** Whether some point has no value of the field in the shown frame. */
+/** True if some point has no value of the field in the shown frame. */
 export const hasNoValue = computed(() => radii.value.some((radius) => radius < 0));

@@ -153,7 +153,7 @@ export class Stage {
     this.camera.scales = [whole / 8, Math.max(whole, largestSpacing / (now.spacing * this.density))];
   }
 
-  /** Where a point stands in a frame, the shown one if none is named [m]; NaN where it is not there. */
+  /** Position of a point in a frame, by default the shown one [m]; NaN where it is absent. */
   locate(index: number, at = frame.value): Vec {
     const now = shown.value!;
     const { dimension } = report.value.model;
@@ -161,7 +161,7 @@ export class Stage {
     return [now.positions[from]!, now.positions[from + 1]!, dimension === 3 ? now.positions[from + 2]! : 0];
   }
 
-  /** Where the point is now that lay nearest to a place in the first frame [m]. */
+  /** Present position of the point that was nearest to a place in the first frame [m]. */
   private follow(at: readonly number[]): Vec {
     const now = shown.value!;
     const key = `${now.sequence.id} ${at.join(" ")}`;

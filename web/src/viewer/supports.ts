@@ -3,14 +3,14 @@
 
 type Point = [number, number];
 
-/** What a support's symbol is, from its kind in the case. */
+/** Symbol of a support by its kind in the case. */
 export function chooseSymbol(fix: string): "hatching" | "rollers" | "dashes" {
   return fix === "full" ? "hatching" : fix === "friction" ? "dashes" : "rollers";
 }
 
 /**
  * Draws one line of a support with its symbol on the side that is away from the model.
- * Hatching: held in all directions; rollers: held across, free along; dashed hatching: held by friction.
+ * Hatching: fixed in all directions; rollers: fixed across, free along; dashed hatching: friction.
  */
 export function drawSupport(context: CanvasRenderingContext2D, line: Point[], fix: string, middle: Point): void {
   const kind = chooseSymbol(fix);

@@ -16,7 +16,7 @@ export const slipSurfaces = signal<Line[]>([]);
 /** Corners of the ridge of the deviatoric strain in the shown frame [m]; empty where there is none. */
 export const strainRidge = signal<Line>([]);
 
-/** Lines of zero pore pressure in the shown frame; null where the frame tells no pressures. */
+/** Lines of zero pore pressure in the shown frame; null where the frame has no pressures. */
 export const waterTables = signal<Line[] | null>(null);
 
 /** Displacement above which soil counts as moved [m]: a hundredth of the slope's height, as for the moved volume. */

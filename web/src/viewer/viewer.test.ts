@@ -77,7 +77,7 @@ describe("ridge of the strain", () => {
     for (const [x, y] of line.slice(3, -3)) expect(Math.abs(y - circle(x))).toBeLessThan(spacing);
   });
 
-  it("is empty where nothing stands out", () => {
+  it("is empty without a band", () => {
     const { positions, strain, spacing } = makeBand(() => 7, 0);
     expect(findStrainRidge(positions, strain, spacing)).toEqual([]);
   });
@@ -131,7 +131,7 @@ describe("colours", () => {
 });
 
 describe("texts", () => {
-  it("tell neighbouring ticks apart", () => {
+  it("distinguish neighbouring ticks", () => {
     expect(makeTicks(-0.25, 0.5, 4).map((t) => t.text)).toEqual(["−0.2", "0.0", "0.2", "0.4"]);
     expect(makeTicks(0, 0.00247, 5).map((t) => t.text)).toEqual(["0.0000", "0.0005", "0.0010", "0.0015", "0.0020"]);
     expect(makeTicks(-220, -4, 5).map((t) => t.text)).toEqual(["−200", "−150", "−100", "−50"]);

@@ -17,7 +17,7 @@ function makeBox(table: (x: number) => number, block = 0) {
   for (let x = spacing / 2; x < 20; x += spacing)
     for (let y = spacing / 2; y < 10; y += spacing) at.push(x + draw(), y + draw());
   const positions = Float32Array.from(at);
-  // As in full elements, points of one block share the pressure of its middle.
+  // As in full elements, points of one block have the pressure of its centre.
   const middle = (v: number) => (block ? (Math.floor(v / block) + 0.5) * block : v);
   const pressure = Float32Array.from({ length: at.length / 2 }, (_, i) => {
     const [x, y] = [middle(at[2 * i]!), middle(at[2 * i + 1]!)];
@@ -38,7 +38,7 @@ describe("water table", () => {
     for (const [x, y] of lines[0]!) expect(Math.abs(y - table(x))).toBeLessThan(0.15 * spacing);
   });
 
-  it("stays within a point's distance where points share the pressure of their element", () => {
+  it("stays within a point's distance where points have the pressure of their element", () => {
     const { positions, pressure } = makeBox(table, 1);
     const lines = findWaterTable(positions, pressure, () => true, spacing);
     expect(lines).toHaveLength(1);

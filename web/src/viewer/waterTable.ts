@@ -124,8 +124,8 @@ export function findWaterTable(
   }
   const place = (e: number): [number, number] => {
     const [a, b] = [triangles[e]!, triangles[e % 3 === 2 ? e - 2 : e + 1]!];
-    const share = values[a]! / (values[a]! - values[b]!);
-    return [x[a]! + share * (x[b]! - x[a]!), y[a]! + share * (y[b]! - y[a]!)];
+    const fraction = values[a]! / (values[a]! - values[b]!);
+    return [x[a]! + fraction * (x[b]! - x[a]!), y[a]! + fraction * (y[b]! - y[a]!)];
   };
   const measure = (line: Line) =>
     line.reduce((sum, p, i) => (i ? sum + Math.hypot(p[0] - line[i - 1]![0], p[1] - line[i - 1]![1]) : 0), 0);

@@ -42,9 +42,9 @@ export interface WaterLayer {
   /** The colours, if a quantity is chosen; and what lies over them. */
   paint: (pen: Pen, opacity: number) => void;
   drawOver: (pen: Pen) => void;
-  /** What the reader must know of the quantity; empty without one. */
+  /** Note on the quantity; empty without one. */
   note: string;
-  /** Which state is shown, lines, arrows. */
+  /** Controls of the shown state, lines and arrows. */
   controls: preact.ComponentChildren;
 }
 
@@ -67,7 +67,7 @@ function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar;
   return { unit: length.si, bar: { ...flat, title: titleWithUnit("Head", length.name), colours, scale } };
 }
 
-/** Of the states that the methods began with; or of others, of which `given` is shown. */
+/** Layer of the initial states of the methods; or of others, of which `given` is shown. */
 export function useWaterLayer(
   quantity: WaterQuantity | null,
   { water, water_mesh }: WaterStates = report.value.model,

@@ -67,7 +67,7 @@ describe("texts", () => {
     report.value = { units: { length: { name: "m", si: 1 } } } as Report;
   });
 
-  it("tell a level as a person writes it", () => {
+  it("write a level in usual form", () => {
     expect([17, 17.256, -0.5].map(writeLevel)).toEqual(["17 m", "17.26 m", "−0.5 m"]);
   });
 

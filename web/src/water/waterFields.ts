@@ -88,8 +88,8 @@ export function traceLevel({ nodes, triangles }: Triangles, values: ArrayLike<nu
     for (let k = 0; k < 3; ++k) {
       const [a, b] = [triangles[t + k]!, triangles[t + ((k + 1) % 3)]!];
       if (values[a]! >= level === values[b]! >= level) continue;
-      const share = (level - values[a]!) / (values[b]! - values[a]!);
-      const at = (d: number) => nodes[2 * a + d]! + share * (nodes[2 * b + d]! - nodes[2 * a + d]!);
+      const fraction = (level - values[a]!) / (values[b]! - values[a]!);
+      const at = (d: number) => nodes[2 * a + d]! + fraction * (nodes[2 * b + d]! - nodes[2 * a + d]!);
       ends.push([at(0), at(1)]);
     }
     if (ends.length === 2) pieces.push(ends as Segment);

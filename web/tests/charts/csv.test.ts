@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 
 import { makeFileName, writeCsv } from "../../src/charts/base/csv";
 
-/** A reader after the grammar of RFC 4180, which knows nothing of the writer. */
+/** A reader after the grammar of RFC 4180, independent of the writer. */
 function readCsv(text: string): string[][] {
   const rows: string[][] = [[]];
   let cell = "";

@@ -8,7 +8,7 @@ import type { TableColumn } from "../../src/contract";
 const column = (part: TableColumn["part"], values: (number | null)[]) => ({ part, values });
 const times = Array.from({ length: 50 }, (_, i) => i * 0.02);
 
-/** A weight m on a spring k, let go at rest: x = (mg/k)(1 - cos ωt), whose energies are known in closed form. */
+/** A weight m on a spring k, released from rest: x = (mg/k)(1 - cos ωt), whose energies are known in closed form. */
 function makeOscillator(lost: number) {
   const [m, k, g] = [2, 300, 9.81];
   const omega = Math.sqrt(k / m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The crosshair reads the nearest value: held against a plain search over all of them.
+// The crosshair reads the nearest value, compared with a plain search over all of them.
 import { expect, test } from "vitest";
 
 import { findNearest, findNearestFrame } from "../../src/charts/base/nearest";

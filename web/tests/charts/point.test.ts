@@ -71,7 +71,7 @@ describe("element tests", () => {
     expect(columns[2]!.values).toEqual([0.9, 0.8, 0.82, 0.7, 0.95, 0.94]);
   });
 
-  it("dashes tell the apparatus where colours tell the soil", () => {
+  it("dashes denote the apparatus, colours the soil", () => {
     expect(lines[0]!.style.dash).not.toBe(lines[1]!.style.dash);
     expect(lines[0]!.style.colour).not.toBe(lines[1]!.style.colour);
   });

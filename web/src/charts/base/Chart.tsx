@@ -12,7 +12,7 @@ export interface ChartProps {
   /** Name of the chart for assistive technology. */
   label: string;
   draw: (width: number) => Plot.PlotOptions;
-  /** What `draw` depends on besides the width. */
+  /** Dependencies of `draw` besides the width. */
   depends: unknown[];
   /** Axis that the crosshair runs along. */
   along?: "x" | "y";
@@ -20,11 +20,11 @@ export interface ChartProps {
   stops: ArrayLike<number>;
   /** Abscissa of the crosshair; charts that share the signal move together. */
   cross?: Signal<number | null>;
-  /** What the crosshair reads at a stop, and the places it marks (in the units of the axes). */
+  /** Reading of the crosshair at a stop, and its marks (in the units of the axes). */
   read: (stop: number) => { text: string; marks: CrossMark[] };
-  /** Whether the reading stands above the chart or is only spoken. */
+  /** Shows the reading above the chart; otherwise it is for screen readers only. */
   showReading?: boolean;
-  /** What stands there before anything is read. */
+  /** Text in place of a reading before the first one. */
   hint?: string;
   onPick?: (stop: number) => void;
   /** Abscissa of a second line that the viewer moves; read inside an effect. */

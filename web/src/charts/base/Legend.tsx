@@ -108,7 +108,7 @@ export type AxisKind = "linear" | "log";
 interface AxisProps {
   label: string;
   value: AxisKind;
-  /** What the two are called where there is little room. */
+  /** Short names for narrow charts. */
   short?: boolean;
   onChange: (kind: AxisKind) => void;
 }

@@ -6,7 +6,7 @@ import type { Scale } from "@observablehq/plot";
 export interface CrossMark {
   value: number;
   colour: string;
-  /** Where along the crosshair's axis it stands; left out: at the stop itself. */
+  /** Position along the crosshair's axis; default: at the stop. */
   at?: number;
 }
 
@@ -42,8 +42,8 @@ export class Crosshair {
     const box = this.svg.getBoundingClientRect();
     if (box.width === 0 || !this.stops.invert) return null;
     const drawn = this.svg.viewBox.baseVal;
-    const share = this.along === "x" ? (clientX - box.left) / box.width : (clientY - box.top) / box.height;
-    const place = share * (this.along === "x" ? drawn.width : drawn.height);
+    const fraction = this.along === "x" ? (clientX - box.left) / box.width : (clientY - box.top) / box.height;
+    const place = fraction * (this.along === "x" ? drawn.width : drawn.height);
     const [low, high] = readRange(this.stops);
     return this.stops.invert(Math.min(Math.max(place, low), high)) as number;
   }

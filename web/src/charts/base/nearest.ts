@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which of the sorted abscissas is nearest: what a crosshair reads. */
+/** Index of the nearest of sorted abscissas, for the crosshair. */
 
 /** Index of the number of ascending `sorted` nearest to `x`, the lower of two equally near; -1 when there is none. */
 export function findNearest(sorted: ArrayLike<number>, x: number): number {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Whether the page is being printed: charts take the width of paper, and what was put off is drawn. */
+/** True while the page is printed: charts take the width of paper, and deferred parts are drawn. */
 import { signal } from "@preact/signals";
 
 export const printing = signal(false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which rows of a long history a chart of some hundred pixels has to draw. */
+/** Selects the rows of a long history for a chart of some hundred pixels. */
 
 /**
  * Rows that give the same picture as all: of every one of `columns` equal groups the first, the smallest and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the reader switched, by name: hidden series, shown panels. */
+/** Switches set by the reader, by name: hidden series, shown panels. */
 import { useState } from "preact/hooks";
 
 /** The names, a function that switches one of them, and one that clears all; `first` are those at the beginning. */

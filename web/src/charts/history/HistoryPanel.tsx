@@ -54,7 +54,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const signed = panel.series.some((s) => s.values.some((v) => (v ?? 0) < 0)) && panel.kind !== "momentum";
   const title = log && signed ? `${panel.title}, magnitude` : panel.title;
 
-  const tellTime = (i: number) => `${panel.x.title} ${formatQuantity(times[i], panel.x.unit)}`;
+  const formatTime = (i: number) => `${panel.x.title} ${formatQuantity(times[i], panel.x.unit)}`;
 
   const draw = (width: number): Plot.PlotOptions => {
     const first = times[0] ?? 0;
@@ -159,7 +159,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         cross={cross}
         printWidth={330}
         read={(i) => ({
-          text: `${tellTime(i)}: ${visible.map((s) => `${s.title} ${formatQuantity(s.values[i], unit)}`).join(", ")}`,
+          text: `${formatTime(i)}: ${visible.map((s) => `${s.title} ${formatQuantity(s.values[i], unit)}`).join(", ")}`,
           marks: visible.flatMap((s) => {
             const y = shape(s.values[i] ?? null);
             return y === null ? [] : [{ value: y, colour: s.style.colour }];
@@ -175,8 +175,8 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         {at < 0 ?
           (panel.note ?? below ?? "\u00a0")
         : single ?
-          `${tellTime(at)}: ${formatQuantity(single.values[at], unit)}`
-        : tellTime(at)}
+          `${formatTime(at)}: ${formatQuantity(single.values[at], unit)}`
+        : formatTime(at)}
       </p>
     </figure>
   );

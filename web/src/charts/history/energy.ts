@@ -19,7 +19,7 @@ export function takeChange(values: readonly (number | null)[]): (number | null)[
   return values.map((v) => (v === null ? null : v - first));
 }
 
-/** Whether it is what goes into the body; the other energies are what it becomes. */
+/** Returns whether a column is external work; the others are the energies into which it is converted. */
 export const isWork = ({ part }: Pick<TableColumn, "part">) => part === "external";
 
 /** null when the table lacks one of the columns. */

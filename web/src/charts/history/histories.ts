@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-/** Which histories belong together: tables by run, columns by panel. */
+/** Groups histories: tables by run, columns by panel. */
 import type { Column, Report, Table, TableColumn } from "../../contract";
 import { findEnergyBalance, isWork, takeChange } from "./energy";
 import { findLargest, scaleUnit } from "../base/numbers";
 
-/** What a panel shows; "other" for a quantity that stands alone. */
+/** Quantity of a panel; "other" for one without a group. */
 export type PanelKind =
   | "energy"
   | "force_ratio"
@@ -35,10 +35,10 @@ export interface Panel {
   kind: PanelKind;
   title: string;
   unit: string;
-  /** Whether it is per metre of thickness in plane strain. */
+  /** True for quantities per metre of thickness in plane strain. */
   extensive: boolean;
   log: boolean;
-  /** Whether it is drawn before the user asks for it. */
+  /** True for panels that are shown at first. */
   first: boolean;
   x: Column;
   series: Series[];
@@ -101,7 +101,7 @@ function findKind({ quantity, largest }: TableColumn): Kind | undefined {
 function makeEnergyPanel(table: Table): Panel | null {
   const parts = table.columns.filter((c) => c.quantity === "energy");
   if (parts.length === 0) return null;
-  // What goes in stands first.
+  // External work comes first.
   const columns = [...parts.filter(isWork), ...parts.filter((c) => !isWork(c))];
   const changes = columns.map((c) => takeChange(c.values));
   const balance = findEnergyBalance(table);

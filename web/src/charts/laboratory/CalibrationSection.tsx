@@ -85,8 +85,8 @@ function Diagram({ group }: { group: CurveGroup }) {
 
 function describeError(p: CalibratedParameter): string {
   if (p.error === null) return "–";
-  const share = p.value === 0 ? "" : ` (${formatNumber((100 * p.error) / Math.abs(p.value), 2)} %)`;
-  return `± ${formatNumber(p.error, 3)}${share}`;
+  const fraction = p.value === 0 ? "" : ` (${formatNumber((100 * p.error) / Math.abs(p.value), 2)} %)`;
+  return `± ${formatNumber(p.error, 3)}${fraction}`;
 }
 
 function ParameterTable({ calibration }: { calibration: Calibration }) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the diagrams of element tests and of calibrations share: margins, axes, grid. */
+/** Common parts of the diagrams of element tests and of calibrations: margins, axes, grid. */
 import * as Plot from "@observablehq/plot";
 
 import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";

@@ -52,7 +52,7 @@ export function listTicks(low: number, high: number): number[] {
   return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, i) => (first + i) * step);
 }
 
-/** Where the crosshair stops: evenly over the axis. */
+/** Stops of the crosshair, evenly spaced over the axis. */
 export function makeStops(low: number, high: number, log: boolean, count = 200): number[] {
   return Array.from({ length: count + 1 }, (_, i) =>
     log ? low * (high / low) ** (i / count) : low + ((high - low) * i) / count,
@@ -72,8 +72,8 @@ export function readLines(
     for (let i = 1; i < x.length; ++i) {
       const [a, b] = [x[i - 1]!, x[i]!];
       if (Math.min(a, b) > at || Math.max(a, b) < at) continue;
-      const share = a === b ? 1 : (at - a) / (b - a);
-      return [{ line, value: y[i - 1]! + share * (y[i]! - y[i - 1]!) }];
+      const fraction = a === b ? 1 : (at - a) / (b - a);
+      return [{ line, value: y[i - 1]! + fraction * (y[i]! - y[i - 1]!) }];
     }
     return [];
   });

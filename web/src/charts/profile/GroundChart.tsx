@@ -38,7 +38,7 @@ export function GroundChart({ table }: { table: Table }) {
     return { scaled, taken: Math.min(460, Math.max(140, scaled)) };
   };
   /** Both axes are in the unit of lengths. */
-  const tell = (value: number | null | undefined) =>
+  const formatHere = (value: number | null | undefined) =>
     Number.isFinite(value) ? `${formatCoordinate(value! * report.value.units.length.si)} ${unit}` : "–";
   const change = x.map((at, i) => [at, first.values[i] ?? Number.NaN, last.values[i] ?? Number.NaN]);
 
@@ -90,8 +90,8 @@ export function GroundChart({ table }: { table: Table }) {
         showReading
         hint="Point at the ground to read it."
         read={(i) => ({
-          text: `${abscissa} = ${tell(x[i])}: ${lines
-            .map((l) => `${l.title.toLowerCase()} ${tell(l.values[i])}`)
+          text: `${abscissa} = ${formatHere(x[i])}: ${lines
+            .map((l) => `${l.title.toLowerCase()} ${formatHere(l.values[i])}`)
             .join(", ")}`,
           marks: lines.flatMap((l) => {
             const value = l.values[i] ?? null;

@@ -109,8 +109,8 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
         hint="Point at a height to read it."
         read={(i) => {
           const hits = lines.map((l) => ({ line: l, bin: l.bins.find((b) => b.layer === layers[i]) }));
-          const tell = (bin?: Bin) => formatQuantity(bin && bin.mean / unit.si, unit.name);
-          const values = hits.map(({ line, bin }) => `${line.title}: ${tell(bin)}`);
+          const formatHere = (bin?: Bin) => formatQuantity(bin && bin.mean / unit.si, unit.name);
+          const values = hits.map(({ line, bin }) => `${line.title}: ${formatHere(bin)}`);
           return {
             text: `${letter} = ${formatCoordinate(heights[i]! * length.si)} ${length.name}; ${values.join("; ")}`,
             marks: hits.flatMap(({ line, bin }) =>

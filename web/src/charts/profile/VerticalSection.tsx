@@ -80,7 +80,7 @@ export function VerticalSection() {
 
   const unit = field.unit;
   const letter = (d: number) => "xyz"[d]!;
-  const tell = (metres: number) => formatQuantity(metres / length.si, length.name, 3);
+  const formatHere = (metres: number) => formatQuantity(metres / length.si, length.name, 3);
   const place = across.map((d) => `${letter(d)} = ${formatCoordinate(at[d] ?? 0)} ${length.name}`).join(", ");
 
   const columns = (): CsvColumn[] => {
@@ -180,8 +180,8 @@ export function VerticalSection() {
       <ProfileChart lines={lines} field={field} vertical={vertical} onRemove={toggleTime} />
       <p class="chart-note">
         {trouble ||
-          `Means of the points within ± ${tell(band / 2)} of ${place}${mesh.mean_size ? " (a band as wide as a mean element)" : ""}, ` +
-            `in layers of ${tell(findLayer(band))}, where the points are in each frame.`}
+          `Means of the points within ± ${formatHere(band / 2)} of ${place}${mesh.mean_size ? " (a band as wide as a mean element)" : ""}, ` +
+            `in layers of ${formatHere(findLayer(band))}, where the points are in each frame.`}
         {!trouble && data && lines.every((l) => l.bins.length === 0) && " There are no points here."}
       </p>
     </div>

@@ -137,7 +137,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
   const value: [number, number] =
     near ? [low - pad, high + pad] : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
   const ends = { place: [Math.min(...places), Math.max(...places)] as [number, number], value };
-  const tell = (p: number[]) => formatPlace(p.slice(0, report.value.model.dimension));
+  const formatHere = (p: number[]) => formatPlace(p.slice(0, report.value.model.dimension));
   return (
     <figure aria-label={`Section ${section.name}`} class="chart-figure section-figure">
       <div class="chart-head">
@@ -189,7 +189,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
       </div>
       <p class="chart-note">
         Means over the points within {formatQuantity((0.5 * section.width) / length.si, length.name, 3)} of the line
-        from {tell(section.from)} to {tell(section.to)} {length.name}, in parts of{" "}
+        from {formatHere(section.from)} to {formatHere(section.to)} {length.name}, in parts of{" "}
         {formatQuantity(section.width / length.si, length.name, 3)}.
       </p>
     </figure>

@@ -13,7 +13,7 @@ import type { Body } from "../../viewer/painter";
 import { makePlainPainter } from "../../viewer/plainPainter";
 import { makeScale } from "../../viewer/scale";
 import { takeFrame } from "../../viewer/shown";
-import { shareVolume } from "../../viewer/sizes";
+import { distributeVolume } from "../../viewer/sizes";
 import { nameRow } from "./motionData";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { joinScales, listPictures, type PictureRow } from "./pictureData";
@@ -49,7 +49,7 @@ async function describe(props: PictureProps): Promise<Body> {
   ]);
   const count = sequence.point_count;
   const { spacing } = measureExtent(positions, sequence);
-  const sizes = shareVolume(volumes && takeFrame(volumes, frame, count), count, spacing, 2);
+  const sizes = distributeVolume(volumes && takeFrame(volumes, frame, count), count, spacing, 2);
   const here = takeFrame(positions, frame, count, 2);
   const cells = findCells(here, sizes, [low[0]!, low[1]!, high[0]!]);
   return {

@@ -48,7 +48,7 @@ export function StudySection() {
   );
 }
 
-/** Which key moves the factor most; other results stand in the plot. */
+/** Tornado of the keys by their effect on the factor; other results are in the plot. */
 function StudyTornado({ study }: { study: Study }) {
   const result = findNumeric(study)[0];
   const found = study.mode === "one_at_a_time" && result ? findBars(study, result) : { bars: [], base: null };

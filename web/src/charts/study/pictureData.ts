@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Which frames of a study stand side by side, and the scale that they share. */
+/** Frames of a study that are shown side by side, and their common scale. */
 import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
 
 export interface PictureRow {

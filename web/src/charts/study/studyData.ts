@@ -46,7 +46,7 @@ export function makeStudyColumns(study: Study): CsvColumn[] {
   ];
 }
 
-/** What tells one row's group from another when the first key is on the axis: the values of the other varied keys. */
+/** Name of a row's group when the first key is on the axis: the values of the other varied keys. */
 export function nameGroup(study: Study, row: number, onAxis: string): string {
   return findVaried(study)
     .filter((c) => c.name !== onAxis)

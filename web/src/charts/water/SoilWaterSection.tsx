@@ -80,7 +80,7 @@ function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurv
   );
 }
 
-/** What the curves are, in words and with their parameters. */
+/** Laws of the curves in words, with their parameters. */
 function Laws({ water }: { water: SoilWater }) {
   return (
     <p class="chart-note">
@@ -129,7 +129,7 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
   const fromZero = condition.condition === "rain" || condition.condition === "flux";
   const domain: [number, number] = fromZero ? [low, high * 1.05] : padded(Math.min(...series.values), high);
   const axis = describeAxis(domain[0], domain[1], 5);
-  const tellTime = (i: number) => formatQuantity(time[i], unit.name);
+  const formatTime = (i: number) => formatQuantity(time[i], unit.name);
   const draw = (): Plot.PlotOptions => ({
     height: 190,
     ...margins,
@@ -165,7 +165,7 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
       showReading
       hint={`${title}.`}
       read={(i) => ({
-        text: `${title} at ${tellTime(i)}: ${writeCondition(condition, series.values[i]!)}`,
+        text: `${title} at ${formatTime(i)}: ${writeCondition(condition, series.values[i]!)}`,
         marks: [{ value: series.values[i]!, colour: "var(--series-1)" }],
       })}
     />

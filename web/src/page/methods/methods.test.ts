@@ -33,7 +33,7 @@ describe("writeMethods", () => {
     ).toEqual([...allMethods].sort());
   });
 
-  it("says how the frozen factor of these meshes was extrapolated and what its interval holds", () => {
+  it("describes the extrapolation of the frozen factor and its interval", () => {
     const write = (frozen: InputTable, dimension = 2) => {
       const used = { ...input, strength_reduction: { frozen } };
       const report = { methods: ["frozen_factor"], input: used, model: { dimension } } as unknown as Report;
@@ -123,7 +123,7 @@ describe("methods of wet ground", () => {
     for (const other of ["Gardner", "Hillel", "Khalili", "straight line"]) expect(text).not.toContain(other);
   });
 
-  it("say where pressures were held, where drag was explicit, and each condition once", () => {
+  it("state where pressures are constant, where drag is explicit, and each condition once", () => {
     expect(write(["held_pressures"])).toContain("held in stage “gravity”:");
     expect(write(["two_phase"])).toContain("(explicit drag) in stage “rain”");
     expect(write(["hydraulic_conditions"]).split("counted as runoff")).toHaveLength(2);
@@ -162,7 +162,7 @@ describe("copies", () => {
   });
 });
 
-it("quotes settings by value, and trials only where they were asked for", () => {
+it("quotes settings by value, and trials only where they are enabled", () => {
   expect(quoteEach(input, "damping")).toBe(
     "0.75 in stage “gravity” and 0.05 in stage “slide” and the trials of the curve",
   );
@@ -177,7 +177,7 @@ describe("methods of rooted ground", () => {
     return writePlainMethods(paragraphs, cited);
   };
 
-  it("say how the cohesion of roots was found, and cite nobody where it is given", () => {
+  it("describe the computation of the cohesion of roots, and cite no source where it is given", () => {
     const bundle = write(["root_cohesion"], [{ bundle: { model: given("fibre_bundle") } }]);
     expect(bundle).toContain("Pollen, N., Simon, A. (2005)");
     expect(bundle).not.toContain("Waldron");
@@ -186,7 +186,7 @@ describe("methods of rooted ground", () => {
     for (const other of ["Pollen", "Waldron", "fibre"]) expect(plain).not.toContain(other);
   });
 
-  it("cite the rooted model beside the clay that it stands on", () => {
+  it("cite the rooted model beside the clay model", () => {
     const text = write(["modified_cam_clay", "rooted_cam_clay"], []);
     for (const name of ["Tamagnini, R. (2004)", "Świtała, B. M."]) expect(text).toContain(name);
     expect(write(["modified_cam_clay"], [])).not.toContain("Świtała");

@@ -73,7 +73,7 @@ export const writeMaterialPoints: Writer = ({ model, input, methods }) => {
   ];
 };
 
-/** Where water flows the step is found in another way. */
+/** The time step of the two-velocity formulation has another limit. */
 const wetStep: Block[] = [
   {
     text:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What the paragraphs of the methods section refer to. */
+/** References of the methods section. */
 export const references = {
   source:
     "Aldakhil, S. K. (2026). Application of the Material Point Method to the Stability and Runout Analysis of " +

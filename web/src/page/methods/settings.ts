@@ -25,7 +25,7 @@ function writeNumber(value: number): string {
   return mantissa === "1" ? `$10^{${Number(exponent)}}$` : `$${mantissa}\\times10^{${Number(exponent)}}$`;
 }
 
-/** Stages and trials that a setting is made for: where they stand in the input, and how a sentence names them. */
+/** Stages and trials of a setting: their place in the input, and their name in a sentence. */
 function listCalculations(input: InputTable): { table: InputTable; name: string }[] {
   const found: { table: InputTable; name: string }[] = [];
   const stages = input.stage;
@@ -78,7 +78,7 @@ export function quoteEach(input: InputTable, key: string): string {
   return join([...groups].map(([text, names]) => `${text} in ${join(names)}`));
 }
 
-/** Whether a switch is on, or a number is not 0, in any stage or trial; undefined where the input does not name it. */
+/** Returns whether a switch is on, or a number is not 0, in any stage or trial; undefined where the input does not name it. */
 export function isOnAnywhere(input: InputTable, key: string): boolean | undefined {
   const values = listCalculations(input).map(({ table }) => findSetting(table, key));
   const known = values.filter((value) => typeof value === "boolean" || typeof value === "number");

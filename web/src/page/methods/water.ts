@@ -7,8 +7,8 @@ import type { Block, Writer } from "./writer";
 /** The damping of the water, where there was some. */
 function writeWaterDamping(input: InputTable): Block[] {
   if (!isOnAnywhere(input, "water_damping")) return [];
-  const share = quoteEach(input, "water_damping");
-  return [{ text: `Local damping acts on the water as well, against its motion; its share was ${share}.` }];
+  const fraction = quoteEach(input, "water_damping");
+  return [{ text: `Local damping acts on the water as well, against its motion; its share was ${fraction}.` }];
 }
 
 export const writeTwoPhase: Writer = ({ input }) => {
@@ -218,7 +218,7 @@ const limitingImpulse: Block[] = [
 ];
 
 /** The same with pressures at the nodes. */
-const heldPressure: Block[] = [
+const constantPressure: Block[] = [
   {
     text:
       "Where water seeps, a node at which water stands or leaves has zero pressure, as long as no more enters there than " +
@@ -237,7 +237,7 @@ export const writeHydraulicConditions: Writer = ({ input, methods }) => {
         "condition are seepage faces.",
     },
     ...(methods.includes("seeping") && !methods.includes("two_phase") ? [] : limitingImpulse),
-    ...(methods.includes("seeping") ? heldPressure : []),
+    ...(methods.includes("seeping") ? constantPressure : []),
     {
       text:
         "The water budget sums what passes the surface nodes, and agrees with the change of the water in the points " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What a writer of the methods section takes and gives. */
+/** Interface of the writers of the methods section. */
 import type { Report } from "../../contract";
 
 /** Text with $inline formulas$ and [@references], or an equation in TeX and as plain characters. */

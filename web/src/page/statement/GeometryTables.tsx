@@ -3,7 +3,7 @@
 import { Fragment, type ComponentChildren } from "preact";
 
 import { report } from "../../state";
-import { asksFor } from "../asked";
+import { selectsMethod } from "../selected";
 import { DataTable, Facts } from "../DataTable";
 import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
 import type { Unit, Water } from "../../contract";
@@ -45,9 +45,9 @@ export function GeometryTables() {
   const length = (x: number) => formatQuantity(x, units.length);
   const [low, high] = model.bounds;
   const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
-  // A run that was killed has no summary: what it would tell is not known, and not zero.
+  // A killed run has no summary: its values are unknown, and not zero.
   const known = (value: number, text: string) => (value > 0 ? text : "not known");
-  const hasPoints = asksFor(report.value, "mpm");
+  const hasPoints = selectsMethod(report.value, "mpm");
   const ofPoints: [string, ComponentChildren][] = [
     [
       "Mesh",

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../../state";
-import { asksFor } from "../asked";
+import { selectsMethod } from "../selected";
 import { formatSentence } from "../format";
 import { Part } from "../Part";
 import { WarningList } from "../Warnings";
@@ -28,10 +28,10 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 export function Statement() {
   const { assumptions, input, kind, status, study, warnings, water } = report.value;
   const first = study?.rows[0]?.name;
-  // Slices are sampled without a run that would tell its section.
+  // LEM is sampled without a run that has its section.
   const isBare = study?.sampling !== undefined && Object.keys(input).length === 0;
   const hasSlope = kind !== "tests" && !isBare;
-  const hasPoints = asksFor(report.value, "mpm");
+  const hasPoints = selectsMethod(report.value, "mpm");
   const lead =
     kind === "study" && first
       ? `The tables describe the variant “${first}”; the others differ from it in what the study varies.`

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /** Boundary conditions, loads, and the monitored places. */
 import { report } from "../../state";
-import { asksFor } from "../asked";
+import { selectsMethod } from "../selected";
 import { DataTable } from "../DataTable";
 import { formatPlace, formatSentence } from "../format";
 
 export function SupportTables() {
   const { model, input } = report.value;
   const { boundaries, loads, monitors } = model;
-  // Slices have no supports; elements without any are held at the sides and at the bottom.
-  const hasSupports = boundaries.length > 0 || asksFor(report.value, "mpm");
+  // LEM has no supports; FEM without given supports is fixed at the sides and at the bottom.
+  const hasSupports = boundaries.length > 0 || selectsMethod(report.value, "mpm");
   if (Object.keys(input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
   return (
     <>

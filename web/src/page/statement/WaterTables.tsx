@@ -110,7 +110,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
   );
 }
 
-/** What passed each side at the end of the season: not what the steady seepage before it would let through. */
+/** Flow through each side at the end of the season, as opposed to the steady seepage before it. */
 function Transient({ state }: { state: WaterState }) {
   const rate = report.value.units.flow;
   const flow = (value: number) => formatNumber(value / rate.si);
@@ -220,7 +220,7 @@ function Budget({ budget }: { budget: WaterBudget }) {
   );
 }
 
-/** What is known before the run: the water, how it began, what it meets. */
+/** Water before the run: laws, initial state and conditions. */
 export function WaterTables({ water }: { water: Water }) {
   return (
     <>
@@ -231,7 +231,7 @@ export function WaterTables({ water }: { water: Water }) {
   );
 }
 
-/** What came out: seepage and budget. */
+/** Results on the water: seepage and budget. */
 export function WaterResults({ water }: { water: Water }) {
   const { dimension, water: states } = report.value.model;
   const last = states.at(-1);
