@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { findNumbers, readFrame } from "./results.mjs";
 
 const region = "Values at the picked point";
-/** Other parts have selects and sliders too; the viewer's stand here. */
+/** Other parts have selects and sliders too; those of the viewer are here. */
 const findViewer = (page) => page.locator("#section");
 const findSlider = (page) => findViewer(page).getByRole("slider", { name: "Frame", exact: true });
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No value that is missing shows as a word of the programming language: a reader must see a dash, or a sentence.
+// A missing value must not show as a word of the programming language: the page has a dash, or a sentence.
 
 const words = ["NaN", "undefined", "null", "Infinity", "[object Object]"];
 

@@ -28,7 +28,7 @@ async function inflate(base64: string): Promise<Uint8Array> {
 
 const widths = { u8: 1, u16: 2, u32: 4, f32: 4 } as const;
 
-/** Joins the planes: byte k of number i stands at k × count + i. */
+/** Joins the planes: byte k of number i is at k × count + i. */
 function joinPlanes(bytes: Uint8Array, width: number): Uint8Array {
   const count = bytes.length / width;
   const joined = new Uint8Array(bytes.length);

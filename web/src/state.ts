@@ -34,5 +34,5 @@ export const load = makeCache((array: PackedArray) => readValues(array));
 /** Likewise coordinates [m]. */
 export const loadPlaces = makeCache((array: PackedPlaces) => readPlaces(array));
 
-/** Likewise its numbers as they are stored: those of points go beyond what a value of 32 bits tells apart. */
+/** Likewise its numbers as they are stored: those of points exceed the precision of a value of 32 bits. */
 export const loadIntegers = makeCache((array: PackedArray) => readIntegers(array));

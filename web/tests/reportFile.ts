@@ -40,7 +40,7 @@ export function readReportFile(path: string): ReportFile {
   return { report: JSON.parse(document) as Report, arrays, doubled, source };
 }
 
-/** All packed arrays that a document names, wherever they stand. */
+/** All packed arrays that a document names, at any level. */
 export function findPackedArrays(value: unknown): PackedArray[] {
   if (Array.isArray(value)) return value.flatMap(findPackedArrays);
   if (value === null || typeof value !== "object") return [];
@@ -67,7 +67,7 @@ export function readJson(folder: string, name: string): any {
   return JSON.parse(readFileSync(join(folder, name), "utf8"));
 }
 
-/** The report and the results folder that the tests were given, or null: then the tests skip, and say so. */
+/** The report and the results folder of the tests, or null: then the tests are skipped with a note. */
 export function findGiven(): { page: string; results: string | null } | null {
   const page = process.env.TALUS_REPORT;
   const results = process.env.TALUS_RESULTS ?? null;

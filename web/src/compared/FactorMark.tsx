@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** A factor as a mark on a scale that all rows of a table share: behind it what limit analysis proves, and its own
+/** A factor as a mark on the common scale of a table: behind it the interval of limit analysis, and its own
  * interval as a bar. */
 import type { Factor, MethodName } from "../contract";
 
@@ -91,7 +91,7 @@ export function isRuledOut(scale: FactorScale, row: Marked): boolean {
   return high < proven[0] || low > proven[1];
 }
 
-/** The numbers stand in the columns beside it, so that it is hidden from assistive technology. */
+/** The numbers are in the columns beside it, so that it is hidden from assistive technology. */
 export function FactorMark({ scale, row }: { scale: FactorScale; row: Marked }) {
   const proven = findProven(scale, row);
   const own = row.method === "lem" ? null : readInterval(row);

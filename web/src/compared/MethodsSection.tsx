@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
+/** All methods side by side: factors by criterion with computing times, surfaces of other methods, and their reading. */
 import { CsvButton } from "../charts/base/Legend";
 import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
@@ -88,7 +88,7 @@ function FactorRows({ table }: { table: MethodTable }) {
     { name: "computing time", unit: "s", values: rows.map((r) => r.seconds) },
     { name: "note", values: rows.map((r) => r.note) },
   ];
-  // A surface that slices were given is no answer of theirs.
+  // A surface from another method is not a result of LEM.
   const isGiven = (row: MethodRow) => row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
@@ -118,7 +118,7 @@ function FactorRows({ table }: { table: MethodTable }) {
 }
 
 function Handed({ table }: { table: MethodTable }) {
-  // The table has them where slices are among the methods.
+  // The table has them with LEM among the methods.
   const inTable = table.rows.some((row) => row.source === "handed");
   if (table.handed.length === 0 || inTable) return null;
   return (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The slip surfaces that can be laid over each other, with what the legends say of them. */
+/** The slip surfaces that can be drawn together, with their texts in the legends. */
 import type { MethodName, MethodSurface } from "../contract";
 import { report } from "../state";
 

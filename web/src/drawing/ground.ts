@@ -43,8 +43,8 @@ export function describeStrength(material: string): string {
 }
 
 /**
- * The name of each soil where its polygon is widest, over its strength where there is room for both; none where it would
- * not fit. `follow`: where the soil that lay at a place stands now [m]. Returns where the texts stand.
+ * The name of each soil where its polygon is widest, over its strength where both fit; none where it would
+ * not fit. `follow`: present position of the soil that lay at a place [m]. Returns the places of the texts.
  */
 export function drawSoilNames(
   { context, camera, place, theme }: Pick<Pen, "context" | "camera" | "place" | "theme">,
@@ -120,7 +120,7 @@ function findGround(x: number): number | null {
   return highest;
 }
 
-/** The vertical crack between an end of a slip surface and the ground above it, blue as far as water stands in it. */
+/** The vertical crack between an end of a slip surface and the ground above it, blue up to the level of the water in it. */
 export function drawCrack({ context, place, theme }: Pick<Pen, "context" | "place" | "theme">, points: number[][]): void {
   const { crack } = report.value.model;
   if (!crack || points.length < 2) return;

@@ -32,7 +32,7 @@ export interface SurfaceLabel {
 /** Places along a line that are tried for its label, as fractions of its points. */
 const shares = [0.5, 0.38, 0.62, 0.26, 0.74, 0.16, 0.84, 0.32, 0.68, 0.44, 0.56, 0.2, 0.8, 0.1, 0.9];
 
-/** A text that stands in a picture: its middle, half its width and half its height [px]. */
+/** A text in a picture: its middle, half its width and half its height [px]. */
 export interface LabelBox {
   x: number;
   y: number;
@@ -53,7 +53,7 @@ export function choosePlace(places: LabelBox[], taken: LabelBox[]): LabelBox {
   return places.find((box) => free(box) >= 0) ?? places.reduce((best, box) => (free(box) > free(best) ? box : best));
 }
 
-/** Each text stands on its line, in a box of the line's colour; where it would meet another, or one of `taken`, it moves
+/** Each text is on its line, in a box of the line's colour; where it would meet another, or one of `taken`, it moves
  * along. */
 export function drawSurfaceLabels(
   context: CanvasRenderingContext2D,

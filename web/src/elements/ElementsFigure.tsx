@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The finite elements at failure: shear strain or displacement, deformed if wanted, plastic elements, slip line. */
+/** FEM at failure: shear strain or displacement, optionally deformed, plastic elements, slip line. */
 import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";

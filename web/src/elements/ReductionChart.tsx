@@ -34,7 +34,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const stops = seen.map((p) => p.factor);
   const highest = Math.max(1e-12, ...seen.map((p) => p.u));
   const settled = Math.max(0, ...seen.filter((p) => p.converged).map((p) => p.u));
-  // Displacements without equilibrium are as large as the iterations went on: they must not flatten the curve.
+  // Displacements without equilibrium grow with the number of iterations: they must not flatten the curve.
   const largest = axis === "linear" && settled > 0 ? Math.min(highest, 2.5 * settled) : highest;
   const shown = (u: number) => Math.min(u, largest);
   const smallest = Math.min(largest, ...seen.filter((p) => p.u > 0).map((p) => p.u));

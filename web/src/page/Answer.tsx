@@ -190,7 +190,7 @@ function Results({ results, large }: { results: NamedResult[]; large: boolean })
   );
 }
 
-/** Sentences before the table; the others are folded, and stand in the report for signature. */
+/** Sentences before the table; the others are folded, and are listed in the report for signature. */
 const mostWords = 3;
 
 function MoreWords({ sentences }: { sentences: string[] }) {

@@ -7,7 +7,7 @@ import { Scroller } from "./Scroller";
 /** Head of a column: its name, or that of a column of numbers; false where the table lacks the column. */
 type Cell = string | false | { number: ComponentChildren; class: string };
 
-/** Heads of columns of numbers, which stand to the right; nothing for what is none. */
+/** Heads of columns of numbers, which are aligned to the right; empty for others. */
 export function numbers(...names: ComponentChildren[]): Cell[] {
   return names.map((name) => (name ? { number: name, class: "number" } : false));
 }
@@ -35,7 +35,7 @@ export function TableHead({ cells }: { cells: Cell[] }) {
 
 interface Props {
   caption: string;
-  /** The caption is read aloud only: the heading above says the same. */
+  /** The caption is for screen readers only: the heading above has the same text. */
   quiet?: boolean;
   class?: string;
   /** Above rows; a table without it has a body of its own. */
@@ -55,7 +55,7 @@ export function DataTable({ caption, quiet, class: name, head, children }: Props
   );
 }
 
-/** A table among charts, whose heading stands above it. */
+/** A table among charts, with its heading above it. */
 export function ChartTable(props: { label: string; class?: string; head: Cell[]; children: ComponentChildren }) {
   return (
     <Scroller class="chart-scroll" label={props.label}>

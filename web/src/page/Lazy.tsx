@@ -14,7 +14,7 @@ const whenIdle: (action: () => void) => void =
     ? (action) => requestIdleCallback(action, { timeout: 1500 })
     : (action) => setTimeout(action, 60);
 
-/** One part after the other, so that the page answers in between; says on <html> when all are drawn. */
+/** Draws one part after the other, so that the page stays responsive; marks <html> when all are drawn. */
 function drawNext() {
   const next = waiting.shift();
   if (next) {

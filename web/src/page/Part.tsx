@@ -9,7 +9,7 @@ interface Props {
   lead?: ComponentChildren;
   /** Starts on a new page when printed. */
   newPage?: boolean;
-  /** Holds a chart section, which is a landmark with a name of its own; its heading would say the same again. */
+  /** Holds a chart section, which is a landmark with a name of its own; its heading would repeat it. */
   chart?: boolean;
   /** Buttons beside the heading; not printed. */
   tools?: ComponentChildren;

@@ -15,7 +15,7 @@ function useCurrent(entries: Entry[]): string {
       let found = entries[0]?.id ?? "";
       for (const { id } of entries) {
         const top = document.getElementById(id)?.getBoundingClientRect().top;
-        // The section stands beside the answer on a wide screen: there the answer is what one reads.
+        // The section is beside the answer on a wide screen: there the answer is what one reads.
         if (top !== undefined && top < 160 && !(id === "section" && scrollY < 40)) found = id;
       }
       const atEnd = innerHeight + scrollY >= document.documentElement.scrollHeight - 4;

@@ -22,7 +22,7 @@ export function WarningList({ warnings }: { warnings: string[] }) {
   );
 }
 
-/** Beside the answer, wherever the warnings themselves come to stand. */
+/** Link beside the answer, wherever the warnings themselves are. */
 export function WarningLink() {
   const { warnings } = report.value;
   if (warnings.length === 0) return null;

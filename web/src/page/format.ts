@@ -107,7 +107,7 @@ export function formatDifference(share: number): string {
   return `${Number(size) === 0 ? "±" : share > 0 ? "+" : "−"}${size}\u00a0%`;
 }
 
-/** A coordinate [m] in the unit of lengths: as many decimals as tell a ten-thousandth of the model, whatever its origin. */
+/** A coordinate [m] in the unit of lengths: with decimals for a ten-thousandth of the model, whatever its origin. */
 export function formatCoordinate(value: number): string {
   const { model, units } = report.value;
   const { si } = units.length;

@@ -44,7 +44,7 @@ function gather(node: InputNode, path: string[], group: InputGroup, groups: Inpu
   }
 }
 
-/** One block for each top-level table; single values of the top level stand together, first. */
+/** One block for each top-level table; single values of the top level come first, together. */
 export function listBlocks(input: InputTable): InputBlock[] {
   const single: InputGroup = { title: "", rows: [] };
   const blocks: InputBlock[] = [];

@@ -23,7 +23,7 @@ function writeTable(table: InputTable, path: string[], head: string | null, only
     const here = [...path, quoteKey(key)];
     if (isValue(node)) {
       if (node.value === null || (onlyGiven && !node.given)) continue;
-      // An empty list may stand for no tables, which a case file does not write.
+      // An empty list may mean no tables, which a case file does not write.
       if (Array.isArray(node.value) && node.value.length === 0) continue;
       own.push(`${quoteKey(key)} = ${writeValue(node.value)}${node.unit ? `  # ${node.unit}` : ""}`);
     } else if (Array.isArray(node)) {

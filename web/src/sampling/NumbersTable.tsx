@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The uncertain numbers: as asked, as sampled, and how the factor follows them. */
+/** The uncertain numbers: as specified, as sampled, and their effect on the factor. */
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
 import { formatUnit } from "../page/format";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The surfaces that have a factor: by method, with what the checks say and the yield acceleration; one is selected. */
+/** The surfaces that have a factor: by method, with the results of the checks and the yield acceleration; one is selected. */
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { SlicedSurface, Slices } from "../contract";

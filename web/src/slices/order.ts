@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Row numbers in the order of a column; rows without a value stand last whichever way. */
+/** Row numbers in the order of a column; rows without a value come last in both directions. */
 export function orderValues(values: readonly (number | string | null)[], down: boolean): number[] {
   const sign = down ? -1 : 1;
   return Array.from(values.keys()).sort((a, b) => {

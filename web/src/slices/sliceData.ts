@@ -139,7 +139,7 @@ export function rankTrials(all: ArrayLike<number>, methods: number, method: numb
   return { order, factors, low, high: Math.max(high, low * 1.05) };
 }
 
-/** Weak surfaces stand out from the ground of the page: dark on light, light on dark. */
+/** Weak surfaces contrast with the background of the page: dark on light, light on dark. */
 export function chooseColours(dark: boolean): Uint8Array {
   const table = tabulateColours("viridis");
   if (dark) {

@@ -34,7 +34,7 @@ export function hasThrust({ slices }: SlicedSurface): boolean {
 }
 
 /**
- * The pieces of the line of thrust [m]. Where the force is nearly zero its place runs away: a point outside the mass by
+ * The pieces of the line of thrust [m]. Where the force is nearly zero its position is unbounded: a point outside the mass by
  * more than a quarter of its height there ends a piece. On the last side, at the ground, there is no force.
  */
 export function traceThrust({ slices }: SlicedSurface): number[][][] {

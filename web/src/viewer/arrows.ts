@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Arrows of displacement or velocity: which points have one, how long it is, and what its length stands for. */
+/** Arrows of displacement or velocity: the points that have one, its length, and the scale. */
 import { effect, signal } from "@preact/signals";
 
 import type { SequenceField } from "../contract";
@@ -50,7 +50,7 @@ export interface Arrow {
 }
 export interface ArrowField {
   arrows: Arrow[];
-  /** Length [px] of an arrow that stands for `text`. */
+  /** Length [px] of the arrow for `text`. */
   reference: number;
   text: string;
 }

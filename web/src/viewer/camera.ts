@@ -32,7 +32,7 @@ export class Camera {
     return { right: [ca, 0, -sa], up: [-se * sa, ce, -se * ca], near: [sa * ce, se, ca * ce] };
   }
 
-  /** Pixel at which the target stands. */
+  /** Pixel of the target. */
   get centre(): [number, number] {
     const m = this.margins;
     return [(m.left + this.width - m.right) / 2, (m.top + this.height - m.bottom) / 2];

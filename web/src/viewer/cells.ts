@@ -16,7 +16,7 @@ export interface Cells {
 /** Gaps that are wider than three points are gaps, narrower ones lie within solid soil. */
 const widestCell = 1.5;
 
-/** Rings of points along the surface whose triangles are needed to tell where the body ends. */
+/** Rings of points along the surface whose triangles are needed to find the border of the body. */
 const surfaceRings = 2;
 
 /** Lines around less than this many point areas are not worth drawing. */
@@ -24,7 +24,7 @@ const smallestLoop = 6;
 
 /**
  * Triangles of the Delaunay triangulation without the long ones (an alpha shape), widened by half a point where they
- * end: points stand within the soil, not at its surface. As far as its points' triangles go a cell reaches to their
+ * end: points are within the soil, not at its surface. As far as its points' triangles go a cell reaches to their
  * circumcentres, so that no pixel of the body is left out, and no cell is drawn larger than needed.
  *
  * `positions` [point][2] [m], NaN for a point that is not there; `sizes` [point] side of the square that a point stands
@@ -67,7 +67,7 @@ export function findCells(
   const isSolid = (e: number) => e >= 0 && solid[Math.floor(e / 3)] === 1;
   const isEnd = (e: number) => isSolid(e) && !isSolid(halfedges[e]!);
   const next = (e: number) => (e % 3 === 2 ? e - 2 : e + 1);
-  /** The edge of the body that goes on where this one ends. */
+  /** The edge of the body that continues at the end of this one. */
   const follow = (e: number) => {
     let f = next(e);
     while (!isEnd(f)) f = next(halfedges[f]!);

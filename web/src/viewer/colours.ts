@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Colour maps that colour-blind readers can tell apart, and the tables that the drawing looks colours up in. */
+/** Colour maps for colour-blind readers, and the tables that the drawing looks colours up in. */
 import { findShare, type Scale } from "./scale";
 
 /**

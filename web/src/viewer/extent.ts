@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** How far the model reaches, and how far its points stand apart. */
+/** Extent of the model, and spacing of its points. */
 import type { Sequence } from "../contract";
 import { report } from "../state";
 import type { Vec } from "./camera";

@@ -21,7 +21,7 @@ export function writeTitle(title: string, unit: Unit): string {
   return writeUnit(unit) ? `${title} [${unit.name}]` : title;
 }
 
-/** Round numbers between two ends, about `count` of them, with the texts that tell them apart. */
+/** Round numbers between two ends, about `count` of them, with texts that distinguish them. */
 export function makeTicks(low: number, high: number, count: number): { value: number; text: string }[] {
   const span = high - low;
   if (!(span > 0)) return [{ value: low, text: writeNumber(low) }];

@@ -55,7 +55,7 @@ export function makeGlPainter(onLost: () => void): Painter {
     edges.visible = body.edges !== null;
     if (!body.edges) return;
     line.color = new Color(body.edgeColour);
-    // A section's mesh stands in front of the points, in space it runs through them.
+    // A section's mesh is in front of the points, in space it runs through them.
     line.depthTest = !body.cover;
     if (body.edges === drawnEdges) return;
     edges.geometry.dispose();

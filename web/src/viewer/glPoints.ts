@@ -57,7 +57,7 @@ export function makePointMeshes(scene: Scene) {
     }
   }
 
-  /** Frames are views of one array: the place where a view begins tells whether it is another one. */
+  /** Frames are views of one array: the offset of a view identifies its frame. */
   let placed = { buffer: null as ArrayBufferLike | null, at: -1, local: new Float32Array() };
   function setPositions({ positions, dimension, origin }: Body): void {
     const { buffer, byteOffset: at } = positions;

@@ -43,7 +43,7 @@ export function clipBelow(line: number[][], level: number): number[][][] {
 interface Sketch {
   context: CanvasRenderingContext2D;
   place: (at: number[]) => Pixel;
-  /** Middle of the model [px]: symbols stand on the other side. */
+  /** Middle of the model [px]: symbols are on the other side. */
   middle: Pixel;
   theme: Theme;
 }
@@ -80,7 +80,7 @@ function drawLineArrows(sketch: Sketch, line: Pixel[], length: number, aim: (out
   context.stroke();
 }
 
-/** Wetted line, water over it, and the level with its triangle; beside the model where the line stands upright. */
+/** Wetted line, water over it, and the level with its triangle; beside the model where the line is vertical. */
 function drawLevel(sketch: Sketch, part: number[][], level: number): void {
   const { context, place, middle, theme } = sketch;
   const pixels = part.map(place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** How the stage shares its width and height out between the body and what stands around it. */
+/** Division of the width and height of the stage between the body and the parts around it. */
 import { report } from "../state";
 import type { Camera, Margins } from "./camera";
 import { findRulerWidth } from "./rulers";

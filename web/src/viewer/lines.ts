@@ -92,7 +92,7 @@ export function drawPath(context: CanvasRenderingContext2D, line: Pixel[], theme
   context.fill();
 }
 
-/** All arrows, dark with a light edge so that they are seen on any colour, and one that tells their scale. */
+/** All arrows, dark with a light edge so that they are visible on any colour, and one for their scale. */
 export function drawArrows(context: CanvasRenderingContext2D, field: ArrowField, width: number, theme: Theme): void {
   const upright = width >= uprightFrom;
   const [x, y] = upright ? [54, 18] : [54, 72];

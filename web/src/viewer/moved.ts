@@ -63,7 +63,7 @@ export function findMovedLimits(
 /**
  * For each column of the section with soil that moved by more than `threshold` [m]: the height that parts best what
  * moved from what stayed, with the fewest points on the wrong side. The longest stretch of such columns, smoothed;
- * empty where fewer than six of them stand side by side.
+ * empty where fewer than six of them are adjacent.
  *
  * `positions` [point][2] [m], `displacement` [point] [m], `spacing`: mean distance of the points [m].
  */

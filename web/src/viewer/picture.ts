@@ -34,7 +34,7 @@ export function drawOnPaper(stage: Pictured, paper: HTMLCanvasElement): boolean 
   return stage.drawElsewhere(paperWidth, () => compose(stage, paper, paperTheme, 2.5));
 }
 
-/** Saves the picture as it is seen, at twice the resolution, under a head that says what it is. */
+/** Saves the picture as shown, at twice the resolution, with a head that describes it. */
 export function savePicture(stage: Pictured, theme: Theme, name: string): void {
   const canvas = document.createElement("canvas");
   if (!stage.drawElsewhere(null, () => compose(stage, canvas, theme, 2, captionHeight))) return;

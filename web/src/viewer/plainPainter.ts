@@ -7,7 +7,7 @@ type Project = (x: number, y: number, z: number) => number[];
 
 function drawPoints(context: CanvasRenderingContext2D, body: Body, project: Project, scale: number): void {
   const { dimension, count, positions, values, radii } = body;
-  // Squares of a section may overlap, the clipping cuts them at the surface; in space they stand for spheres.
+  // Squares of a section may overlap, the clipping cuts them at the surface; in space they represent spheres.
   const width = body.cover ? 2 : 1.7;
   const found: { x: number; y: number; depth: number; colour: number; side: number }[] = [];
   for (const slice of body.slices) {
@@ -28,7 +28,7 @@ function drawPoints(context: CanvasRenderingContext2D, body: Body, project: Proj
   }
 }
 
-/** Lets nothing be drawn outside the body of a section, and of points that stand alone. */
+/** Clips the drawing to the body of a section, and to isolated points. */
 function clipToBody(context: CanvasRenderingContext2D, body: Body, project: Project, scale: number): void {
   const { cover, positions, radii } = body;
   if (!cover) return;

@@ -5,13 +5,13 @@ import { smooth } from "./smooth";
 
 /**
  * Where soil shears most: for each column of the section the height of the largest deviatoric strain, smoothed, over
- * the longest stretch of columns in which it stands well above the median of all points. Empty where there is no band.
+ * the longest stretch of columns in which it is well above the median of all points. Empty where there is no band.
  *
  * `positions` [point][2] [m], `strain` [point], `spacing`: mean distance of the points [m].
  */
 export function findStrainRidge(positions: ArrayLike<number>, strain: Float32Array, spacing: number): [number, number][] {
   const count = strain.length;
-  // Some thousand points tell the median as well as all do, and sorting them does not hold up the playing.
+  // Some thousand points give the median as well as all, and sorting them does not delay the animation.
   const stride = Math.max(1, Math.floor(count / 4000));
   const sorted = strain.filter((s, i) => i % stride === 0 && !Number.isNaN(s)).sort();
   if (sorted.length < 50) return [];
@@ -29,7 +29,7 @@ export function findStrainRidge(positions: ArrayLike<number>, strain: Float32Arr
     else columns.set(c, [i]);
   }
 
-  /** Height of the ridge in a column: mean of its band, weighted with the strain; null where nothing stands out. */
+  /** Height of the ridge in a column: mean of its band, weighted with the strain; null without a band. */
   function findHeight(c: number): number | null {
     let best = -1;
     const column = columns.get(c) ?? [];

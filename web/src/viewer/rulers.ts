@@ -7,7 +7,7 @@ import { strokeLine, type Pixel } from "./lines";
 import { fontFamily, uprightFrom, veil } from "./scaleBar";
 import type { Theme } from "./theme";
 
-/** Pixels beside a body whose heights lie between two ends [m], in which its ruler stands. */
+/** Pixels beside a body whose heights lie between two ends [m], for its ruler. */
 export function findRulerWidth(low: number, high: number): number {
   return Math.max(0, ...[low, high].map((y) => 7 * (Math.round(y / report.value.units.length.si).toFixed(0).length - 4)));
 }
@@ -94,12 +94,12 @@ export function drawBox(context: CanvasRenderingContext2D, camera: Camera, box: 
   const { si } = report.value.units.length;
   const middle = project(...([0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as Vec));
   for (let k = 0; k < 3; ++k) {
-    // Heights stand at the left, beside the body.
+    // Heights are at the left, beside the body.
     const start = k === 1 ? leftmost : near;
     const [a, b] = [place(start & ~(1 << k)), place(start | (1 << k))];
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (length < 60) continue;
-    // Texts stand on the side of the edge that is away from the body.
+    // Texts are on the side of the edge that is away from the body.
     let out: Pixel = [-(b[1] - a[1]) / length, (b[0] - a[0]) / length];
     const [dx, dy] = [(a[0] + b[0]) / 2 - middle[0], (a[1] + b[1]) / 2 - middle[1]];
     if (out[0] * dx + out[1] * dy < 0) out = [-out[0], -out[1]];

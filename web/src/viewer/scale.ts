@@ -52,7 +52,7 @@ export function makeLevels(scale: Scale, count: number): Level[] {
 }
 
 /**
- * A table of 256 colours in bands: each entry has the colour of its band, whose ends stand at the shares `ends`
+ * A table of 256 colours in bands: each entry has the colour of its band, whose ends are at the fractions `ends`
  * (increasing, within 0 and 1). The bands' colours run evenly over the whole table.
  */
 export function bandColours(table: Uint8Array, ends: number[]): Uint8Array {

@@ -76,7 +76,7 @@ function drawBar(
     else context.fillRect(x + p, y, 1.5, thick);
   }
   for (const end of [0, 1]) {
-    // An arrow head says that values beyond this end have its colour.
+    // An arrow head marks that values beyond this end have its colour.
     if (!(end ? bar.above : bar.below)) continue;
     const [s, out] = [at(end), end === 1 ? 8 : -8];
     const corners = upright
@@ -93,7 +93,7 @@ function drawBar(
     text: level.text,
     s: at(findShare(level.value, bar.scale)),
   }));
-  // Many bands have more ends than there is room for texts along the top: then every second has one, or every third.
+  // Many bands have more ends than texts fit along the top: then every second has one, or every third.
   const fits = (stride: number) =>
     levels.every(({ s, text }, i) => i < stride || i % stride || s - levels[i - stride]!.s > 8 + 6 * text.length);
   const stride = upright ? 1 : ([1, 2, 3, 4].find(fits) ?? 5);

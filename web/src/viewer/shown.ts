@@ -15,7 +15,7 @@ export interface Shown extends Extent {
   positions: Float64Array;
   /** [frame][point], or [point] of what does not change. */
   values: Float32Array;
-  /** [frame][point] volumes that the points stand for [m³, m³/m], or null where none are stored. */
+  /** [frame][point] volumes of the points [m³, m³/m], or null where none are stored. */
   volumes: Float32Array | null;
   /** Number of each point, as in the results. */
   ids: ArrayLike<number>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** How large points are drawn: each as the volume that it stands for, as cells in a section and spheres in space. */
+/** Sizes of the drawn points by their volume: cells in a section and spheres in space. */
 import { computed } from "@preact/signals";
 
 import { report } from "../state";
@@ -11,8 +11,8 @@ import { frame, shown, takeFrame, takePositions, type Shown } from "./shown";
 const sphereShare = 0.72;
 
 /**
- * Side [m] of the square or cube that each point stands for: its fraction of the body by its volume. Points left out of
- * the report are so shared among those that are shown. A point without a volume has the mean size.
+ * Side [m] of the square or cube of each point: its part of the body by its volume. The volume of points left out of
+ * the report is distributed over those that are shown. A point without a volume has the mean size.
  */
 export function distributeVolume(volumes: ArrayLike<number> | null, count: number, spacing: number, dimension: number) {
   const sizes = new Float32Array(count).fill(spacing);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The water in the section: the line of zero pressure, values of conditions at a time, what stands under a level. */
+/** The water in the section: the line of zero pressure, values of conditions at a time, the area below a level. */
 import { describe, expect, it } from "vitest";
 
 import type { HydraulicCondition } from "../contract";

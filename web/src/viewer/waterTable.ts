@@ -27,7 +27,7 @@ function average(values: Float64Array, triangles: Uint32Array, solid: Uint8Array
   return sums.map((sum, k) => sum / counts[k]!);
 }
 
-/** Joins pieces that share an edge of the triangulation. */
+/** Joins pieces with a common edge of the triangulation. */
 function joinPieces(pieces: [number, number][], place: (edge: number) => [number, number]): Line[] {
   const at = new Map<number, number[]>();
   pieces.forEach((piece, i) => piece.forEach((edge) => at.set(edge, [...(at.get(edge) ?? []), i])));
@@ -52,8 +52,8 @@ function joinPieces(pieces: [number, number][], place: (edge: number) => [number
 }
 
 /**
- * Carries an open line on by one point distance at either end, straight as it came: points stand half a distance
- * behind the surface, and their means stand farther behind it.
+ * Extends an open line by one point distance at either end, in its direction: points are half a distance
+ * behind the surface, and their means are farther behind it.
  */
 function prolong(line: Line, spacing: number): Line {
   const [first, last] = [line[0]!, line.at(-1)!];
@@ -79,7 +79,7 @@ function smoothLine(line: Line): Line {
 
 /**
  * Lines of zero pore pressure. `positions` [point][2] [m], NaN for a point that is not there; `pressure` [point] [Pa];
- * `isWet` [point]; `spacing`: mean distance of the points [m]. Points of a full element share one pressure, so that
+ * `isWet` [point]; `spacing`: mean distance of the points [m]. Points of a full element have one pressure, so that
  * pressures are averaged over neighbours first.
  */
 export function findWaterTable(

@@ -48,7 +48,7 @@ export interface WaterLayer {
   controls: preact.ComponentChildren;
 }
 
-/** Blue is where water presses, red where it pulls: zero stands in the middle. */
+/** Blue is pressure, red is suction: zero is in the middle. */
 function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar; unit: number } {
   const { length, stress } = report.value.units;
   const flat = { levels: null, below: false, above: false };

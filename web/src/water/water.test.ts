@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Water in a section: contours of a field, ponds, and where a name has room. */
+/** Water in a section: contours of a field, ponds, and the place of a name. */
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { Report } from "../contract";

@@ -18,7 +18,7 @@ export interface ChartProps {
   along?: "x" | "y";
   /** Ascending abscissas at which the crosshair stops. */
   stops: ArrayLike<number>;
-  /** Abscissa of the crosshair; charts that share the signal move together. */
+  /** Abscissa of the crosshair; charts with the same signal move together. */
   cross?: Signal<number | null>;
   /** Reading of the crosshair at a stop, and its marks (in the units of the axes). */
   read: (stop: number) => { text: string; marks: CrossMark[] };
@@ -44,7 +44,7 @@ const steps: Record<string, (i: number, last: number) => number> = {
   End: (_, last) => last,
 };
 
-/** Plot with a left margin in which the longest text of its ordinate has room. */
+/** Plot with a left margin that fits the longest text of its ordinate. */
 function drawPlot(options: Plot.PlotOptions): ReturnType<typeof Plot.plot> {
   const plot = Plot.plot(options);
   const texts = plot.querySelectorAll('[aria-label="y-axis tick label"] text');

@@ -9,7 +9,7 @@ export interface LegendItem {
   id: string;
   title: string;
   style: SeriesStyle;
-  /** The value under the crosshair; an empty text keeps its room, so that nothing moves when it comes. */
+  /** The value under the crosshair; an empty text keeps its space, so that nothing moves when a value appears. */
   value?: string;
 }
 

@@ -24,8 +24,8 @@ export function findStep(low: number, high: number, count: number): number {
 }
 
 /**
- * All ticks with the same decimals; numbers below 0.01 or from 1e5 on share a power of ten (a multiple of three), but
- * where they differ by little, as coordinates of a map do: a power would hide what tells them apart.
+ * All ticks with the same decimals; numbers below 0.01 or from 1e5 on have a common power of ten (a multiple of three), but
+ * where they differ by little, as coordinates of a map do: a power would hide their difference.
  */
 export function describeAxis(low: number, high: number, count: number): AxisText {
   const largest = Math.max(Math.abs(low), Math.abs(high));
@@ -76,5 +76,5 @@ export function formatLogTick(value: number): string {
   return formatNumber(value, 2);
 }
 
-/** The title of an abscissa stands in the middle below its ticks. */
+/** The title of an abscissa is in the middle below its ticks. */
 export const centred = { labelAnchor: "center", labelArrow: "none", labelOffset: 36 } as const;

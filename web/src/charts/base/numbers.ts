@@ -36,7 +36,7 @@ export function titleWithUnit(title: string, unit: string): string {
   return isPlain(unit) ? title : `${title} [${unit}]`;
 }
 
-/** Joules become kJ, MJ, … when the largest asks for it; other units stay. Value shown = value × `factor`. */
+/** Joules become kJ, MJ, … if the largest value is large; other units stay. Value shown = value × `factor`. */
 export function scaleUnit(unit: string, largest: number): { unit: string; factor: number } {
   if (unit !== "J") return { unit, factor: 1 };
   if (largest >= 1e9) return { unit: "GJ", factor: 1e-9 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Colour, dashes and symbol of the nth series: told apart without colour too. Colours are variables of charts.css. */
+/** Colour, dashes and symbol of the nth series, which are distinct without colour too. Colours are variables of charts.css. */
 
 export interface SeriesStyle {
   colour: string;

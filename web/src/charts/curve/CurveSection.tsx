@@ -27,7 +27,7 @@ const ink = "var(--ink)";
 const rowHeight = 18;
 /** Width that a label of the flags takes per character [px]; a little more than the fonts need. */
 const characterWidth = 6.9;
-/** Room of the title of the displacement axis, which stands on the frame's left corner [px]. */
+/** Width of the title of the displacement axis, which is on the frame's left corner [px]. */
 const titleWidth = 165;
 
 export function CurveSection() {
@@ -75,7 +75,7 @@ function CurveChart({ curve }: { curve: Curve }) {
     const label = (c: (typeof found)[number]) =>
       width < 480 ? formatFactor(c.factor) : `${formatFactor(c.factor)} ${criterionTitles[c.name]}`;
     const flags = placeFlags(at, found.map((c) => label(c).length * characterWidth + 14), width - 2);
-    // The title of the axis has the row next to the frame when a label would stand in it.
+    // The title of the axis has the row next to the frame when a label would be in it.
     const reach = found.map((c, i) => at[i]! - (flags.side === "left" ? label(c).length * characterWidth : 0));
     if (reach.some((end) => end < margin.left + titleWidth)) flags.rows = flags.rows.map((row) => row + 1);
     const rows = Math.max(0, ...flags.rows) + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The displacement curve as columns, its fitted lines as points, and where the labels of the factors stand. */
+/** The displacement curve as columns, its fitted lines as points, and the places of the labels of the factors. */
 import type { Branch, Curve } from "../../contract";
 import type { CsvColumn } from "../base/csv";
 
@@ -27,7 +27,7 @@ export function sampleBranch(branch: Branch, from: number, to: number, low: numb
 }
 
 export interface Flags {
-  /** On which side of its line each label stands. */
+  /** Side of its line for each label. */
   side: "right" | "left";
   /** Row of each label, 0 next to the frame. */
   rows: number[];
@@ -35,7 +35,7 @@ export interface Flags {
 
 /**
  * Gives each label a row above the frame so that none covers another one or the line of another one. `at`: places of
- * the lines [px], `widths` of the labels with their gaps [px]. Labels stand to the right of their lines when all end
+ * the lines [px], `widths` of the labels with their gaps [px]. Labels are to the right of their lines when all end
  * before `right`, else to the left.
  */
 export function placeFlags(at: readonly number[], widths: readonly number[], right: number): Flags {

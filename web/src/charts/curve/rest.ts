@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Did a trial of the displacement curve come to rest? It runs its whole window, so its last state has to be judged. */
+/** Decides whether a trial of the displacement curve came to rest, by its last state, because it runs its whole window. */
 import type { Curve, InputTable } from "../../contract";
 import { findSetting } from "../../page/methods/settings";
 
@@ -24,7 +24,7 @@ export function findRestLimits(input: InputTable, slopeHeight: number): RestLimi
   return { forceRatio, nodalSpeed: ratio * Math.sqrt(g * slopeHeight) };
 }
 
-/** State of a trial at its end: by its word where that says it, else by force ratio and nodal speed. */
+/** State of a trial at its end: by its word where that is given, else by force ratio and nodal speed. */
 export function judgeTrial(point: Curve["points"][number], limits: RestLimits): TrialState {
   if (point.end === "rest" || point.end === "failed") return point.end;
   return point.force_ratio < limits.forceRatio && point.nodal_speed < limits.nodalSpeed ? "rest" : "moving";

@@ -50,7 +50,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const domain: [number, number] = drawn.length ? findDomain(drawn, log, limit) : [log ? 0.1 : 0, 1];
   const below = drawn.some((v) => v < domain[0]) ? "Smaller values lie below the axis; the CSV holds them." : undefined;
   const at = cross.value === null || printing.value ? -1 : findNearest(times, cross.value);
-  // The title of the momentum says already that it is a magnitude.
+  // The title of the momentum already states that it is a magnitude.
   const signed = panel.series.some((s) => s.values.some((v) => (v ?? 0) < 0)) && panel.kind !== "momentum";
   const title = log && signed ? `${panel.title}, magnitude` : panel.title;
 

@@ -45,7 +45,7 @@ export interface Panel {
   note?: string;
 }
 
-/** Tables of one run: its history and its monitors; they share the time axis. */
+/** Tables of one run: its history and its monitors, on one time axis. */
 export interface HistoryGroup {
   /** Id of the sequence that shows the same time: "stages", "runout_1.75". */
   sequence: string;
@@ -66,7 +66,7 @@ export function groupHistories(report: Pick<Report, "tables" | "sequences">): Hi
   return [...groups.values()];
 }
 
-/** Flows below this share of the largest are round-off: nothing passes there. */
+/** Flows below this fraction of the largest are round-off. */
 const leastFlow = 1e-9;
 
 interface Kind {
@@ -129,7 +129,7 @@ export function makePanels(table: Table): Panel[] {
   for (const column of table.columns) {
     if (column.quantity === "energy" || isIdle(column)) continue;
     const kind = findKind(column);
-    // Components of one vector stand together: "centre_x" and "centre_y".
+    // Components of one vector are adjacent: "centre_x" and "centre_y".
     const whole = (text: string) => (column.component ? text.slice(0, -2) : text);
     const key = kind ? `${kind.id} ${column.unit}` : `other ${whole(column.name)}`;
     let panel = rest.get(key);

@@ -48,7 +48,7 @@ export function findRange(lines: readonly CurveLine[], axis: 0 | 1): [number, nu
   return [low - room, high + room];
 }
 
-/** "materials.loess.kappa" without its first word, which all share. */
+/** "materials.loess.kappa" without its first word, which is the same for all. */
 export function shortenKey(key: string): string {
   return key.replace(/^materials\./, "");
 }

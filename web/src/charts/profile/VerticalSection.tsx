@@ -13,7 +13,7 @@ import { ProfileChart, type ProfileLine } from "./ProfileChart";
 import { type Bin, findLayer, makeProfile, takeFrame } from "./profileData";
 import { styleOf } from "../base/styles";
 
-/** More lines than this cannot be told apart. */
+/** More lines than this cannot be distinguished. */
 const mostTimes = 6;
 
 /** The axis along which gravity points: y, unless it is tilted further. */

@@ -45,7 +45,7 @@ function findPlaces(section: Section, distance: number[]): number[] {
   return distance.map((s) => section.from[1]! + (along[1]! * s) / length);
 }
 
-/** "40 s": to about a hundredth of the longest time, for stored frames lie a step beside the times asked for. */
+/** "40 s": to about a hundredth of the longest time, because stored frames lie a step beside the given times. */
 export function nameTime(time: number, longest: number): string {
   const decimals = Math.max(0, 2 - Math.floor(Math.log10(longest > 0 ? longest : 1)));
   return `${Number(time.toFixed(decimals)) + 0} s`;

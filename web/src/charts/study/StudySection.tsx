@@ -78,7 +78,7 @@ function StudyTornado({ study }: { study: Study }) {
   );
 }
 
-/** Columns of the study's files that every row of the table says anyway. */
+/** Columns of the study's files that every row of the table already has. */
 const repeated = new Set(["variant", "result"]);
 
 function StudyTable({ study }: { study: Study }) {
@@ -87,7 +87,7 @@ function StudyTable({ study }: { study: Study }) {
   const columns = study.columns.map((c, i) => ({ c, i })).filter(({ c }) => !repeated.has(c.name));
   const varied = study.vary.map((v) => v.key);
   const isNumeric = study.columns.map((c) => c.values.some((v) => v !== null));
-  // Reasons and warnings in full; the table has room for their number only.
+  // Reasons and warnings in full; the table has only their number.
   const notes = study.rows.flatMap((r) => [r.reason, ...r.warnings].filter(Boolean).map((t) => `${r.name}: ${t}`));
   const press = (i: number) => setSort({ by: i, down: sort.by === i ? !sort.down : false });
   return (

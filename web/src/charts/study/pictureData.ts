@@ -7,7 +7,7 @@ export interface PictureRow {
   sequence: Sequence;
   /** [frame] time on the clock [s]. */
   clock: number[];
-  /** Frames that stand side by side. */
+  /** Frames shown side by side. */
   pictures: number[];
 }
 

@@ -5,7 +5,7 @@ import type { CsvColumn } from "../base/csv";
 
 type StudyColumn = Study["columns"][number];
 
-/** Row numbers ordered by a column; rows without a value stand last whichever way. */
+/** Row numbers ordered by a column; rows without a value come last in both directions. */
 export function orderRows(column: StudyColumn | null, rows: number, descending: boolean): number[] {
   const order = Array.from({ length: rows }, (_, i) => i);
   if (!column) return descending ? order.reverse() : order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Numbers of the charts of soil water: curves in the units of the report, and where the model stands on them. */
+/** Numbers of the charts of soil water: curves in the units of the report, and the range of the model on them. */
 import type { HydraulicCondition, SoilWater, Unit } from "../../contract";
 
 export interface SoilWaterCurve {
@@ -19,7 +19,7 @@ export function makeCurves(water: SoilWater, speed: Unit): SoilWaterCurve[] {
   ];
   const largest = Math.max(...conductivity);
   if (conductivity.length === 0 || !(largest > 0)) return curves;
-  // Below a billionth of the saturated conductivity nothing flows that a person asks for.
+  // Below a billionth of the saturated conductivity the flow is negligible.
   const low = Math.max(Math.min(...conductivity), 1e-9 * largest);
   const domain: [number, number] = [
     10 ** Math.floor(Math.log10(low / 1.5)),

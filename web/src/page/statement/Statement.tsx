@@ -15,7 +15,7 @@ import { SupportTables } from "./SupportTables";
 import { TitleBlock } from "./TitleBlock";
 import { WaterResults, WaterTables } from "./WaterTables";
 
-/** Two stand beside each other where there is room, unless one asks for the whole width. */
+/** Two are side by side where they fit, unless one needs the whole width. */
 function Block({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }) {
   return (
     <div class={wide ? "block wide" : "block"}>
