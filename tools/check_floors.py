@@ -10,8 +10,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Who may include whom (docs/architecture.md), from the ground up; every floor may include its own files. What is not here
-# is refused: the engines do not know each other, output knows no engine, results know nobody.
+# Includes that are allowed (docs/architecture.md), from the ground up; every floor may include its own files. Others are
+# faults: the engines do not include each other, output includes no engine, results include base only.
 ALLOWED = {
     "base": [],
     "ranks": ["base"],

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs every test of a preset (default: release) and names the ten slowest, and the skipped ones with their reasons: a skipped
-# test proves nothing, so it must be seen. Of the preset tsan it runs those in which threads work together.
+# test proves nothing, so it must be seen. With the preset tsan it runs the tests with several threads.
 # Usage: tools/test.sh [PRESET [NAMES]], NAMES a regular expression of ctest
 set -uo pipefail
 cd "$(dirname "$0")/.."

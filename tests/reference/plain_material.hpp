@@ -61,9 +61,9 @@ Vector3 return_principal(const Material& m, const Vector3& trial);
 /// three-dimensional tensors with ε_zz = 0.
 StressUpdate update_stress(const Material& m, const Tensor& sigma, const Tensor& strain_increment);
 
-/// The same of soil with a gap, in `dimensions` directions that move. Pressing takes tension away first, elastically,
-/// then closes the gap, and only then the soil bears. What it yields by where it bears no more tension in any of these
-/// directions opens the gap.
+/// The same for soil with a gap, with `dimensions` in-plane directions. Compression first removes tension, elastically,
+/// then closes the gap, and only then causes stress. The gap opens by the plastic strain where the soil bears no more
+/// tension in any of these directions.
 StressUpdate update_separating(const Material& m, const Tensor& sigma, const Tensor& strain_increment, double gap,
                                int dimensions);
 

@@ -12,7 +12,7 @@ const findAngle = (x: number, centre: number, radius: number) =>
   Math.acos(Math.min(1, Math.max(-1, (x - centre) / radius)));
 
 /**
- * `circles` [circle][x, y, radius, from, to]. Those up to `limit` have the colour of their band; the rest are thin and
+ * `circles` [circle][x, y, radius, from, to]. Circles up to `limit` have the colour of their band; the rest are thin and
  * grey where `withRest`.
  */
 export function drawTrials(
