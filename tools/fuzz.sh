@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # libFuzzer on every target of tests/fuzz, with sanitizers. Usage: tools/fuzz.sh [MINUTES [TARGET …]] (default: ten minutes of each)
-# What a target has learnt stays in build/debug/fuzz/TARGET. A find stands beside it; mended, it belongs in tests/fuzz/finds/TARGET,
-# which the tests try each time.
+# The corpus of a target is kept in build/debug/fuzz/TARGET. A find is stored beside it; once fixed, it belongs in tests/fuzz/finds/TARGET,
+# whose files every test run reads.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 minutes=${1:-10}

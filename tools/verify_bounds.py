@@ -31,7 +31,7 @@ WET_TABLE = TABLE.with_name("bounds_wet.md")
 WET = ("ACADS-1d ACADS-3a ACADS-3b ACADS-4 AT-3 FK-3 FK-4 FK-5 FK-6 SP-69 ZHU-51 DW-70a DW-70b DW-71b GL-5-LH-0.2 GL-5-LH0.0 GL-5-LH0.2 GL-5-LH0.5 GL-5-LH0.7 "
        "GL-5-LH1.0 GL-6-wet").split()
 KINDS = ("circle", "polyline", "elements")
-#: What explains a factor of slices that lies outside, beside what the numbers say themselves.
+#: Reasons for LEM factors outside the bounds that the numbers alone do not explain.
 REASONS = {
     **dict.fromkeys(("ACADS-1d", "DW-71b", "GL-4-0.6", "GL-4-1.0"), "the weakest surface is no circle"),
     **dict.fromkeys(("ACADS-3a", "ACADS-3b", "ACADS-4"), "no circle follows the weak seam"),

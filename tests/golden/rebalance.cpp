@@ -36,21 +36,21 @@ void compare(bool wet, const input::StepSettings& step) {
   mpm::Body<2> whole = plain;
   run_plan(plain, plan);
 
-  const auto take = [&] {
+  const auto scatter = [&] {
     return mpm::scatter_body(&whole, mpm::copy_description(whole), get_ranks(), {0, whole.layout->chunks});
   };
-  mpm::Body<2> share = take();
-  int hand_overs = 0;
+  mpm::Body<2> part = scatter();
+  int rebalances = 0;
   run::StageState state;
   run::StageHooks<2> hooks;
   hooks.rebalance = [&](mpm::Body<2>& body) {
     mpm::collect(body, true, &whole);
-    body = take();
-    ++hand_overs;
+    body = scatter();
+    ++rebalances;
   };
-  run::run_stage(share, plan, state, hooks);
-  mpm::collect(share, true, &whole);
-  EXPECT_GT(hand_overs, 2);
+  run::run_stage(part, plan, state, hooks);
+  mpm::collect(part, true, &whole);
+  EXPECT_GT(rebalances, 2);
   for_each_point(plain, [&](int id, const mpm::PointView<2>& p) {
     const auto q = mpm::view_point(whole, id);
     EXPECT_EQ(p.position, q.position);
