@@ -35,7 +35,8 @@ std::optional<T> find_file(const std::filesystem::path& path);
 template <class T>
 void write_file(const std::filesystem::path& path, const T& result, int indent = 2, const std::string& safe = "");
 
-/// Returns the JSON Schema of summary.json for `talus schema --results`.
+/// Returns the JSON Schema of summary.json for `talus schema --results`. Its types include those of study.json,
+/// point.json and calibration.json.
 std::string write_schema();
 
 /// Returns every key of summary.json with unit and title as a Markdown table for `talus manual --results`.

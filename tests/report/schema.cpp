@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/schema.hpp"
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -8,6 +10,9 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
+
+#include "report/report_page.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -26,6 +31,11 @@ std::string find_schema_faults(const nlohmann::json& document) {
     faults += ": " + error.description + "\n";
   }
   return faults;
+}
+
+TEST(ResultsSchema, IsThatOfThePage) {
+  EXPECT_EQ(read_text(TALUS_SOURCE_DIR "/web/contract/results.schema.json"), results::write_schema())
+      << "write it again: talus schema --results > web/contract/results.schema.json";
 }
 
 }  // namespace talus::report
