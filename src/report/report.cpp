@@ -122,11 +122,6 @@ ResultFolder open_folder(const fs::path& path) {
       folder.data = input::read_echo(folder.run.input);
       return folder;
     }
-    if (fs::exists(path / "study.csv"))
-      fail(
-          fmt::format("the study in '{}' has no study.json, which older versions did not write; "
-                      "`talus study CASE -o {} --resume` adds it without calculating anything again",
-                      path.string(), path.string()));
     fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
                      path.string()));
   }

@@ -63,6 +63,10 @@ std::optional<E> from_word(std::string_view word) {
   return std::nullopt;
 }
 
+/// Version of the format of summary.json, study.json, point.json and calibration.json. A file of another version
+/// is refused. Increase it when a reader of the old files would misread the new ones or miss a key.
+inline constexpr int result_format = 2;
+
 using Point = std::array<double, 2>;  ///< point of a plane section [m]
 
 }  // namespace talus::results

@@ -41,6 +41,13 @@ std::optional<T> read_file(const std::filesystem::path& path) {
     if (!tree.is_object())
       throw Error(ExitCode::wrong_input,
                   fmt::format("'{}' is no result of Talus: it should hold one JSON object", path.string()));
+  if constexpr (requires(T result) { result.format; })
+    if (const auto found = tree.find("format"); found == tree.end() || *found != result_format)
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("'{}' was written by another version of Talus (result format {}, this is {}): run the case "
+                      "again",
+                      path.string(), found == tree.end() ? std::string("1") : found->dump(), result_format));
   return from_json<T>(tree, path.string());
 }
 

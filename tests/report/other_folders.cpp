@@ -30,9 +30,18 @@ TEST(OtherFolders, AFolderThatIsNoResultIsRefused) {
   EXPECT_NE(find_refusal(folder / "absent").find("there is no folder"), std::string::npos);
   fs::create_directories(folder / "frames");  // a run that was killed before its first frame
   EXPECT_NE(find_refusal(folder).find("is no folder of results"), std::string::npos);
-  std::ofstream(folder / "study.csv") << "variant\n";
-  EXPECT_NE(find_refusal(folder).find("--resume"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "report.html"));
+  fs::remove_all(folder);
+}
+
+TEST(OtherFolders, ResultsOfAnotherVersionAreRefused) {
+  const fs::path folder = make_test_folder("another_version");
+  for (const auto& [text, version] : {std::pair{R"({"title": "Old"})", "1"}, std::pair{R"({"format": 9})", "9"}}) {
+    std::ofstream(folder / "summary.json") << text;
+    EXPECT_EQ(find_refusal(folder), "'" + (folder / "summary.json").string() +
+                                        "' was written by another version of Talus (result format " + version +
+                                        ", this is 2): run the case again");
+  }
   fs::remove_all(folder);
 }
 
@@ -59,7 +68,7 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
 TEST(OtherFolders, AnInterruptedRunSaysWhy) {
   const fs::path folder = make_test_folder("interrupted");
   std::ofstream(folder / "summary.json")
-      << R"({"title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",
+      << R"({"format": 2, "title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",
              "mesh": {"dimension": 3, "nodes": 8, "elements": 6, "points": 24}})";
   const ReadPage page(read_text(write_report(folder)));
   EXPECT_EQ(find_schema_faults(page.document), "");

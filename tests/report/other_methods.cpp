@@ -181,31 +181,6 @@ TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
   fs::remove_all(folder);
 }
 
-TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
-  const auto name = [&](const char* source, const char* measure) {
-    const fs::path folder = make_test_folder("older_rows");
-    json summary = *summary_;
-    for (json& row : summary["methods"]["table"]) {
-      for (const char* key : {"source", "measure"}) row.erase(key);
-      if (row["surface"] == "lem.spencer" && source != nullptr) row["source"] = source;
-      if (row["method"] == "fem" && row["lower"].is_number() && measure != nullptr) row["measure"] = measure;
-    }
-    std::ofstream(folder / "summary.json") << summary.dump();
-    const json factors = collect_report(folder).document.get().at("answer").at("factors");
-    fs::remove_all(folder);
-    std::vector<std::string> names;
-    for (const json& f : factors) names.push_back(f.at("name"));
-    return names;
-  };
-  const auto names = name("critical", "equilibrium");
-  EXPECT_EQ(name(nullptr, nullptr), names);
-  for (const char* each : {"lem.spencer", "fem.factor"})
-    EXPECT_EQ(std::count(names.begin(), names.end(), each), 1) << each;
-  const auto changed = name("given", "displacement");
-  for (const char* none : {"lem.spencer", "fem.factor"})
-    EXPECT_EQ(std::count(changed.begin(), changed.end(), none), 0) << none << " is of another kind";
-}
-
 TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
   const fs::path folder = make_test_folder("other_methods_pounds");
   run(folder, {{"analysis.methods", "[\"lem\"]"},
@@ -324,6 +299,7 @@ TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
   };
   const json factors{factor("Spencer", {1.44, 1.44, 1.44}, 0.0), factor("frozen", {1.46, 1.43, 1.41}, 0.004)};
   std::ofstream(folder / "study.json") << json{
+      {"format", 2},
       {"title", "Meshes"},
       {"variants", json::array({{{"name", "base"}, {"status", "finished"}}})},
       {"extrapolation", {{"key", "mesh.size"}, {"unit", "m"}, {"factors", factors}}}};
@@ -343,9 +319,10 @@ TEST(SampledStudy, TellsItsProbabilityFirst) {
   json sampling{{"samples", 1000},    {"seed", 3},         {"plan", "random"},
                 {"failure", failure}, {"factor", nullptr}, {"tornado", nullptr}};
   sampling["numbers"] = json::array({{{"key", "materials.clay.cohesion"}, {"name", "cohesion"}, {"lowest", nullptr}}});
-  std::ofstream(folder / "study.json") << json{{"title", "Uncertain"},      {"mode", "sample"},
-                                               {"vary", json::array()},     {"columns", json::array()},
-                                               {"variants", json::array()}, {"sampling", sampling}};
+  std::ofstream(folder / "study.json") << json{
+      {"format", 2},           {"title", "Uncertain"},     {"mode", "sample"},
+      {"vary", json::array()}, {"columns", json::array()}, {"variants", json::array()},
+      {"sampling", sampling}};
   const ReadPage page(read_text(write_report(folder)));
   EXPECT_EQ(find_schema_faults(page.document), "");
   EXPECT_EQ(page.document.at("status"), "finished");

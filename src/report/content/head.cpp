@@ -33,14 +33,7 @@ json make_provenance(const ResultFolder& folder) {
 
 json make_timing(const results::RunResult& run) {
   const results::Timing timing = run.timing.value_or(results::Timing{});
-  json parts = results::to_json(timing.parts.value_or(std::vector<results::TimedPart>{}));
-  // Older results have the phases of the MPM step only.
-  if (parts.empty() && timing.stage_steps)
-    for (const auto& [name, seconds] : results::to_json(*timing.stage_steps).items()) {
-      std::string title = "stages: " + name;
-      std::replace(title.begin(), title.end(), '_', ' ');
-      parts.push_back({{"name", name}, {"title", title}, {"seconds", seconds}});
-    }
+  const json parts = results::to_json(timing.parts.value_or(std::vector<results::TimedPart>{}));
   return {{"wall", timing.wall}, {"cpu", timing.cpu.value_or(0)}, {"parts", parts}};
 }
 

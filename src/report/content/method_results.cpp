@@ -35,14 +35,6 @@ json list_numbers(const std::vector<std::optional<double>>& numbers) {
   return list;
 }
 
-/// Returns the columns of the slice table; older results have fewer.
-json take_columns(const results::SliceTable& slices) {
-  json columns = results::to_json(slices);
-  for (json& column : columns)
-    if (column.size() != slices.size()) column = std::vector<double>(slices.size());
-  return columns;
-}
-
 json take_surface(const results::CriticalSurface& found, const char* kind, bool governs) {
   const results::SlipSurface& surface = found.surface;
   const results::SurfaceChecks& checks = found.checks;
@@ -71,7 +63,7 @@ json take_surface(const results::CriticalSurface& found, const char* kind, bool 
                          {"shear", drawn->shear},
                          {"strength", list_numbers(drawn->strength)}};
   if (surface.circle) taken["circle"] = results::to_json(*surface.circle);
-  if (found.slices.size() > 0) taken["slices"] = take_columns(found.slices);
+  if (found.slices.size() > 0) taken["slices"] = results::to_json(found.slices);
   return taken;
 }
 

@@ -59,20 +59,7 @@ bool is_associated(const MethodRow& row) {
 
 /// Returns a text such as "Spencer, critical circle".
 std::string describe(const MethodRow& row) {
-  std::string label = row.label;
-  // Rows of older versions have no label; their title contains the name of the method.
-  if (label.empty()) label = row.method == Method::lem ? row.title : is_associated(row) ? "ψ = φ" : "ψ as given";
-  return row.criterion.empty() ? label : label + ", " + row.criterion;
-}
-
-/// Rows of older versions have no source; it follows from the name of their surface.
-SurfaceSource find_source(const MethodRow& row) {
-  if (row.source) return *row.source;
-  if (row.surface.empty()) return SurfaceSource::none;
-  if (row.method == Method::fem) return SurfaceSource::band;
-  if (row.method == Method::bounds) return SurfaceSource::mechanism;
-  if (row.surface == "lem." + row.name) return SurfaceSource::critical;
-  return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
+  return row.criterion.empty() ? row.label : row.label + ", " + row.criterion;
 }
 
 /// Returns true for limit analysis and FEM, whose intervals are rounded outward; others are rounded to the nearest.
@@ -94,7 +81,7 @@ json take_row(const MethodRow& row) {
           {"title", row.title},
           {"criterion", row.criterion},
           {"surface", row.surface},
-          {"source", to_word(find_source(row))},
+          {"source", to_word(row.source)},
           {"note", row.note},
           {"factor", write(take_factor(row.factor))},
           {"lower", write(take_lower(row))},
@@ -102,18 +89,13 @@ json take_row(const MethodRow& row) {
           {"seconds", write(row.seconds)}};
 }
 
-/// Rows of older versions have no measure; their factors by displacement had no bracket.
-FactorMeasure find_measure(const MethodRow& row) {
-  return row.measure.value_or(row.lower ? FactorMeasure::equilibrium : FactorMeasure::displacement);
-}
-
 /// Returns the name in [[compare]]: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
 std::string name_result(const MethodRow& row) {
   if (row.method == Method::bounds) return "bounds";
   if (row.method == Method::fem)
     return fmt::format("fem.{}{}", is_associated(row) ? "associated." : "",
-                       find_measure(row) == FactorMeasure::displacement ? "by_displacement" : "factor");
-  switch (find_source(row)) {
+                       row.measure == FactorMeasure::displacement ? "by_displacement" : "factor");
+  switch (row.source) {
     case SurfaceSource::none:
       return "lem." + row.name;
     case SurfaceSource::handed:
@@ -125,7 +107,7 @@ std::string name_result(const MethodRow& row) {
 
 /// Returns true for a surface found by a search of LEM, not one that was given to it.
 bool is_critical(const MethodRow& row) {
-  const SurfaceSource source = find_source(row);
+  const SurfaceSource source = row.source;
   return row.method == Method::lem && (source == SurfaceSource::critical || source == SurfaceSource::noncircular);
 }
 
@@ -138,12 +120,12 @@ Factor make_factor(const MethodRow& row) {
   factor.lower = take_lower(row);
   factor.upper = take_upper(row);
   factor.note = row.note;
-  factor.source = find_source(row);
+  factor.source = row.source;
   if (row.method == Method::lem) {
     factor.slice_method = results::from_word<SliceMethod>(row.name);
   } else if (row.method == Method::fem) {
     factor.flow = results::from_word<results::Flow>(row.name);
-    factor.measure = find_measure(row);
+    factor.measure = row.measure;
   }
   return factor;
 }

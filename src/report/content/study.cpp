@@ -242,9 +242,8 @@ void format_extrapolation(const results::StudyExtrapolation& extrapolation, std:
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
   for (const results::ExtrapolatedFactor& f : factors) {
-    const std::string& by = f.by.empty() ? f.criterion : f.by;  // older versions have the title of the column only
     parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
-                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", by,
+                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", f.by,
                                 f.variant.empty() ? "" : "; " + f.variant));
   }
   sentences.push_back(

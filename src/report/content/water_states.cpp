@@ -115,26 +115,13 @@ std::string name_water_state(const results::WaterState& state, bool is_last) {
 
 std::vector<results::WaterState> find_water_states(const ResultFolder& folder) {
   if (folder.run.water_states) return *folder.run.water_states;
-  std::vector<results::WaterState> states;
-  if (get_dimension(folder.run) != 2) return states;
   const input::InitialWater& initial = folder.data.initial.water;
-  if (const auto& seepage = folder.run.seepage) {
-    results::WaterState& state = states.emplace_back();
-    state.flow = WaterFlow::steady;
-    state.time = -initial.season;
-    state.inflow = seepage->inflow;
-    state.outflow = seepage->outflow;
-    state.discharges = seepage->discharges;
-    state.exits = seepage->exits;
-    for (const auto& line : seepage->water_table) {
-      auto& points = state.water_table.emplace_back();
-      for (const std::vector<double>& x : line)
-        if (x.size() == 2) points.push_back({x[0], x[1]});
-    }
-  } else if (initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty()) {
-    states.emplace_back().water_table = {{initial.water_table.begin(), initial.water_table.end()}};
-  }
-  return states;
+  if (get_dimension(folder.run) != 2 || initial.pressure != input::InitialPressure::water_table ||
+      initial.water_table.empty())
+    return {};
+  results::WaterState state;
+  state.water_table = {{initial.water_table.begin(), initial.water_table.end()}};
+  return {state};
 }
 
 json list_water_states(const ResultFolder& folder) {

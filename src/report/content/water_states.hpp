@@ -12,8 +12,8 @@
 
 namespace talus::report {
 
-/// Returns the states of a run in order of time. Results of older versions have none; their water table is returned
-/// instead.
+/// Returns the states of a run in order of time. Without a run, as in a study by LEM alone, it is the water table of
+/// the case.
 std::vector<results::WaterState> find_water_states(const ResultFolder& folder);
 
 /// Returns a title such as "steady seepage" or "1.5 days before the start".

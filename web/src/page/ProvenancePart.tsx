@@ -29,7 +29,7 @@ function Bars({ caption, rows }: { caption: string; rows: { title: string; secon
   );
 }
 
-/** Older folders, and those of killed runs, do not know everything. */
+/** Folders of killed runs do not know everything. */
 const known = (rows: [string, ComponentChildren][]): [string, ComponentChildren][] =>
   rows.map(([name, value]) => [name, value || "not known"]);
 
