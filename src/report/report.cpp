@@ -170,6 +170,41 @@ json make_common(const ResultFolder& folder, Packer& packer) {
   return document;
 }
 
+/// Returns the results of a run as the page shows them. Without a summary the trials of a killed run are its curve, and
+/// the water table of the case is its water.
+results::RunResult take_run(const ResultFolder& folder) {
+  results::RunResult run = folder.run;
+  if (auto states = find_water_states(folder); !states.empty()) run.water_states = std::move(states);
+  if (run.curve) return run;
+  for (const TrialFolder& trial : folder.trials) {
+    if (!trial.result) continue;
+    if (!run.curve) run.curve.emplace();
+    run.curve->points.push_back(*trial.result);
+  }
+  return run;
+}
+
+/// Returns the results of the first variant that stand for all variants of a study.
+results::RunResult take_head(const StudyContent& study) {
+  const results::RunResult first = take_run(study.first);
+  results::RunResult head;
+  head.title = first.title;
+  head.project = first.project;
+  head.provenance = first.provenance;
+  head.units = first.units;
+  head.input = first.input;
+  head.slope_height = first.slope_height;
+  head.water = first.water;
+  head.seepage = first.seepage;
+  head.season = first.season;
+  head.water_states = first.water_states;
+  head.status = study.status;
+  results::Timing& timing = head.timing.emplace();
+  timing.wall = study.wall;
+  timing.cpu = study.cpu;
+  return head;
+}
+
 json make_answer_of(const std::vector<std::string>& sentences) {
   return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
 }
@@ -206,13 +241,12 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   return document;
 }
 
-json make_study_report(const ResultFolder& folder, Packer& packer) {
-  const StudyContent study = read_study(folder, packer);
+json make_study_report(const ResultFolder& folder, const StudyContent& study, Packer& packer) {
   ResultFolder first = study.first;
   first.path = folder.path;  // uses the name of the study; the frames of the variant are not shown
   json document = make_common(first, packer);
   document["kind"] = "study";
-  document["status"] = study.status;
+  document["status"] = results::to_word(study.status);
   document["answer"] = make_answer_of(study.sentences);
   document["warnings"] = study.warnings;
   document["study"] = study.table.get();
@@ -255,12 +289,20 @@ Content collect_report(const fs::path& path) {
   Packer packer;
   Content content;
   try {
-    json document = folder.is_study()        ? make_study_report(folder, packer)
-                    : folder.has_tests_alone ? make_tests_report(folder, packer)
-                                             : make_run(folder, packer);
+    json document, found;
+    if (folder.is_study()) {
+      const StudyContent study = read_study(folder, packer);
+      document = make_study_report(folder, study, packer);
+      found = {{"result", results::to_json(take_head(study))},
+               {"study_result", results::to_json(*folder.study_result)}};
+    } else {
+      document = folder.has_tests_alone ? make_tests_report(folder, packer) : make_run(folder, packer);
+      found = {{"result", results::to_json(take_run(folder))}};
+    }
     add_point_tests(folder, document);
     add_calibration(folder, document);
     content.document = JsonTree(std::move(document));
+    content.results = JsonTree(std::move(found));
   } catch (const json::exception& error) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("cannot make a report of '{}': its {} is not as this version writes it ({})", path.string(),
@@ -282,7 +324,8 @@ fs::path write_report(const fs::path& folder) {
   fs::path path = folder / "report.html";
   const auto files = FileList::find(path);
   write_atomically(path,
-                   fill_page(get_page(), document["project"]["title"].get<std::string>(), document, content.arrays),
+                   fill_page(get_page(), document["project"]["title"].get<std::string>(), content.results.get(),
+                             document, content.arrays),
                    "the results are whole");
   return path;
 }

@@ -53,7 +53,7 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
   fs::remove(folder / "curve.csv");
   fs::remove(folder / "trials" / "srf_1.8000" / "trial.json");
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("status"), "unfinished");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("has not finished"),
             std::string::npos);
@@ -71,7 +71,7 @@ TEST(OtherFolders, AnInterruptedRunSaysWhy) {
       << R"({"format": 2, "title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",
              "mesh": {"dimension": 3, "nodes": 8, "elements": 6, "points": 24}})";
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("status"), "unstable");
   EXPECT_EQ(page.document.at("error"), "stage 'slide' became unstable at t = 2 s");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("became unstable"),
@@ -93,7 +93,7 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
   options.threads = 2;
   const auto rows = study::run_study(plan, options);
   const ReadPage page(read_text(write_report(options.folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("kind"), "study");
   EXPECT_EQ(page.document.at("status"), "finished");
   const json& study = page.document.at("study");

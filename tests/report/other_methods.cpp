@@ -101,7 +101,7 @@ json* OtherMethods::summary_ = nullptr;
 ReadPage* OtherMethods::page_ = nullptr;
 
 TEST_F(OtherMethods, KeepTheContractWithoutMaterialPoints) {
-  EXPECT_EQ(find_schema_faults(document()), "");
+  EXPECT_EQ(find_schema_faults(*page_), "");
   for (const char* key : {"sequences", "tables"}) EXPECT_TRUE(document().at(key).empty()) << key;
   EXPECT_FALSE(document().contains("curve"));
   EXPECT_TRUE(document().at("model").at("stages").empty());
@@ -189,7 +189,7 @@ TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
                {"output.displacement_unit", "in"}});
   const ReadPage page(read_text(write_report(folder)));
   fs::remove_all(folder);
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const json& units = page.document.at("units");
   EXPECT_EQ(units.at("line_force").at("name"), "plf");
   EXPECT_NEAR(units.at("line_force").at("si").get<double>(), 4.4482216152605 / 0.3048, 1e-9);
@@ -265,7 +265,7 @@ TEST_F(OtherMethods, ADamagedFileCostsItsPicturesOnly) {
   std::ofstream(folder / "lem.json") << "{\"trials\": [[1, 2";
   std::ofstream(folder / "fem.json") << R"({"nodes": [[0, 0], [1, 0]], "elements": [[0, 1, 2, 3, 4, 5]], "runs": []})";
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_FALSE(page.document.at("slices").contains("trials"));
   EXPECT_FALSE(page.document.at("finite_elements").contains("mesh"));
   EXPECT_EQ(page.document.at("slices").at("surfaces"), document().at("slices").at("surfaces"));
@@ -284,7 +284,7 @@ TEST_F(OtherMethods, AMethodWithoutAnAnswerSaysWhy) {
   summary["methods"]["table"] = json::array();
   std::ofstream(folder / "summary.json") << summary.dump();
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("finite_elements").at("error"), "no equilibrium at any factor");
   EXPECT_EQ(page.document.at("answer").at("sentences").at(0), "No method found a factor of safety.");
   fs::remove_all(folder);
@@ -304,7 +304,7 @@ TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
       {"variants", json::array({{{"name", "base"}, {"status", "finished"}}})},
       {"extrapolation", {{"key", "mesh.size"}, {"unit", "m"}, {"factors", factors}}}};
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("answer").at("sentences").at(0),
             "Extrapolated to mesh.size = 0, the factor of safety is 1.390 ± 0.004 (frozen).")
       << "slices do not know the size: nothing is extrapolated";
@@ -324,7 +324,7 @@ TEST(SampledStudy, TellsItsProbabilityFirst) {
       {"vary", json::array()}, {"columns", json::array()}, {"variants", json::array()},
       {"sampling", sampling}};
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("status"), "finished");
   EXPECT_EQ(page.document.at("answer").at("sentences")[0],
             "The probability of failure is 2.4 %, between 1.5 % and 3.5 % with 95 % confidence; the reliability index "
@@ -343,7 +343,7 @@ TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
                                     {"bounds.size", "3"}});
   const ReadPage page(read_text(write_report(folder)));
   const json& document = page.document;
-  EXPECT_EQ(find_schema_faults(document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const json &bounds = summary.at("bounds"), &shown = document.at("proven_bounds");
   const double lower = bounds.at("lower"), upper = bounds.at("upper");
   EXPECT_LE(shown.at("lower").get<double>(), lower);

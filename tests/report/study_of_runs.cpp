@@ -43,8 +43,8 @@ class ReportOfRuns : public testing::Test {
 };
 
 TEST_F(ReportOfRuns, KeepsTheContract) {
-  EXPECT_EQ(find_schema_faults(page_->document), "");
-  EXPECT_EQ(find_schema_faults(run_->document), "");
+  EXPECT_EQ(find_schema_faults(*page_), "");
+  EXPECT_EQ(find_schema_faults(*run_), "");
   EXPECT_EQ(study().at("reference"), "base");
 }
 

@@ -49,7 +49,7 @@ class WaterStates : public ::testing::Test {
 };
 
 TEST_F(WaterStates, KeepTheContract) {
-  EXPECT_EQ(find_schema_faults(document()), "");
+  EXPECT_EQ(find_schema_faults(*page_), "");
 }
 
 TEST_F(WaterStates, AreThoseOfTheResults) {

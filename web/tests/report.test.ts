@@ -13,13 +13,13 @@ import { findGiven, findPackedArrays, readReportFile } from "./reportFile";
 const given = findGiven();
 
 describe.skipIf(!given)("a report holds the contract", () => {
-  const { report, arrays, doubled, source } = given ? readReportFile(given.page) : ({} as never);
+  const { report, document, arrays, doubled, source } = given ? readReportFile(given.page) : ({} as never);
   const packed = given ? findPackedArrays(report) : [];
 
   it("has the shape of contract/report.schema.json", () => {
     const schema = JSON.parse(readFileSync(new URL("../contract/report.schema.json", import.meta.url), "utf8"));
     const validate = new Ajv({ allErrors: true }).compile(schema);
-    validate(report);
+    validate(document);
     expect(validate.errors ?? []).toEqual([]);
   });
 

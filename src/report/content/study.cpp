@@ -270,9 +270,10 @@ ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const re
   return first;
 }
 
-/// Returns "finished" if all variants are. A study of LEM samples has no variants; it has finished if its samples are
+/// Returns finished if all variants are. A study of LEM samples has no variants; it has finished if its samples are
 /// there.
-std::string find_status(const results::StudyResult& study) {
+results::Status find_status(const results::StudyResult& study) {
+  using results::Status;
   using results::VariantStatus;
   const auto has = [&](VariantStatus status) {
     return std::any_of(study.variants.begin(), study.variants.end(), [&](const auto& v) { return v.status == status; });
@@ -281,11 +282,11 @@ std::string find_status(const results::StudyResult& study) {
                             ? study.sampling.has_value()
                             : std::all_of(study.variants.begin(), study.variants.end(),
                                           [](const auto& v) { return v.status == VariantStatus::finished; });
-  return finished                          ? "finished"
-         : has(VariantStatus::interrupted) ? "interrupted"
-         : has(VariantStatus::not_started) ? "unfinished"
-         : has(VariantStatus::unstable)    ? "unstable"
-                                           : "failed";
+  return finished                          ? Status::finished
+         : has(VariantStatus::interrupted) ? Status::interrupted
+         : has(VariantStatus::not_started) ? Status::unfinished
+         : has(VariantStatus::unstable)    ? Status::unstable
+                                           : Status::failed;
 }
 
 /// Returns a row with the results of the variant: curve, onsets, displacements of the monitors, sections.
@@ -368,10 +369,10 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   if (!rows.empty()) {
     const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
                                         [](const auto& v) { return v.status == results::VariantStatus::finished; });
-    sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
-                                    rows.size() == 1 ? "" : "s",
-                                    keys.empty() ? "" : ", which differ in " + join_words(keys),
-                                    content.status == "finished" ? std::string("all") : std::to_string(finished)));
+    sentences.push_back(
+        fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(), rows.size() == 1 ? "" : "s",
+                    keys.empty() ? "" : ", which differ in " + join_words(keys),
+                    content.status == results::Status::finished ? std::string("all") : std::to_string(finished)));
   }
   if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
   if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;

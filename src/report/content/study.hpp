@@ -38,7 +38,7 @@ std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, P
 
 struct StudyContent {
   ResultFolder first;  ///< first variant with a summary; its model and input represent all variants
-  std::string status;  ///< "finished" if all variants are
+  results::Status status = results::Status::unfinished;  ///< finished if all variants are
   std::vector<std::string> sentences, warnings;
   double wall = 0, cpu = 0;         ///< sum over all variants [s]
   JsonTree table;                   ///< `Study` of web/src/contract/

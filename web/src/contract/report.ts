@@ -12,6 +12,7 @@ import type { InputTable, Project, Provenance, Timing } from "./head";
 import type { Calibration, PointTests } from "./laboratory";
 import type { MethodTable } from "./methods";
 import type { Model } from "./model";
+import type { RunResult, StudyResult } from "./results";
 import type { Curve, Motion, Section, Sequence, Table } from "./run";
 import type { Slices } from "./slices";
 import type { Study } from "./study";
@@ -19,8 +20,17 @@ import type { Timeline } from "./timeline";
 import type { Unit } from "./units";
 import type { Water } from "./water";
 
-/** A report: of one run, of a study, or of element tests alone. */
-export interface Report {
+/** What the program computed: the files of the results folder. */
+export interface Results {
+  /** summary.json; of a study what stands for all variants: the head of the first one. */
+  result: RunResult;
+  study_result?: StudyResult;
+}
+
+export type Report = ReportDocument & Results;
+
+/** What the report adds to the results: sentences, derived values and packed arrays. */
+export interface ReportDocument {
   format: 1;
   kind: "run" | "study" | "tests";
   project: Project;
