@@ -214,10 +214,10 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
   };
-  add("method_table", make_method_table(folder));
-  add("slices", make_slices(folder, packer, document["warnings"]));
-  add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
-  add("proven_bounds", make_proven_bounds(folder, packer, document["warnings"]));
+  add("methods_read", read_methods(folder));
+  add("slices", pack_slices(folder, packer, document["warnings"]));
+  add("finite_elements", pack_finite_elements(folder, packer, document["warnings"]));
+  add("proven_bounds", pack_proven_bounds(folder, packer, document["warnings"]));
 }
 
 json make_run(const ResultFolder& folder, Packer& packer) {

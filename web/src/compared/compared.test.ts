@@ -21,7 +21,7 @@ const surfaces = [
   { name: "lem.janbu", title: "Janbu", method: "lem", factor: null, points: [] },
   { name: "fem.band", title: "Band", method: "fem", factor: 1.42, points },
 ];
-const rows = ["bishop", "spencer", "janbu"].map((name) => ({ name, surface: `lem.${name}`, source: "critical" }));
+const table = ["bishop", "spencer", "janbu"].map((name) => ({ name, surface: `lem.${name}`, source: "critical" }));
 const bare = {
   kind: "run",
   sequences: [],
@@ -29,12 +29,17 @@ const bare = {
   comparisons: [],
   methods: [],
   input: {},
+  result: {},
   model: { dimension: 2, materials: [], polygons: [] },
 } as unknown as Report;
 
 describe("surfaces over each other", () => {
   it("begin with those that are shown at first: what governs of slices, all of other methods", () => {
-    report.value = { ...bare, method_table: { surfaces, rows, governing: "lem.spencer" } } as unknown as Report;
+    report.value = {
+      ...bare,
+      methods_read: { governing: "lem.spencer" },
+      result: { methods: { surfaces, table } },
+    } as unknown as Report;
     const listed = listSurfaces();
     expect(listed.map((s) => [s.name, s.first, s.look])).toEqual([
       ["lem.spencer", true, 0],
@@ -46,7 +51,7 @@ describe("surfaces over each other", () => {
 });
 
 describe("a run without material points", () => {
-  const lem = { ...bare, method_table: { asked: ["lem"], surfaces }, slices: {} } as unknown as Report;
+  const lem = { ...bare, methods_read: {}, result: { methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
 
   it("has a section, and no part of points", () => {
     const ids = listContents(lem).map((entry) => entry.id);

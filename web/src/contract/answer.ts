@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What was asked for: factors of safety, other numbers, and published values beside them. */
-import type { Criterion, FactorMeasure, Flow, MethodName, SliceMethod, SurfaceSource, Unit } from "./units";
+import type { CriterionKind, FactorMeasure, Flow, Method, SliceMethod, SurfaceSource, Unit } from "./results";
 
 export interface Answer {
   /** The answer in words, the most important sentence first. */
@@ -11,9 +11,9 @@ export interface Answer {
 
 /** A factor of safety by one method and criterion. */
 export interface Factor {
-  method: MethodName;
+  method: Method;
   /** The method of slices, flow rule or criterion; empty where slices changed a surface that they were given. */
-  by: SliceMethod | Flow | Criterion | "";
+  by: SliceMethod | Flow | CriterionKind | "";
   /** Where its surface comes from: of slices and finite elements. */
   source?: SurfaceSource;
   /** Of finite elements. */

@@ -15,3 +15,4 @@ export type * from "./study";
 export type * from "./timeline";
 export type * from "./units";
 export type * from "./water";
+export type { BoundsResult, CriterionKind, CriticalSurface, DesignStatement, DrawnSurface, FactorMeasure, Flow, Method, MethodComparison, MethodRow, MethodSurface, RunResult, SliceMethod, SliceResult, SliceSearch, SlipSurface, SurfaceSource, Unit } from "./results";

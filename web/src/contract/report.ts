@@ -6,23 +6,22 @@
  * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
  */
 import type { Answer, Comparison } from "./answer";
-import type { ProvenBounds } from "./bounds";
-import type { FiniteElements } from "./elements";
+import type { BoundsDrawn } from "./bounds";
+import type { ElementsDrawn } from "./elements";
 import type { InputTable, Project, Provenance, Timing } from "./head";
 import type { Calibration, PointTests } from "./laboratory";
-import type { MethodTable } from "./methods";
+import type { MethodsRead } from "./methods";
 import type { Model } from "./model";
-import type { RunResult, StudyResult } from "./results";
+import type { RunResult, StudyResult, Unit } from "./results";
 import type { Curve, Motion, Section, Sequence, Table } from "./run";
 import type { Slices } from "./slices";
 import type { Study } from "./study";
 import type { Timeline } from "./timeline";
-import type { Unit } from "./units";
 import type { Water } from "./water";
 
-/** What the program computed: the files of the results folder. */
+/** What the program computed: the files of the results folder as they are. */
 export interface Results {
-  /** summary.json; of a study what stands for all variants: the head of the first one. */
+  /** summary.json; of a study that of its first variant. */
   result: RunResult;
   study_result?: StudyResult;
 }
@@ -65,24 +64,23 @@ export interface ReportDocument {
   sections?: Section[];
   /** Absent where the ground is dry. */
   water?: Water;
-  /** Of a case that asks for several methods, or for others than material points. */
-  method_table?: MethodTable;
+  methods_read?: MethodsRead;
   slices?: Slices;
-  finite_elements?: FiniteElements;
-  proven_bounds?: ProvenBounds;
+  finite_elements?: ElementsDrawn;
+  proven_bounds?: BoundsDrawn;
   /** Of a case with a timeline. */
   timeline?: Timeline;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */
-  methods: Method[];
+  methods: MethodParagraph[];
   /** The case as it was understood: nested tables whose leaves are InputValue. */
   input: InputTable;
   provenance: Provenance;
   timing: Timing;
 }
 
-export type Method =
+export type MethodParagraph =
   | "material_point_method"
   | "time_step"
   | "mixed_integration"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What one run has: frames, the displacement curve, tables over time, motion, sections. */
-import type { Criterion, PackedArray, PackedPlaces, TableColumn, Unit } from "./units";
+import type { CriterionKind, Unit } from "./results";
+import type { PackedArray, PackedPlaces, TableColumn } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
@@ -39,7 +40,7 @@ export interface SequenceField {
 export interface Curve {
   points: { srf: number; displacement: number; end: string; force_ratio: number; nodal_speed: number }[];
   bilinear?: { first: Branch; last: Branch; factor: number | null };
-  criteria: { name: Criterion; factor: number | null; lower: number | null; upper: number | null; note: string }[];
+  criteria: { name: CriterionKind; factor: number | null; lower: number | null; upper: number | null; note: string }[];
 }
 
 /** displacement = slope × SRF + intercept [m]. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The factor of safety in time. */
-import type { Unit } from "./units";
+import type { Unit } from "./results";
 import type { WaterMesh, WaterState } from "./water";
 
 export interface Timeline {

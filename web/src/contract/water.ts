@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Pore water: soils, conditions, start, weather before the run, budget. */
-import type { PackedArray, PackedPlaces, Unit } from "./units";
+import type { Unit } from "./results";
+import type { PackedArray, PackedPlaces } from "./units";
 
 /** The triangles that fields of pore water lie on. */
 export interface WaterMesh {

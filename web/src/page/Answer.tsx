@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
+import { findMethods } from "../compared/methodTable";
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
 import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
@@ -10,8 +11,9 @@ import type { Factor, NamedResult } from "../contract";
 import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
-const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
-const resistance = () => getResistance(report.value.method_table);
+const findPartialFactors = () => findMethods(report.value)?.partial_factors ?? null;
+const hasDesignValues = () => findPartialFactors() !== null;
+const resistance = () => getResistance(findPartialFactors());
 /** What is compared with 1: the factor of safety over γ_R. */
 const check = (factor: number | null) => (factor === null ? null : factor / resistance());
 const checkInterval = ({ lower, upper }: Factor) => ({ lower: check(lower), upper: check(upper) });
@@ -19,7 +21,7 @@ const nameFactor = () =>
   hasDesignValues() ?
     resistance() === 1 ? "Factor of safety with design values"
     : `Factor of safety with design values over the resistance factor ${formatNumber(resistance(), 4)}`
-  : report.value.slices?.drawdown ? "Factor of safety after drawdown"
+  : report.value.result.lem?.drawdown ? "Factor of safety after drawdown"
   : "Factor of safety";
 const sayFailure = () =>
   hasDesignValues() ? "the slope is not verified"
@@ -169,7 +171,7 @@ function pickResults(results: NamedResult[], most: number): NamedResult[] {
     return found < 0 ? wanted.length : found;
   };
   // Beside other methods the stages only prepare the strength reduction, and the mesh is told below.
-  const beside = (report.value.method_table?.asked.length ?? 1) > 1;
+  const beside = (findMethods(report.value)?.asked.length ?? 1) > 1;
   const isAside = ({ kind }: NamedResult) => beside && (kind === "stage" || kind === "mesh");
   return results
     .filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result))

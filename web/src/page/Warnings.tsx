@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Warnings, counted, each a sentence: seen at once, never folded away before the third. */
+import { listLimits } from "../slices/sliceData";
 import { report } from "../state";
 import { formatCount, formatSentence } from "./format";
 
@@ -34,8 +35,8 @@ export function WarningLink() {
 }
 
 export function Warnings() {
-  const { status, warnings, slices } = report.value;
-  const limits = slices?.search?.limit_hits ?? [];
+  const { status, warnings } = report.value;
+  const limits = listLimits();
   if (warnings.length === 0 && limits.length > 0) {
     return (
       <div class="warnings">

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Which parts this report has, in the order of the page. */
+import { findMethods } from "../compared/methodTable";
 import type { Report } from "../contract";
 
 export interface Entry {
@@ -11,7 +12,7 @@ export interface Entry {
 export function listContents(report: Report): Entry[] {
   const isStudy = report.kind === "study";
   const has = (kind: string) => report.tables.some((table) => table.kind === kind);
-  const surfaces = report.model.dimension === 2 && (report.method_table?.surfaces.length ?? 0) > 0;
+  const surfaces = report.model.dimension === 2 && (findMethods(report)?.surfaces.length ?? 0) > 0;
   const hasSoil = report.model.dimension === 2 && report.model.polygons.length > 0;
   const entries: [boolean, string, string][] = [
     [true, "answer", "Answer"],
@@ -21,10 +22,10 @@ export function listContents(report: Report): Entry[] {
     [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "variants", "Variants"],
     [report.timeline !== undefined, "timeline", "Timeline"],
-    [report.method_table !== undefined, "compared", "Compared"],
-    [report.slices !== undefined, "slices", "Slices"],
-    [report.finite_elements !== undefined, "elements", "Elements"],
-    [report.proven_bounds !== undefined, "bounds", "Bounds"],
+    [report.methods_read !== undefined, "compared", "Compared"],
+    [report.result.lem !== undefined, "slices", "Slices"],
+    [report.result.fem !== undefined, "elements", "Elements"],
+    [report.result.bounds !== undefined, "bounds", "Bounds"],
     [report.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
     [

@@ -2,6 +2,7 @@
 /** What the viewer opens on where slip surfaces of other methods lie over the material points. */
 import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/curve/rest";
+import { findMethods } from "../compared/methodTable";
 import type { Report } from "../contract";
 import { fieldName, frameIndex, sequenceIndex } from "../state";
 import { limitMode } from "../viewer/settings";
@@ -11,7 +12,7 @@ import { limitMode } from "../viewer/settings";
  * the first that does not come to rest, else the first. Null for material points alone, and without such a trial.
  */
 export function findMechanism(report: Report): { sequence: number; frame: number } | null {
-  if (!report.method_table || report.method_table.surfaces.every((s) => s.method === "mpm")) return null;
+  if (!findMethods(report)?.surfaces.some((s) => s.method !== "mpm")) return null;
   const main = report.answer.factors.find((f) => f.method === "mpm" && f.main)?.value;
   const sequence = report.sequences.findIndex((s) => s.kind === "curve");
   if (main === null || main === undefined || sequence < 0) return null;

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Criterion, Curve } from "../../contract";
+import type { CriterionKind, Curve } from "../../contract";
 import { formatFactor } from "../../page/format";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
@@ -15,7 +15,7 @@ import { formatNumber, formatQuantity } from "../base/numbers";
 import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
 import { styleOf } from "../base/styles";
 
-const criterionTitles: Record<Criterion, string> = {
+const criterionTitles: Record<CriterionKind, string> = {
   bilinear: "bilinear lines",
   displacement: "displacement limit",
   jump: "jump",
