@@ -113,6 +113,7 @@ ResultFolder open_folder(const fs::path& path) {
   folder.path = path;
   folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
   folder.tests = results::read_file<results::PointTests>(path / "point" / "point.json");
+  folder.calibration = results::read_file<results::Calibration>(path / "calibration" / "calibration.json");
   folder.trials = list_trials(path / "trials");
   folder.frames = open_frames(path);
   if (!run && !folder.study_result && !folder.frames && folder.trials.empty()) {
@@ -141,33 +142,15 @@ using nlohmann::json;
 
 namespace {
 
-/// Returns the parts that reports of runs and of studies share; for a study they are those of its first variant.
-json make_common(const ResultFolder& folder, Packer& packer) {
-  const results::RunResult& run = folder.run;
-  const ShownUnits units = read_units(run);
-  json document{{"format", 1},
-                {"kind", "run"},
-                {"project", make_project(run)},
-                {"status", results::to_word(run.status)},
-                {"units",
-                 {{"length", to_json(units.length)},
-                  {"displacement", to_json(units.displacement)},
-                  {"stress", to_json(units.stress)},
-                  {"line_force", to_json(units.line_force)},
-                  {"volume", to_json(units.volume(get_dimension(run)))},
-                  {"flow", to_json(units.flow(get_dimension(run)))},
-                  {"speed", to_json(units.speed())}}},
-                {"model", make_model(folder, results::find_main_factor(run), packer)},
-                {"sequences", json::array()},
-                {"tables", json::array()},
-                {"comparisons", results::to_json(run.comparisons)},
-                {"assumptions", list_assumptions(folder)},
-                {"methods", list_methods(folder)},
-                {"input", run.input.get()},
-                {"provenance", make_provenance(folder)},
-                {"timing", make_timing(run)}};
-  if (json water = make_water(folder); !water.is_null()) document["water"] = std::move(water);
-  return document;
+std::string find_title(const results::RunResult& run) {
+  const std::string& title = run.title.empty() ? run.project.title : run.title;
+  return title.empty() ? "Untitled case" : title;
+}
+
+std::string name_folder(const fs::path& path) {
+  fs::path name = fs::absolute(path).lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  return name.filename().string();
 }
 
 /// Returns the results of a run as the page shows them. Without a summary the trials of a killed run are its curve, and
@@ -205,6 +188,30 @@ results::RunResult take_head(const StudyContent& study) {
   return head;
 }
 
+/// Returns the parts that reports of runs and of studies share; for a study they are those of its first variant.
+json make_common(const ResultFolder& folder, Packer& packer) {
+  const results::RunResult& run = folder.run;
+  const ShownUnits units = read_units(run);
+  json document{{"kind", "run"},
+                {"title", find_title(run)},
+                {"folder", name_folder(folder.path)},
+                {"units",
+                 {{"length", to_json(units.length)},
+                  {"displacement", to_json(units.displacement)},
+                  {"stress", to_json(units.stress)},
+                  {"line_force", to_json(units.line_force)},
+                  {"volume", to_json(units.volume(get_dimension(run)))},
+                  {"flow", to_json(units.flow(get_dimension(run)))},
+                  {"speed", to_json(units.speed())}}},
+                {"model", make_model(folder, results::find_main_factor(run), packer)},
+                {"sequences", json::array()},
+                {"tables", json::array()},
+                {"assumptions", list_assumptions(folder)},
+                {"methods", list_methods(folder)}};
+  if (json water = make_water(folder); !water.is_null()) document["water"] = std::move(water);
+  return document;
+}
+
 json make_answer_of(const std::vector<std::string>& sentences) {
   return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
 }
@@ -223,15 +230,12 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
 json make_run(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   const results::RunResult& run = folder.run;
-  if (run.error && !run.error->empty()) document["error"] = *run.error;
   document["answer"] = make_answer(folder);
   document["answer"]["results"] = list_named_results(folder);
   document["warnings"] = list_unrest(run);
   for (const std::string& warning : run.warnings) document["warnings"].push_back(warning);
-  if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
-  if (run.motion) document["motion"] = results::to_json(*run.motion);
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
@@ -246,16 +250,13 @@ json make_study_report(const ResultFolder& folder, const StudyContent& study, Pa
   first.path = folder.path;  // uses the name of the study; the frames of the variant are not shown
   json document = make_common(first, packer);
   document["kind"] = "study";
-  document["status"] = results::to_word(study.status);
   document["answer"] = make_answer_of(study.sentences);
   document["warnings"] = study.warnings;
   document["study"] = study.table.get();
   for (const JsonTree& sequence : study.sequences) document["sequences"].push_back(sequence.get());
-  document["comparisons"] = json::array();
-  document["timing"] = {{"wall", study.wall}, {"cpu", study.cpu}, {"parts", json::array()}};
   if (folder.study_result->sampling) {
     // Samples evaluated by LEM have no run, and so no input.
-    if (document["input"].empty()) document["methods"] = json::array();
+    if (first.run.input.is_empty()) document["methods"] = json::array();
     document["methods"].push_back("sampling");
   }
   return document;
@@ -275,11 +276,9 @@ json make_tests_report(const ResultFolder& folder, Packer& packer) {
 /// Adds the element tests of the folder to any kind of report.
 void add_point_tests(const ResultFolder& folder, json& document) {
   if (!folder.tests) return;
-  document["point_tests"] = make_point_tests(folder);
+  document["point_columns"] = read_point_columns(folder);
   if (folder.has_tests_alone) return;
   for (const std::string& warning : folder.tests->warnings) document["warnings"].push_back(warning);
-  for (json& comparison : results::to_json(folder.tests->comparisons))
-    document["comparisons"].push_back(std::move(comparison));
 }
 
 }  // namespace
@@ -299,6 +298,8 @@ Content collect_report(const fs::path& path) {
       document = folder.has_tests_alone ? make_tests_report(folder, packer) : make_run(folder, packer);
       found = {{"result", results::to_json(take_run(folder))}};
     }
+    if (folder.tests) found["point_tests"] = results::to_json(*folder.tests);
+    if (folder.calibration) found["calibration"] = results::to_json(*folder.calibration);
     add_point_tests(folder, document);
     add_calibration(folder, document);
     content.document = JsonTree(std::move(document));
@@ -323,10 +324,10 @@ fs::path write_report(const fs::path& folder) {
   const json& document = content.document.get();
   fs::path path = folder / "report.html";
   const auto files = FileList::find(path);
-  write_atomically(path,
-                   fill_page(get_page(), document["project"]["title"].get<std::string>(), content.results.get(),
-                             document, content.arrays),
-                   "the results are whole");
+  write_atomically(
+      path,
+      fill_page(get_page(), document["title"].get<std::string>(), content.results.get(), document, content.arrays),
+      "the results are whole");
   return path;
 }
 

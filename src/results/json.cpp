@@ -90,21 +90,10 @@ TALUS_JSON(PointTests)
 TALUS_JSON(Calibration)
 #undef TALUS_JSON
 
-// Parts of a result that the report copies unchanged into the contract of its page.
+// Parts of the results of a variant that the page of a study shows.
 #define TALUS_JSON(T) template nlohmann::json to_json<T>(const T&);
-TALUS_JSON(Project)
-TALUS_JSON(Provenance)
-TALUS_JSON(StepSeconds)
-TALUS_JSON(std::vector<TimedPart>)
-TALUS_JSON(std::vector<Comparison>)
-TALUS_JSON(std::vector<Criterion>)
 TALUS_JSON(Motion)
-TALUS_JSON(SliceTable)
-TALUS_JSON(StandingWater)
-TALUS_JSON(Circle)
-TALUS_JSON(Sampling)
-TALUS_JSON(PointGroup)
-TALUS_JSON(std::vector<ExtrapolatedFactor>)
+TALUS_JSON(DisplacementCurve)
 #undef TALUS_JSON
 
 namespace {

@@ -54,10 +54,10 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
   fs::remove(folder / "trials" / "srf_1.8000" / "trial.json");
   const ReadPage page(read_text(write_report(folder)));
   EXPECT_EQ(find_schema_faults(page), "");
-  EXPECT_EQ(page.document.at("status"), "unfinished");
+  EXPECT_EQ(page.results.at("result").at("status"), "unfinished");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("has not finished"),
             std::string::npos);
-  const json& points = page.document.at("curve").at("points");
+  const json& points = page.results.at("result").at("curve").at("points");
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].at("displacement"), summary.at("curve").at("points")[0].at("displacement"));
   EXPECT_EQ(page.sequence("stages").at("point_count"), summary.at("mesh").at("points"));
@@ -72,8 +72,8 @@ TEST(OtherFolders, AnInterruptedRunSaysWhy) {
              "mesh": {"dimension": 3, "nodes": 8, "elements": 6, "points": 24}})";
   const ReadPage page(read_text(write_report(folder)));
   EXPECT_EQ(find_schema_faults(page), "");
-  EXPECT_EQ(page.document.at("status"), "unstable");
-  EXPECT_EQ(page.document.at("error"), "stage 'slide' became unstable at t = 2 s");
+  EXPECT_EQ(page.results.at("result").at("status"), "unstable");
+  EXPECT_EQ(page.results.at("result").at("error"), "stage 'slide' became unstable at t = 2 s");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("became unstable"),
             std::string::npos);
   EXPECT_TRUE(page.document.at("sequences").empty());
@@ -95,7 +95,7 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
   const ReadPage page(read_text(write_report(options.folder)));
   EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("kind"), "study");
-  EXPECT_EQ(page.document.at("status"), "finished");
+  EXPECT_EQ(page.results.at("result").at("status"), "finished");
   const json& study = page.document.at("study");
   ASSERT_EQ(study.at("rows").size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -57,7 +57,7 @@ try {
   }
   if (report.result.lem || report.result.fem)
     await list.group("Methods", () => checkMethods(list, page, report, out));
-  if (report.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
+  if (report.result.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await list.group("Phone", async () => checkPhone(list, await open(phone), out));

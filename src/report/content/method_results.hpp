@@ -10,8 +10,8 @@
 namespace talus::report {
 
 /// Return what the report adds to the results of a method: `Slices`, `ElementsDrawn` and `BoundsDrawn` of
-/// web/src/contract/; null without the method, and where there is nothing to draw. Files that cannot be read are omitted
-/// with a warning.
+/// web/src/contract/; null without the method, and where there is nothing to draw. Files that cannot be read are
+/// omitted with a warning.
 nlohmann::json pack_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_proven_bounds(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);

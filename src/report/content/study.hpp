@@ -14,9 +14,6 @@
 
 namespace talus::report {
 
-/// Returns `Sampling` of web/src/contract/: distributions, probability of failure, sensitivities, runout.
-nlohmann::json make_sampling(const results::Sampling& sampling);
-
 /// Adds the sentences of the answer on the samples, the most important first.
 void format_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences);
 

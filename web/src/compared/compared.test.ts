@@ -26,10 +26,8 @@ const bare = {
   kind: "run",
   sequences: [],
   tables: [],
-  comparisons: [],
   methods: [],
-  input: {},
-  result: {},
+  result: { input: {}, comparisons: [] },
   model: { dimension: 2, materials: [], polygons: [] },
 } as unknown as Report;
 
@@ -51,7 +49,7 @@ describe("surfaces over each other", () => {
 });
 
 describe("a run without material points", () => {
-  const lem = { ...bare, methods_read: {}, result: { methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
+  const lem = { ...bare, methods_read: {}, result: { ...bare.result, methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
 
   it("has a section, and no part of points", () => {
     const ids = listContents(lem).map((entry) => entry.id);
@@ -61,7 +59,7 @@ describe("a run without material points", () => {
 
   it("is known by its input when it failed before it had a table", () => {
     const input = { analysis: { methods: { value: ["lem", "fem"], given: true } } };
-    const failed = { ...bare, input } as unknown as Report;
+    const failed = { ...bare, result: { input } } as unknown as Report;
     expect([asksFor(failed, "mpm"), asksFor(failed, "fem"), asksFor(bare, "mpm")]).toEqual([false, true, true]);
   });
 });

@@ -6,7 +6,7 @@ export interface Answer {
   /** The answer in words, the most important sentence first. */
   sentences: string[];
   factors: Factor[];
-  results: NamedResult[];
+  results: ShownResult[];
 }
 
 /** A factor of safety by one method and criterion. */
@@ -34,7 +34,7 @@ export interface Factor {
 }
 
 /** A number that a [[compare]] of the case may name. */
-export interface NamedResult {
+export interface ShownResult {
   name: string;
   title: string;
   value: number;
@@ -56,21 +56,4 @@ export interface NamedResult {
   quantity: string;
   /** Of slices; empty for other results. */
   by: SliceMethod | "";
-}
-
-/** A [[compare]] of the case. */
-export interface Comparison {
-  name: string;
-  title: string;
-  unit: Unit;
-  /** null: the run has no such result. */
-  computed: number | null;
-  published: number;
-  /** Largest difference that passes: absolute [SI]. */
-  tolerance: number;
-  /** As the case states it: "5 %", "0.02". */
-  tolerance_text: string;
-  source: string;
-  passes: boolean;
-  note: string;
 }

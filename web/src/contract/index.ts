@@ -3,16 +3,14 @@
 export type * from "./answer";
 export type * from "./bounds";
 export type * from "./elements";
-export type * from "./head";
-export type * from "./laboratory";
+export type * from "./input";
 export type * from "./methods";
 export type * from "./model";
 export type * from "./report";
+export type * from "./results";
 export type * from "./run";
-export type * from "./sampling";
 export type * from "./slices";
 export type * from "./study";
 export type * from "./timeline";
 export type * from "./units";
 export type * from "./water";
-export type { BoundsResult, CriterionKind, CriticalSurface, DesignStatement, DrawnSurface, FactorMeasure, Flow, Method, MethodComparison, MethodRow, MethodSurface, RunResult, SliceMethod, SliceResult, SliceSearch, SlipSurface, SurfaceSource, Unit } from "./results";

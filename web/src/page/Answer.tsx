@@ -7,7 +7,7 @@ import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentenc
 import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
 import { formatNumber } from "../charts/base/numbers";
-import type { Factor, NamedResult } from "../contract";
+import type { Factor, ShownResult } from "../contract";
 import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
@@ -162,24 +162,24 @@ const wanted = [
 ];
 
 /** One yield acceleration is enough here: that of the surface that governs, which no method is named with. */
-const isOtherAcceleration = ({ kind, by }: NamedResult) => kind === "yield_acceleration" && by !== "";
+const isOtherAcceleration = ({ kind, by }: ShownResult) => kind === "yield_acceleration" && by !== "";
 
 /** The results that are not factors, those named above first. */
-function pickResults(results: NamedResult[], most: number): NamedResult[] {
-  const rank = ({ quantity }: NamedResult) => {
+function pickResults(results: ShownResult[], most: number): ShownResult[] {
+  const rank = ({ quantity }: ShownResult) => {
     const found = wanted.indexOf(quantity);
     return found < 0 ? wanted.length : found;
   };
   // Beside other methods the stages only prepare the strength reduction, and the mesh is told below.
   const beside = (findMethods(report.value)?.asked.length ?? 1) > 1;
-  const isAside = ({ kind }: NamedResult) => beside && (kind === "stage" || kind === "mesh");
+  const isAside = ({ kind }: ShownResult) => beside && (kind === "stage" || kind === "mesh");
   return results
     .filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result))
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }
 
-function Results({ results, large }: { results: NamedResult[]; large: boolean }) {
+function Results({ results, large }: { results: ShownResult[]; large: boolean }) {
   return (
     <dl class={large ? "results large" : "results"}>
       {results.map((result) => (

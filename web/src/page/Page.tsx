@@ -233,8 +233,8 @@ export function Page() {
       </main>
       <footer class="foot">
         <p>
-          Made from results of Talus{` ${report.value.provenance.version}`.trimEnd()}. Everything shown is in this file;
-          it needs no network. The results files in the folder “{report.value.provenance.folder}” are in SI units, its
+          Made from results of Talus{` ${report.value.result.provenance.version}`.trimEnd()}. Everything shown is in this file;
+          it needs no network. The results files in the folder “{report.value.folder}” are in SI units, its
           tables in the units that their headers name.
         </p>
       </footer>

@@ -35,7 +35,7 @@ export function WarningLink() {
 }
 
 export function Warnings() {
-  const { status, warnings } = report.value;
+  const { warnings, result } = report.value;
   const limits = listLimits();
   if (warnings.length === 0 && limits.length > 0) {
     return (
@@ -53,7 +53,7 @@ export function Warnings() {
         <svg class="sign" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d="m2.5 8.5 3.5 3.5 7.5-8" fill="none" stroke="currentColor" stroke-width="1.8" />
         </svg>
-        {status === "finished" ? "No warnings." : "No warnings so far."}
+        {result.status === "finished" ? "No warnings." : "No warnings so far."}
       </p>
     );
   }

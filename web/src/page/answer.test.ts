@@ -58,14 +58,12 @@ describe("the viewer", () => {
     ({
       answer: { factors },
       methods_read: {},
-      result: { methods: { surfaces: [{ method }] } },
-      input: {},
+      result: { input: {}, curve: { points }, methods: { surfaces: [{ method }] } },
       model: { slope_height: 10 },
       sequences: [
         { id: "stages", kind: "stages", frames: [{ factor: null }] },
         { id: "curve", kind: "curve", frames: [1.3, 1.4, 1.5, 1.6].map((factor) => ({ factor })), fields: [] },
       ],
-      curve: { points },
     }) as unknown as Report;
   const points = [1.3, 1.4, 1.5, 1.6].map((srf) => ({ srf, ...(srf < 1.45 ? still : moving) }));
 

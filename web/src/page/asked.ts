@@ -6,7 +6,7 @@ import { findSetting } from "./methods/settings";
 
 /** A report that names none is one of material points. */
 export function asksFor(report: Report, method: Method): boolean {
-  const given = findSetting(report.input, "analysis.methods");
+  const given = findSetting(report.result.input, "analysis.methods");
   const asked = findMethods(report)?.asked ?? (Array.isArray(given) ? given : []);
   return asked.length > 0 ? asked.includes(method) : method === "mpm";
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Which parts this report has, in the order of the page. */
+import { listComparisons } from "../charts/compare/differences";
 import { findMethods } from "../compared/methodTable";
 import type { Report } from "../contract";
 
@@ -18,7 +19,7 @@ export function listContents(report: Report): Entry[] {
     [true, "answer", "Answer"],
     // Of a study the section of its case, without surfaces.
     [report.sequences.length > 0 || surfaces || (isStudy && hasSoil), "section", report.model.dimension === 3 ? "View" : "Section"],
-    [isStudy && report.study?.sampling !== undefined, "sampling", "Sampling"],
+    [isStudy && report.study_result?.sampling !== undefined, "sampling", "Sampling"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "variants", "Variants"],
     [report.timeline !== undefined, "timeline", "Timeline"],
@@ -26,7 +27,7 @@ export function listContents(report: Report): Entry[] {
     [report.result.lem !== undefined, "slices", "Slices"],
     [report.result.fem !== undefined, "elements", "Elements"],
     [report.result.bounds !== undefined, "bounds", "Bounds"],
-    [report.curve !== undefined, "curve", "Curve"],
+    [report.result.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
     [
       !isStudy && (report.sequences.length > 0 || has("ground") || (report.sections ?? []).length > 0),
@@ -38,7 +39,7 @@ export function listContents(report: Report): Entry[] {
     [report.water !== undefined && report.model.materials.some((m) => m.water), "water", "Water"],
     [report.calibration !== undefined, "calibration", "Calibration"],
     [report.point_tests !== undefined, "tests", "Tests"],
-    [report.comparisons.length > 0, "comparison", "Comparison"],
+    [listComparisons(report).length > 0, "comparison", "Comparison"],
     [true, "statement", "Report"],
     [report.methods.length > 0, "methods", "Methods"],
     [true, "input", "Input"],

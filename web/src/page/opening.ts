@@ -16,9 +16,9 @@ export function findMechanism(report: Report): { sequence: number; frame: number
   const main = report.answer.factors.find((f) => f.method === "mpm" && f.main)?.value;
   const sequence = report.sequences.findIndex((s) => s.kind === "curve");
   if (main === null || main === undefined || sequence < 0) return null;
-  const limits = findRestLimits(report.input, report.model.slope_height);
+  const limits = findRestLimits(report.result.input, report.model.slope_height);
   const moves = (factor: number) => {
-    const point = report.curve?.points.find((p) => Math.abs(p.srf - factor) < 1e-9);
+    const point = report.result.curve?.points.find((p) => Math.abs(p.srf - factor) < 1e-9);
     return point !== undefined && judgeTrial(point, limits) !== "rest";
   };
   const above = report.sequences[sequence]!.frames

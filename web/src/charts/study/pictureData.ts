@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Which frames of a study stand side by side, and the scale that they share. */
-import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
+import type { Sequence, SequenceField } from "../../contract";
+import type { Study, StudyRow } from "./shownStudy";
 
 export interface PictureRow {
   row: StudyRow;

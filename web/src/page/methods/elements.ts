@@ -24,7 +24,7 @@ export const writeFiniteElements: Writer = ({ result: { fem } }) => {
   ];
 };
 
-export const writeElementReduction: Writer = ({ input, result: { fem } }) => {
+export const writeElementReduction: Writer = ({ result: { input, fem } }) => {
   const both = (fem?.runs.length ?? 0) > 1;
   return [
     {

@@ -22,7 +22,7 @@ const input: InputTable = {
 };
 
 const make = (methods: MethodParagraph[], dimension: 2 | 3 = 2) =>
-  writeMethods({ methods, result: {}, input, model: { dimension } } as unknown as Report);
+  writeMethods({ methods, result: { input }, model: { dimension } } as unknown as Report);
 
 describe("writeMethods", () => {
   it("has a paragraph for every method of the contract", () => {
@@ -36,7 +36,7 @@ describe("writeMethods", () => {
   it("says how the frozen factor of these meshes was extrapolated and what its interval holds", () => {
     const write = (frozen: InputTable, dimension = 2) => {
       const used = { ...input, strength_reduction: { frozen } };
-      const report = { methods: ["frozen_factor"], result: {}, input: used, model: { dimension } } as unknown as Report;
+      const report = { methods: ["frozen_factor"], result: { input: used }, model: { dimension } } as unknown as Report;
       const { paragraphs, cited } = writeMethods(report);
       return writePlainMethods(paragraphs, cited);
     };
@@ -111,7 +111,7 @@ describe("methods of wet ground", () => {
     hydraulic: [{ condition: given("rain") }, { condition: given("total_head") }, { condition: given("rain") }],
   };
   const write = (methods: MethodParagraph[]) => {
-    const report = { methods, result: {}, input: wet, model: { dimension: 2 } } as unknown as Report;
+    const report = { methods, result: { input: wet }, model: { dimension: 2 } } as unknown as Report;
     const { paragraphs, cited } = writeMethods(report);
     return writePlainMethods(paragraphs, cited);
   };
@@ -172,7 +172,7 @@ it("quotes settings by value, and trials only where they were asked for", () => 
 
 describe("methods of rooted ground", () => {
   const write = (methods: MethodParagraph[], roots: InputTable[]) => {
-    const rooted = { methods, result: {}, input: { ...input, roots }, model: { dimension: 2 } } as unknown as Report;
+    const rooted = { methods, result: { input: { ...input, roots } }, model: { dimension: 2 } } as unknown as Report;
     const { paragraphs, cited } = writeMethods(rooted);
     return writePlainMethods(paragraphs, cited);
   };

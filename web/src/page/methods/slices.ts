@@ -105,7 +105,8 @@ const searches: { [kind: string]: string } = {
   grid: "circles about a grid of centres, several radii each",
 };
 
-export const writeSlipSearch: Writer = ({ result, input }) => {
+export const writeSlipSearch: Writer = ({ result }) => {
+  const { input } = result;
   const search = result.lem?.search;
   const kind = searches[search?.kind ?? ""] ?? "trial surfaces";
   const polyline = (result.lem?.noncircular ?? []).length > 0;
