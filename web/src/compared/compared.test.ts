@@ -6,7 +6,7 @@ import type { Report } from "../contract";
 import { chooseMagnification } from "../elements/ElementsFigure";
 import { moveNodes } from "../elements/fieldPainter";
 import { asksFor } from "../page/asked";
-import { listContents } from "../page/contents";
+import { listSections } from "../page/sections";
 import { findDensity, formatShare } from "../sampling/probability";
 import { report } from "../state";
 import { listSurfaces } from "./surfaces";
@@ -52,7 +52,7 @@ describe("a run without material points", () => {
   const lem = { ...bare, methods_read: {}, result: { ...bare.result, methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
 
   it("has a section, and no part of points", () => {
-    const ids = listContents(lem).map((entry) => entry.id);
+    const ids = listSections(lem).map((entry) => entry.id);
     expect(ids).toEqual(["answer", "section", "compared", "slices", "statement", "input", "provenance"]);
     expect(asksFor(lem, "mpm")).toBe(false);
   });
