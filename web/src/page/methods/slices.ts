@@ -127,8 +127,10 @@ export const writeSlipSearch: Writer = ({ result }) => {
             text:
               "A surface was refused where $m_\\alpha$ falls below " +
               `${quoteNumber(input, "lem.smallest_m_alpha", "0.2")} ($N$ grows beyond bounds at a steep passive end), ` +
-              "where effective normal forces are tensile over too long a part of the base, or where the line of thrust " +
-              "leaves the mass; how many, and why, is counted.",
+              "where effective normal forces are tensile over more than " +
+              `${quoteNumber(input, "lem.most_tension", "0.2")} of the base, or where the line of thrust leaves the mass ` +
+              `at more than ${quoteNumber(input, "lem.most_thrust_outside", "0.3")} of the sides of the slices; how ` +
+              "many, and why, is counted.",
           },
         ]),
   ];
