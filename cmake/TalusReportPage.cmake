@@ -22,10 +22,12 @@ else()
   if(TALUS_NPM AND node_version GREATER_EQUAL 20)
     set(TALUS_PAGE_FILE ${PROJECT_BINARY_DIR}/web/index.html)
     file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS ${web}/src/*)
+    list(REMOVE_ITEM page_sources ${web}/src/contract/results.ts)  # generated
     add_custom_command(OUTPUT ${TALUS_PAGE_FILE}
       COMMAND ${CMAKE_COMMAND} -DWEB=${web} -DPAGE_DIR=${PROJECT_BINARY_DIR}/web -DNPM=${TALUS_NPM}
               -P ${CMAKE_CURRENT_LIST_DIR}/build_report_page.cmake
       DEPENDS ${page_sources} ${web}/index.html ${web}/vite.config.ts ${web}/tsconfig.json ${web}/package-lock.json
+              ${web}/contract/results.schema.json ${web}/contract/types.mjs
               ${CMAKE_CURRENT_LIST_DIR}/build_report_page.cmake
       COMMENT "Building the page of the reports"
       VERBATIM)

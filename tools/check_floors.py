@@ -49,13 +49,14 @@ MAY_BE_LONGER = {}
 # file outside base/ → why it may name OpenMP
 MAY_NAME_THREADS = {}
 SOURCES = {".cpp", ".hpp", ".cu", ".py", ".sh", ".ts"}
+GENERATED = "web/src/contract/results.ts"  # by `npm run types`; git ignores it
 FOLDERS = ["src", "tests", "bench", "tools", "python", "web", "cuda"]
 
 
 def list_sources(root, folders):
     for folder in folders:
         for path in sorted((root / folder).rglob("*")):
-            if path.is_file() and path.suffix in SOURCES and "node_modules" not in path.parts:
+            if path.is_file() and path.suffix in SOURCES and "node_modules" not in path.parts and path != root / GENERATED:
                 yield path, path.relative_to(root).as_posix()
 
 

@@ -107,8 +107,7 @@ class Results:
     def factor_of_safety(self) -> Optional[float]:
         """The factor of safety that governs, or None where none was calculated: the smallest of slices (of all their
         admissible surfaces), finite elements and material points. `methods` lists all factors."""
-        of_points = self.summary.get("factor_of_safety", {}).get("value")  # all that older versions wrote
-        value: Optional[float] = self.summary.get("main_factor", of_points)
+        value: Optional[float] = self.summary.get("main_factor")
         return value
 
     @property

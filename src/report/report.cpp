@@ -113,6 +113,7 @@ ResultFolder open_folder(const fs::path& path) {
   folder.path = path;
   folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
   folder.tests = results::read_file<results::PointTests>(path / "point" / "point.json");
+  folder.calibration = results::read_file<results::Calibration>(path / "calibration" / "calibration.json");
   folder.trials = list_trials(path / "trials");
   folder.frames = open_frames(path);
   if (!run && !folder.study_result && !folder.frames && folder.trials.empty()) {
@@ -122,11 +123,6 @@ ResultFolder open_folder(const fs::path& path) {
       folder.data = input::read_echo(folder.run.input);
       return folder;
     }
-    if (fs::exists(path / "study.csv"))
-      fail(
-          fmt::format("the study in '{}' has no study.json, which older versions did not write; "
-                      "`talus study CASE -o {} --resume` adds it without calculating anything again",
-                      path.string(), path.string()));
     fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
                      path.string()));
   }
@@ -146,14 +142,59 @@ using nlohmann::json;
 
 namespace {
 
+std::string find_title(const results::RunResult& run) {
+  const std::string& title = run.title.empty() ? run.project.title : run.title;
+  return title.empty() ? "Untitled case" : title;
+}
+
+std::string name_folder(const fs::path& path) {
+  fs::path name = fs::absolute(path).lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  return name.filename().string();
+}
+
+/// Returns the results of a run as the page shows them. Without a summary the trials of a killed run are its curve, and
+/// the water table of the case is its water.
+results::RunResult take_run(const ResultFolder& folder) {
+  results::RunResult run = folder.run;
+  if (auto states = find_water_states(folder); !states.empty()) run.water_states = std::move(states);
+  if (run.curve) return run;
+  for (const TrialFolder& trial : folder.trials) {
+    if (!trial.result) continue;
+    if (!run.curve) run.curve.emplace();
+    run.curve->points.push_back(*trial.result);
+  }
+  return run;
+}
+
+/// Returns the results of the first variant that stand for all variants of a study.
+results::RunResult take_head(const StudyContent& study) {
+  const results::RunResult first = take_run(study.first);
+  results::RunResult head;
+  head.title = first.title;
+  head.project = first.project;
+  head.provenance = first.provenance;
+  head.units = first.units;
+  head.input = first.input;
+  head.slope_height = first.slope_height;
+  head.water = first.water;
+  head.seepage = first.seepage;
+  head.season = first.season;
+  head.water_states = first.water_states;
+  head.status = study.status;
+  results::Timing& timing = head.timing.emplace();
+  timing.wall = study.wall;
+  timing.cpu = study.cpu;
+  return head;
+}
+
 /// Returns the parts that reports of runs and of studies share; for a study they are those of its first variant.
 json make_common(const ResultFolder& folder, Packer& packer) {
   const results::RunResult& run = folder.run;
   const ShownUnits units = read_units(run);
-  json document{{"format", 1},
-                {"kind", "run"},
-                {"project", make_project(run)},
-                {"status", results::to_word(run.status)},
+  json document{{"kind", "run"},
+                {"title", find_title(run)},
+                {"folder", name_folder(folder.path)},
                 {"units",
                  {{"length", report::to_json(units.length)},
                   {"displacement", report::to_json(units.displacement)},
@@ -165,12 +206,8 @@ json make_common(const ResultFolder& folder, Packer& packer) {
                 {"model", make_model(folder, results::find_main_factor(run), packer)},
                 {"sequences", json::array()},
                 {"tables", json::array()},
-                {"comparisons", results::to_json(run.comparisons)},
                 {"assumptions", list_assumptions(folder)},
-                {"methods", list_methods(folder)},
-                {"input", run.input.get()},
-                {"provenance", make_provenance(folder)},
-                {"timing", make_timing(run)}};
+                {"methods", list_methods(folder)}};
   if (json water = make_water(folder); !water.is_null()) document["water"] = std::move(water);
   return document;
 }
@@ -184,24 +221,21 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
   };
-  add("method_table", make_method_table(folder));
-  add("slices", make_slices(folder, packer, document["warnings"]));
-  add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
-  add("proven_bounds", make_proven_bounds(folder, packer, document["warnings"]));
+  add("methods_read", read_methods(folder));
+  add("slices", pack_slices(folder, packer, document["warnings"]));
+  add("finite_elements", pack_finite_elements(folder, packer, document["warnings"]));
+  add("proven_bounds", pack_proven_bounds(folder, packer, document["warnings"]));
 }
 
 json make_run(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   const results::RunResult& run = folder.run;
-  if (run.error && !run.error->empty()) document["error"] = *run.error;
   document["answer"] = make_answer(folder);
   document["answer"]["results"] = list_named_results(folder);
   document["warnings"] = list_unrest(run);
   for (const std::string& warning : run.warnings) document["warnings"].push_back(warning);
-  if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
-  if (run.motion) document["motion"] = results::to_json(*run.motion);
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
@@ -211,22 +245,18 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   return document;
 }
 
-json make_study_report(const ResultFolder& folder, Packer& packer) {
-  const StudyContent study = read_study(folder, packer);
+json make_study_report(const ResultFolder& folder, const StudyContent& study, Packer& packer) {
   ResultFolder first = study.first;
   first.path = folder.path;  // uses the name of the study; the frames of the variant are not shown
   json document = make_common(first, packer);
   document["kind"] = "study";
-  document["status"] = study.status;
   document["answer"] = make_answer_of(study.sentences);
   document["warnings"] = study.warnings;
   document["study"] = study.table.get();
   for (const JsonTree& sequence : study.sequences) document["sequences"].push_back(sequence.get());
-  document["comparisons"] = json::array();
-  document["timing"] = {{"wall", study.wall}, {"cpu", study.cpu}, {"parts", json::array()}};
   if (folder.study_result->sampling) {
     // Samples evaluated by LEM have no run, and so no input.
-    if (document["input"].empty()) document["methods"] = json::array();
+    if (first.run.input.is_empty()) document["methods"] = json::array();
     document["methods"].push_back("sampling");
   }
   return document;
@@ -246,11 +276,9 @@ json make_tests_report(const ResultFolder& folder, Packer& packer) {
 /// Adds the element tests of the folder to any kind of report.
 void add_point_tests(const ResultFolder& folder, json& document) {
   if (!folder.tests) return;
-  document["point_tests"] = make_point_tests(folder);
+  document["point_columns"] = read_point_columns(folder);
   if (folder.has_tests_alone) return;
   for (const std::string& warning : folder.tests->warnings) document["warnings"].push_back(warning);
-  for (json& comparison : results::to_json(folder.tests->comparisons))
-    document["comparisons"].push_back(std::move(comparison));
 }
 
 }  // namespace
@@ -260,12 +288,22 @@ Content collect_report(const fs::path& path) {
   Packer packer;
   Content content;
   try {
-    json document = folder.is_study()        ? make_study_report(folder, packer)
-                    : folder.has_tests_alone ? make_tests_report(folder, packer)
-                                             : make_run(folder, packer);
+    json document, found;
+    if (folder.is_study()) {
+      const StudyContent study = read_study(folder, packer);
+      document = make_study_report(folder, study, packer);
+      found = {{"result", results::to_json(take_head(study))},
+               {"study_result", results::to_json(*folder.study_result)}};
+    } else {
+      document = folder.has_tests_alone ? make_tests_report(folder, packer) : make_run(folder, packer);
+      found = {{"result", results::to_json(take_run(folder))}};
+    }
+    if (folder.tests) found["point_tests"] = results::to_json(*folder.tests);
+    if (folder.calibration) found["calibration"] = results::to_json(*folder.calibration);
     add_point_tests(folder, document);
     add_calibration(folder, document);
     content.document = JsonTree(std::move(document));
+    content.results = JsonTree(std::move(found));
   } catch (const json::exception& error) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("cannot make a report of '{}': its {} is not as this version writes it ({})", path.string(),
@@ -286,9 +324,10 @@ fs::path write_report(const fs::path& folder) {
   const json& document = content.document.get();
   fs::path path = folder / "report.html";
   const auto files = FileList::find(path);
-  write_atomically(path,
-                   fill_page(get_page(), document["project"]["title"].get<std::string>(), document, content.arrays),
-                   "the results are whole");
+  write_atomically(
+      path,
+      fill_page(get_page(), document["title"].get<std::string>(), content.results.get(), document, content.arrays),
+      "the results are whole");
   return path;
 }
 

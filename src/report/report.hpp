@@ -37,6 +37,7 @@ struct ResultFolder {
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr if there are none
   std::optional<results::StudyResult> study_result;     ///< study.json
   std::optional<results::PointTests> tests;             ///< point/point.json
+  std::optional<results::Calibration> calibration;      ///< calibration/calibration.json
   bool has_tests_alone = false;                         ///< the folder contains neither a run nor a study
 
   bool is_study() const { return study_result.has_value(); }
@@ -52,9 +53,10 @@ std::optional<ResultFolder> open_run(const std::filesystem::path& path);
 /// Throws Error (wrong_input) if `path` is not a results folder.
 ResultFolder open_folder(const std::filesystem::path& path);
 
-/// The document of web/src/contract/ and its arrays.
+/// The page's contract (web/src/contract/): the results as they are, and what the report adds to them.
 struct Content {
-  JsonTree document;
+  JsonTree results;   ///< `Results`
+  JsonTree document;  ///< `ReportDocument`
   std::vector<PackedText> arrays;
 };
 

@@ -28,9 +28,11 @@ concept As = std::same_as<std::remove_const_t<R>, T>;
 
 /// Unit and title of a key.
 struct About {
-  const char* unit = "";   ///< UDUNITS symbol of the stored number; empty if dimensionless or not a number
-  const char* title = "";  ///< name in tables, [[compare]] and Python
+  const char* unit = "";    ///< UDUNITS symbol of the stored number; empty if dimensionless or not a number
+  const char* title = "";   ///< name in tables, [[compare]] and Python
+  bool can_be_nan = false;  ///< NaN is a value of a finished run, so readers of the JSON must expect null
 };
+inline constexpr bool can_be_nan = true;
 
 /// One enumerator and its word in result files.
 template <class E>
@@ -60,6 +62,10 @@ std::optional<E> from_word(std::string_view word) {
     if (w.word == word) return w.value;
   return std::nullopt;
 }
+
+/// Version of the format of summary.json, study.json, point.json and calibration.json. A file of another version
+/// is refused. Increase it when a reader of the old files would misread the new ones or miss a key.
+inline constexpr int result_format = 2;
 
 using Point = std::array<double, 2>;  ///< point of a plane section [m]
 

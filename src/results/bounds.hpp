@@ -33,7 +33,7 @@ inline double show_upper(double factor) {
 /// "lem.referee" of summary.json: the interval that limit analysis proves for the soil of limit equilibrium. It assumes
 /// ψ = φ, tension up to the apex c/tan φ, and fixed ends and base of the section.
 struct Referee {
-  std::optional<std::string> why_not;  ///< why no interval was computed; if set, the members below are not written
+  std::optional<std::string> why_not;  ///< why no interval was computed
   std::optional<double> lower, upper;
   std::string no_lower, no_upper;         ///< why there is no bound; empty if there is one
   std::optional<std::string> upper_only;  ///< why factors below the lower bound are not rejected
@@ -50,7 +50,6 @@ struct Referee {
 template <class V, As<Referee> R>
 void describe(V& v, R& r) {
   v.maybe("why_not", r.why_not, {"", "why limit analysis cannot judge the factors of limit equilibrium"});
-  if (r.why_not) return;
   v.key("lower", r.lower, {"", "proven lower bound for the soil of limit equilibrium"});
   v.key("upper", r.upper, {"", "proven upper bound for the soil of limit equilibrium"});
   v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
@@ -114,7 +113,7 @@ void describe(V& v, R& r) {
 
 /// "bounds" of summary.json.
 struct BoundsResult {
-  std::optional<std::string> error;  ///< why limit analysis gave no result; if set, only the warnings are written
+  std::optional<std::string> error;  ///< why limit analysis gave no result
   std::vector<std::string> warnings;
   std::optional<double> lower, upper;
   std::string no_lower, no_upper;  ///< why there is no bound; empty if there is one
@@ -136,7 +135,6 @@ template <class V, As<BoundsResult> R>
 void describe(V& v, R& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
-  if (r.error) return;
   v.key("lower", r.lower, {"", "proven lower bound of the factor of safety"});
   v.key("upper", r.upper, {"", "proven upper bound of the factor of safety"});
   v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});

@@ -42,10 +42,10 @@ struct MethodRow {
   Method method = Method::lem;
   std::string name;       ///< word of the method of slices, of the flow rule or of the criterion: "spencer", "as_given"
   std::string title;      ///< "Spencer", "Finite elements, ψ = φ"
-  std::string label;      ///< title within its method: "Spencer", "ψ = φ"; empty in old files
+  std::string label;      ///< title within its method: "Spencer", "ψ = φ"
   std::string criterion;  ///< such as "critical circle"
   std::string surface;    ///< name of its surface; empty if none is drawn
-  std::optional<SurfaceSource> source;   ///< nullopt in files of older versions
+  SurfaceSource source = SurfaceSource::none;
   std::optional<FactorMeasure> measure;  ///< for FEM only
   std::optional<double> factor, lower, upper;
   std::optional<double> seconds;
@@ -59,7 +59,7 @@ void describe(V& v, R& r) {
   v.key("label", r.label, {"", "what tells it from others of its method"});
   v.key("criterion", r.criterion, {"", "criterion"});
   v.key("surface", r.surface, {"", "name of the surface"});
-  v.maybe("source", r.source, {"", "where the surface comes from"});
+  v.key("source", r.source, {"", "where the surface comes from"});
   v.maybe("measure", r.measure, {"", "what the factor is read off"});
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("lower", r.lower, {"", "lower end of the interval"});

@@ -98,7 +98,7 @@ void describe(V& v, R& r) {
 
 /// "fem" of summary.json.
 struct ElementResult {
-  std::optional<std::string> error;  ///< why FEM gave no result; if set, only the warnings are written
+  std::optional<std::string> error;  ///< why FEM gave no result
   std::vector<std::string> warnings;
   std::size_t elements = 0, nodes = 0;
   int unknowns = 0;
@@ -113,7 +113,6 @@ template <class V, As<ElementResult> R>
 void describe(V& v, R& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
-  if (r.error) return;
   v.key("elements", r.elements, {"", "elements"});
   v.key("nodes", r.nodes, {"", "nodes"});
   v.key("unknowns", r.unknowns, {"", "unknowns"});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "results/json.hpp"
 
-#include <set>
+#include <fmt/ranges.h>
 
 #include "base/atomic_file.hpp"
 #include "base/user_file.hpp"
@@ -41,6 +41,13 @@ std::optional<T> read_file(const std::filesystem::path& path) {
     if (!tree.is_object())
       throw Error(ExitCode::wrong_input,
                   fmt::format("'{}' is no result of Talus: it should hold one JSON object", path.string()));
+  if constexpr (requires(T result) { result.format; })
+    if (const auto found = tree.find("format"); found == tree.end() || *found != result_format)
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("'{}' was written by another version of Talus (result format {}, this is {}): run the case "
+                      "again",
+                      path.string(), found == tree.end() ? std::string("1") : found->dump(), result_format));
   return from_json<T>(tree, path.string());
 }
 
@@ -83,43 +90,42 @@ TALUS_JSON(PointTests)
 TALUS_JSON(Calibration)
 #undef TALUS_JSON
 
-// Parts of a result that the report copies unchanged into the contract of its page.
+// Parts of the results of a variant that the page of a study shows.
 #define TALUS_JSON(T) template nlohmann::json to_json<T>(const T&);
-TALUS_JSON(Project)
-TALUS_JSON(Provenance)
-TALUS_JSON(StepSeconds)
-TALUS_JSON(std::vector<TimedPart>)
-TALUS_JSON(std::vector<Comparison>)
-TALUS_JSON(std::vector<Criterion>)
 TALUS_JSON(Motion)
-TALUS_JSON(SliceTable)
-TALUS_JSON(StandingWater)
-TALUS_JSON(Circle)
-TALUS_JSON(Sampling)
-TALUS_JSON(PointGroup)
-TALUS_JSON(std::vector<ExtrapolatedFactor>)
+TALUS_JSON(DisplacementCurve)
 #undef TALUS_JSON
 
 namespace {
 
 using nlohmann::json;
 
+/// Returns the name of the type T without its namespace.
 template <class T>
-json write_type_schema();
+std::string name_type() {
+  const std::string_view text = __PRETTY_FUNCTION__;  // "… [with T = talus::results::Circle; …]"
+  const std::size_t from = text.find("T = ") + 4;
+  const std::string_view name = text.substr(from, text.find_first_of(";]", from) - from);
+  return std::string(name.substr(name.rfind(':') + 1));
+}
 
-/// Writes the JSON Schema of a struct. Member structs are visited in their default state.
+template <class T>
+json write_type_schema(json& types, bool can_be_nan = false);
+
+/// Writes the JSON Schema of a struct; `types` collects the structs and enumerations that it contains. Member structs
+/// are visited in their default state.
 class SchemaWriter {
  public:
+  explicit SchemaWriter(json& types) : types_(types) {}
+
   template <class T>
   void key(const char* name, const T& /*member*/, const About& about) {
-    json schema = write_type_schema<T>();
-    schema["description"] =
-        *about.unit == '\0' ? std::string(about.title) : fmt::format("{} [{}]", about.title, about.unit);
-    properties[name] = std::move(schema);
+    add<T>(name, about);
+    required.push_back(name);
   }
   template <class T>
   void maybe(const char* name, const std::optional<T>& /*member*/, const About& about) {
-    key(name, T{}, about);
+    add<T>(name, about);
   }
   template <class T>
   void derived(const char* name, const T& value, const About& about) {
@@ -131,43 +137,88 @@ class SchemaWriter {
     describe(*this, block);
   }
 
-  json properties = json::object();
+  json properties = json::object(), required = json::array();
+
+ private:
+  template <class T>
+  void add(const char* name, const About& about) {
+    json schema = write_type_schema<T>(types_, about.can_be_nan);
+    // Beside a reference the generator of the page's types would describe a second type.
+    if (schema.contains("$ref")) schema = {{"allOf", json::array({schema})}};
+    schema["description"] =
+        *about.unit == '\0' ? std::string(about.title) : fmt::format("{} [{}]", about.title, about.unit);
+    properties[name] = std::move(schema);
+  }
+
+  json& types_;
 };
 
+json write_null_or(json schema) {
+  return {{"anyOf", json::array({std::move(schema), json{{"type", "null"}}})}};
+}
+
+/// Writes the schema of an enumeration or a struct.
 template <class T>
-json write_type_schema() {
-  if constexpr (std::is_same_v<T, JsonTree>) {
-    return {{"type", "object"}};
-  } else if constexpr (std::is_enum_v<T>) {
+json write_definition(json& types) {
+  if constexpr (std::is_enum_v<T>) {
     json list = json::array();
     for (const auto& word : words<T>) list.push_back(word.word);
-    return {{"enum", list}};
+    return {{"enum", std::move(list)}};
+  } else {
+    SchemaWriter writer(types);
+    T block{};
+    describe(writer, block);
+    return {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", std::move(writer.required)},
+            {"properties", std::move(writer.properties)}};
+  }
+}
+
+template <class T>
+json write_type_schema(json& types, bool can_be_nan) {
+  if constexpr (std::is_same_v<T, JsonTree>) {
+    return {{"type", "object"}};
   } else if constexpr (std::is_same_v<T, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::is_integral_v<T>) {
     return {{"type", "integer"}};
   } else if constexpr (std::is_floating_point_v<T>) {
-    return {{"type", json::array({"number", "null"})}};  // non-finite numbers are written as null
+    // NaN is written as null. The page expects it only where the description says so.
+    return can_be_nan ? write_null_or({{"type", "number"}}) : json{{"type", json::array({"number", "null"})}};
   } else if constexpr (std::is_same_v<T, std::string>) {
     return {{"type", "string"}};
   } else if constexpr (is_optional<T>) {
-    return {{"anyOf", json::array({write_type_schema<typename T::value_type>(), json{{"type", "null"}}})}};
+    return write_null_or(write_type_schema<typename T::value_type>(types));
   } else if constexpr (is_vector<T>) {
-    return {{"type", "array"}, {"items", write_type_schema<typename T::value_type>()}};
+    return {{"type", "array"}, {"items", write_type_schema<typename T::value_type>(types, can_be_nan)}};
   } else if constexpr (is_array<T>) {
     constexpr std::size_t size = std::tuple_size_v<T>;
     return {{"type", "array"},
-            {"items", write_type_schema<typename T::value_type>()},
+            {"items", write_type_schema<typename T::value_type>(types)},
             {"minItems", size},
             {"maxItems", size}};
   } else if constexpr (is_map<T>) {
-    return {{"type", "object"}, {"additionalProperties", write_type_schema<typename T::mapped_type>()}};
+    return {{"type", "object"},
+            {"additionalProperties", write_type_schema<typename T::mapped_type>(types, can_be_nan)}};
   } else {
-    SchemaWriter writer;
-    T block{};
-    describe(writer, block);
-    return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(writer.properties)}};
+    const std::string name = name_type<T>();
+    if (!types.contains(name)) types[name] = write_definition<T>(types);
+    return {{"$ref", "#/$defs/" + name}};
   }
+}
+
+/// Writes a schema with one line for each property, so that a change shows where it is.
+std::string write_lines(const std::string& name, const json& schema) {
+  std::string text;
+  json head = schema;
+  const json properties = head.value("properties", json::object());
+  head.erase("properties");
+  for (const auto& [key, property] : properties.items())
+    text += fmt::format("{}\n  {}: {}", text.empty() ? "" : ",", json(key).dump(), property.dump());
+  std::string start = head.dump();
+  if (!text.empty()) start.replace(start.size() - 1, 1, ",\"properties\":{" + text + "}}");
+  return fmt::format("{}: {}", json(name).dump(), start);
 }
 
 /// The struct type that a member contains, through optionals, lists and maps; void if it contains none.
@@ -233,10 +284,17 @@ class TableWriter {
 }  // namespace
 
 std::string write_schema() {
-  json schema = write_type_schema<RunResult>();
-  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
-  schema["title"] = "summary.json of Talus";
-  return schema.dump(2) + "\n";
+  json types = json::object();
+  const json root = write_type_schema<RunResult>(types);
+  write_type_schema<StudyResult>(types);
+  write_type_schema<PointTests>(types);
+  write_type_schema<Calibration>(types);
+  std::vector<std::string> lines;
+  for (const auto& [name, schema] : types.items()) lines.push_back(write_lines(name, schema));
+  return fmt::format(
+      "{{\n\"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n\"title\": \"summary.json of Talus\",\n"
+      "\"$ref\": {},\n\"$defs\": {{\n{}\n}}\n}}\n",
+      root.at("$ref").dump(), fmt::join(lines, ",\n"));
 }
 
 std::string write_manual() {

@@ -72,7 +72,7 @@ void describe(V& v, R& r) {
 
 /// Element tests of a case.
 struct PointTests {
-  int format = 1;
+  int format = result_format;
   std::string title;
   Project project;
   JsonTree input;
@@ -197,7 +197,7 @@ void describe(V& v, R& r) {
 }
 
 struct Calibration {
-  int format = 1;
+  int format = result_format;
   std::string title;
   std::uint64_t seed = 0;
   double wall = 0;  ///< [s]

@@ -237,6 +237,7 @@ class Values {
 
   void add_water(const WaterBudget& water) {
     for (const SurfaceWater& s : water.surfaces) {
+      if (s.name == other_surfaces) continue;
       const auto add_volume = [&](const char* key, const char* title, double mass) {
         add({fmt::format("water.{}[{}]", key, s.name),
              fmt::format("{} '{}'", title, s.name),
@@ -256,7 +257,8 @@ class Values {
   }
 
   void add_seepage(const Seepage& seepage) {
-    for (const Discharge& d : seepage.discharges)
+    for (const Discharge& d : seepage.discharges) {
+      if (d.name == other_surfaces) continue;
       add({fmt::format("seepage.discharge[{}]", d.name),
            fmt::format("steady seepage {} through '{}'{}", d.inflow > d.outflow ? "in" : "out", d.name,
                        d.inflow > d.outflow ? inflow_sign : ""),
@@ -265,6 +267,7 @@ class Values {
            "discharge",
            {}},
           d.outflow - d.inflow);
+    }
     add_member("seepage", seepage, "largest_suction", ResultKind::seepage);
   }
 

@@ -244,6 +244,7 @@ void describe(V& v, R& r) {
 }
 
 struct RunResult {
+  int format = result_format;
   std::string title;
   Project project;
   Provenance provenance;
@@ -306,6 +307,7 @@ std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>
 void describe(V& v, R& r) {
+  v.key("format", r.format, {"", "version of this file"});
   v.key("title", r.title, {"", "title of the case"});
   v.key("project", r.project, {"", "title block"});
   v.key("provenance", r.provenance, {"", "program, machine and input"});

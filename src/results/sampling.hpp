@@ -23,10 +23,10 @@ struct SampleMoments {
 };
 template <class V, As<SampleMoments> R>
 void describe(V& v, R& r) {
-  v.key("mean", r.mean, {"", "mean"});
-  v.key("deviation", r.deviation, {"", "standard deviation"});
-  v.key("smallest", r.smallest, {"", "smallest"});
-  v.key("largest", r.largest, {"", "largest"});
+  v.key("mean", r.mean, {"", "mean", can_be_nan});
+  v.key("deviation", r.deviation, {"", "standard deviation", can_be_nan});
+  v.key("smallest", r.smallest, {"", "smallest", can_be_nan});
+  v.key("largest", r.largest, {"", "largest", can_be_nan});
 }
 
 /// An uncertain parameter, in its unit.
@@ -43,8 +43,8 @@ void describe(V& v, R& r) {
   v.key("unit", r.unit, {"", "unit"});
   v.key("distribution", r.distribution, {"", "distribution"});
   v.key("text", r.text, {"", "as the case has it"});
-  v.key("mean", r.mean, {"", "mean"});
-  v.key("deviation", r.deviation, {"", "standard deviation"});
+  v.key("mean", r.mean, {"", "mean", can_be_nan});
+  v.key("deviation", r.deviation, {"", "standard deviation", can_be_nan});
   v.key("lowest", r.lowest, {"", "lower limit"});
   v.key("highest", r.highest, {"", "upper limit"});
   v.key("sampled", r.sampled, {"", "of the samples"});
@@ -58,7 +58,7 @@ template <class V, As<SampledCorrelation> R>
 void describe(V& v, R& r) {
   v.key("keys", r.keys, {"", "keys"});
   v.key("asked", r.asked, {"", "correlation that was asked for"});
-  v.key("sampled", r.sampled, {"", "correlation of the samples"});
+  v.key("sampled", r.sampled, {"", "correlation of the samples", can_be_nan});
 }
 
 struct Quantile {
@@ -94,12 +94,12 @@ template <class V, As<SampledValues> R>
 void describe(V& v, R& r) {
   v.key("count", r.count, {"", "samples with a value"});
   v.key("none", r.none, {"", "samples without one"});
-  v.key("mean", r.mean, {"", "mean"});
-  v.key("deviation", r.deviation, {"", "standard deviation"});
+  v.key("mean", r.mean, {"", "mean", can_be_nan});
+  v.key("deviation", r.deviation, {"", "standard deviation", can_be_nan});
   v.key("variation", r.variation, {"", "coefficient of variation"});
-  v.key("skewness", r.skewness, {"", "skewness"});
-  v.key("smallest", r.smallest, {"", "smallest"});
-  v.key("largest", r.largest, {"", "largest"});
+  v.key("skewness", r.skewness, {"", "skewness", can_be_nan});
+  v.key("smallest", r.smallest, {"", "smallest", can_be_nan});
+  v.key("largest", r.largest, {"", "largest", can_be_nan});
   v.key("quantiles", r.quantiles, {"", "quantiles"});
   v.key("histogram", r.histogram, {"", "histogram"});
 }
@@ -148,10 +148,10 @@ struct FirstOrderEstimate {
 };
 template <class V, As<FirstOrderEstimate> R>
 void describe(V& v, R& r) {
-  v.key("mean_factor", r.mean_factor, {"", "factor at the means"});
-  v.key("deviation", r.deviation, {"", "standard deviation of the factor"});
-  v.key("index_normal", r.index_normal, {"", "reliability index, normal factor"});
-  v.key("index_lognormal", r.index_lognormal, {"", "reliability index, lognormal factor"});
+  v.key("mean_factor", r.mean_factor, {"", "factor at the means", can_be_nan});
+  v.key("deviation", r.deviation, {"", "standard deviation of the factor", can_be_nan});
+  v.key("index_normal", r.index_normal, {"", "reliability index, normal factor", can_be_nan});
+  v.key("index_lognormal", r.index_lognormal, {"", "reliability index, lognormal factor", can_be_nan});
 }
 
 struct DesignPointValue {
@@ -163,8 +163,8 @@ void describe(V& v, R& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("unit", r.unit, {"", "unit"});
-  v.key("value", r.value, {"", "value"});
-  v.key("importance", r.importance, {"", "importance"});
+  v.key("value", r.value, {"", "value", can_be_nan});
+  v.key("importance", r.importance, {"", "importance", can_be_nan});
 }
 
 /// First-order reliability method (FORM): reliability index and design point.
@@ -177,11 +177,11 @@ struct DesignPointEstimate {
 };
 template <class V, As<DesignPointEstimate> R>
 void describe(V& v, R& r) {
-  v.key("index", r.index, {"", "reliability index"});
-  v.key("probability", r.probability, {"", "probability of failure"});
+  v.key("index", r.index, {"", "reliability index", can_be_nan});
+  v.key("probability", r.probability, {"", "probability of failure", can_be_nan});
   v.key("converged", r.converged, {"", "whether the search converged"});
   v.key("iterations", r.iterations, {"", "iterations"});
-  v.key("factor", r.factor, {"", "factor at the design point"});
+  v.key("factor", r.factor, {"", "factor at the design point", can_be_nan});
   v.key("values", r.values, {"", "design point"});
 }
 
@@ -190,8 +190,8 @@ struct FittedLaw {
 };
 template <class V, As<FittedLaw> R>
 void describe(V& v, R& r) {
-  v.key("index", r.index, {"", "reliability index"});
-  v.key("probability", r.probability, {"", "probability of failure"});
+  v.key("index", r.index, {"", "reliability index", can_be_nan});
+  v.key("probability", r.probability, {"", "probability of failure", can_be_nan});
 }
 
 /// Distributions fitted to the mean and the standard deviation of the sampled factors.
@@ -214,10 +214,10 @@ void describe(V& v, R& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("unit", r.unit, {"", "unit"});
-  v.key("low_value", r.low_value, {"", "low value"});
-  v.key("high_value", r.high_value, {"", "high value"});
-  v.key("low_factor", r.low_factor, {"", "factor at the low value"});
-  v.key("high_factor", r.high_factor, {"", "factor at the high value"});
+  v.key("low_value", r.low_value, {"", "low value", can_be_nan});
+  v.key("high_value", r.high_value, {"", "high value", can_be_nan});
+  v.key("low_factor", r.low_factor, {"", "factor at the low value", can_be_nan});
+  v.key("high_factor", r.high_factor, {"", "factor at the high value", can_be_nan});
 }
 
 struct RankCorrelation {
@@ -239,8 +239,8 @@ struct SurfaceCheck {
 template <class V, As<SurfaceCheck> R>
 void describe(V& v, R& r) {
   v.key("samples", r.samples, {"", "samples that were searched"});
-  v.key("largest", r.largest, {"", "largest difference"});
-  v.key("mean", r.mean, {"", "mean difference"});
+  v.key("largest", r.largest, {"", "largest difference", can_be_nan});
+  v.key("mean", r.mean, {"", "mean difference", can_be_nan});
 }
 
 /// Probability that the runout exceeds a distance.

@@ -65,7 +65,7 @@ struct SurfaceChecks {
 };
 template <class V, As<SurfaceChecks> R>
 void describe(V& v, R& r) {
-  v.key("smallest_m_alpha", r.smallest_m_alpha, {"", "smallest m_α"});
+  v.key("smallest_m_alpha", r.smallest_m_alpha, {"", "smallest m_α", can_be_nan});
   v.key("tensile_share", r.tensile_share, {"", "share of the base in tension"});
   v.key("thrust_outside", r.thrust_outside, {"", "share of the sides with the thrust outside the mass"});
   v.key("residual", r.residual, {"", "what is left of forces and moments, over the weight"});
@@ -102,12 +102,12 @@ void describe(V& v, R& r) {
   v.key("root_cohesion", r.root_cohesion, {"Pa", "cohesion of roots"});
   v.key("suction_strength", r.suction_strength, {"Pa", "strength by suction"});
   v.key("tan_friction", r.tan_friction, {"", "tangent of the friction angle"});
-  v.key("normal", r.normal, {"N/m", "normal force on the base"});
-  v.key("shear", r.shear, {"N/m", "shear force on the base"});
-  v.key("m_alpha", r.m_alpha, {"", "m_α"});
-  v.key("normal_right", r.normal_right, {"N/m", "normal force on the right side"});
-  v.key("shear_right", r.shear_right, {"N/m", "shear force on the right side"});
-  v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side"});
+  v.key("normal", r.normal, {"N/m", "normal force on the base", can_be_nan});
+  v.key("shear", r.shear, {"N/m", "shear force on the base", can_be_nan});
+  v.key("m_alpha", r.m_alpha, {"", "m_α", can_be_nan});
+  v.key("normal_right", r.normal_right, {"N/m", "normal force on the right side", can_be_nan});
+  v.key("shear_right", r.shear_right, {"N/m", "shear force on the right side", can_be_nan});
+  v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side", can_be_nan});
 }
 
 /// Strength that governs the base of a slice after a drawdown.
@@ -240,7 +240,7 @@ void describe(V& v, R& r) {
 
 /// "lem" of summary.json.
 struct SliceResult {
-  std::optional<std::string> error;  ///< why LEM gave no result; if set, only the warnings are written
+  std::optional<std::string> error;  ///< why LEM gave no result
   std::vector<std::string> warnings;
   std::vector<SliceMethod> methods;
   int slices = 0;  ///< number of slices of a surface
@@ -264,7 +264,6 @@ template <class V, As<SliceResult> R>
 void describe(V& v, R& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
-  if (r.error) return;
   v.key("methods", r.methods, {"", "methods of slices"});
   v.key("slices", r.slices, {"", "slices of a surface"});
   v.maybe("drawdown", r.drawdown, {"", "method of rapid drawdown; factors are after it"});

@@ -131,7 +131,7 @@ void describe(V& v, R& r) {
 }
 
 struct StudyResult {
-  int format = 1;
+  int format = result_format;
   std::string title, case_file, mode, reference;
   std::vector<StudyKey> vary;
   std::vector<StudyColumn> columns;
@@ -223,7 +223,6 @@ void describe(V& v, R& r) {
 
 /// jobs.json: the jobs of a study and their input.
 struct StudyJobs {
-  int format = 1;
   std::string version, commit, level;  ///< of the program that prepared the jobs
   std::string title, case_file;        ///< case file as named at preparation
   std::vector<JobFile> files;          ///< the copy of the case, then the files that it refers to
@@ -234,7 +233,6 @@ struct StudyJobs {
 };
 template <class V, As<StudyJobs> R>
 void describe(V& v, R& r) {
-  v.key("format", r.format, {"", "version of this file"});
   v.key("version", r.version, {"", "version of the program"});
   v.key("commit", r.commit, {"", "its source"});
   v.key("level", r.level, {"", "its instruction set"});

@@ -37,7 +37,7 @@ TEST(AddedCrackReport, DrawsAndListsTheCrackOfTheSearch) {
   const auto summary = support::run_case(input::read_case_text(steep, "case.toml", {}), options);
   const double depth = summary.at("lem").at("critical")[0].at("crack").get<double>();
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const auto& model = page.document.at("model");
   EXPECT_NEAR(model.at("crack").at("depth").get<double>(), depth, 1e-9);
   EXPECT_EQ(model.at("crack").at("water"), 0);

@@ -30,9 +30,18 @@ TEST(OtherFolders, AFolderThatIsNoResultIsRefused) {
   EXPECT_NE(find_refusal(folder / "absent").find("there is no folder"), std::string::npos);
   fs::create_directories(folder / "frames");  // a run that was killed before its first frame
   EXPECT_NE(find_refusal(folder).find("is no folder of results"), std::string::npos);
-  std::ofstream(folder / "study.csv") << "variant\n";
-  EXPECT_NE(find_refusal(folder).find("--resume"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "report.html"));
+  fs::remove_all(folder);
+}
+
+TEST(OtherFolders, ResultsOfAnotherVersionAreRefused) {
+  const fs::path folder = make_test_folder("another_version");
+  for (const auto& [text, version] : {std::pair{R"({"title": "Old"})", "1"}, std::pair{R"({"format": 9})", "9"}}) {
+    std::ofstream(folder / "summary.json") << text;
+    EXPECT_EQ(find_refusal(folder), "'" + (folder / "summary.json").string() +
+                                        "' was written by another version of Talus (result format " + version +
+                                        ", this is 2): run the case again");
+  }
   fs::remove_all(folder);
 }
 
@@ -44,11 +53,11 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
   fs::remove(folder / "curve.csv");
   fs::remove(folder / "trials" / "srf_1.8000" / "trial.json");
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
-  EXPECT_EQ(page.document.at("status"), "unfinished");
+  EXPECT_EQ(find_schema_faults(page), "");
+  EXPECT_EQ(page.results.at("result").at("status"), "unfinished");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("has not finished"),
             std::string::npos);
-  const json& points = page.document.at("curve").at("points");
+  const json& points = page.results.at("result").at("curve").at("points");
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].at("displacement"), summary.at("curve").at("points")[0].at("displacement"));
   EXPECT_EQ(page.sequence("stages").at("point_count"), summary.at("mesh").at("points"));
@@ -59,12 +68,12 @@ TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
 TEST(OtherFolders, AnInterruptedRunGivesTheReason) {
   const fs::path folder = make_test_folder("interrupted");
   std::ofstream(folder / "summary.json")
-      << R"({"title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",
+      << R"({"format": 2, "title": "Cut", "status": "unstable", "error": "stage 'slide' became unstable at t = 2 s",
              "mesh": {"dimension": 3, "nodes": 8, "elements": 6, "points": 24}})";
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
-  EXPECT_EQ(page.document.at("status"), "unstable");
-  EXPECT_EQ(page.document.at("error"), "stage 'slide' became unstable at t = 2 s");
+  EXPECT_EQ(find_schema_faults(page), "");
+  EXPECT_EQ(page.results.at("result").at("status"), "unstable");
+  EXPECT_EQ(page.results.at("result").at("error"), "stage 'slide' became unstable at t = 2 s");
   EXPECT_NE(page.document.at("answer").at("sentences")[0].get<std::string>().find("became unstable"),
             std::string::npos);
   EXPECT_TRUE(page.document.at("sequences").empty());
@@ -84,9 +93,9 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
   options.threads = 2;
   const auto rows = study::run_study(plan, options);
   const ReadPage page(read_text(write_report(options.folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("kind"), "study");
-  EXPECT_EQ(page.document.at("status"), "finished");
+  EXPECT_EQ(page.results.at("result").at("status"), "finished");
   const json& study = page.document.at("study");
   ASSERT_EQ(study.at("rows").size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

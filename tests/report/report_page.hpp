@@ -30,11 +30,12 @@ std::vector<double> decode(const nlohmann::json& array, const std::string& base6
 
 /// A report.html.
 struct ReadPage {
-  nlohmann::json document;
+  nlohmann::json document, results;
   std::map<std::string, std::string> scripts;
 
   explicit ReadPage(const std::string& html) : scripts(cut_scripts(html)) {
     document = nlohmann::json::parse(scripts.at("talus-report"));
+    results = nlohmann::json::parse(scripts.at("talus-results"));
   }
   std::vector<double> values(const nlohmann::json& array) const {
     return decode(array, scripts.at(array.at("id").get<std::string>()));

@@ -43,9 +43,9 @@ class ReportOfRuns : public testing::Test {
 };
 
 TEST_F(ReportOfRuns, KeepsTheContract) {
-  EXPECT_EQ(find_schema_faults(page_->document), "");
-  EXPECT_EQ(find_schema_faults(run_->document), "");
-  EXPECT_EQ(study().at("reference"), "base");
+  EXPECT_EQ(find_schema_faults(*page_), "");
+  EXPECT_EQ(find_schema_faults(*run_), "");
+  EXPECT_EQ(page_->results.at("study_result").at("reference"), "base");
 }
 
 TEST_F(ReportOfRuns, ShowsThePathsOfItsMonitors) {

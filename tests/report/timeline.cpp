@@ -28,7 +28,7 @@ TEST(TimelineReport, LeadsWithTheLeastFactorAndKeepsTheContract) {
                                          options);
   const ReadPage page(read_text(write_report(folder)));
   const nlohmann::json& document = page.document;
-  EXPECT_EQ(find_schema_faults(document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   const auto& timeline = document.at("timeline");
   ASSERT_EQ(timeline.at("factors").size(), 3u);
   EXPECT_EQ(timeline.at("states").size(), 3u);
@@ -58,7 +58,7 @@ TEST(TimelineReport, HasThePointsOfEveryReleaseWhereTheyCameToLie) {
   options.overwrite = true;
   support::run_case(input::read_case_text(text, "case.toml", {{"lem.referee", "false"}}), options);
   const ReadPage page(read_text(write_report(folder)));
-  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(find_schema_faults(page), "");
   std::vector<std::string> ids, titles;
   for (const auto& sequence : page.document.at("sequences")) {
     ids.push_back(sequence.at("id"));

@@ -21,7 +21,8 @@ json leaf(const json& value, const char* unit = "") {
 
 /// A run of one stage in elastic ground that did not move.
 json make_summary() {
-  return json{{"title", "A run"},
+  return json{{"format", 2},
+              {"title", "A run"},
               {"status", "finished"},
               {"mesh", {{"dimension", 2}, {"points", 100}, {"elements", 30}, {"mean_size", 1.0}}},
               {"slope_height", 5},

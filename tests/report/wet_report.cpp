@@ -68,7 +68,7 @@ class WetReport : public testing::Test {
 };
 
 TEST_F(WetReport, KeepsTheContract) {
-  EXPECT_EQ(find_schema_faults(document()), "");
+  EXPECT_EQ(find_schema_faults(*page_), "");
   ASSERT_TRUE(document().contains("water"));
 }
 
@@ -146,9 +146,10 @@ TEST_F(WetReport, TheBudgetClosesWithWhatPassedEachSurface) {
   // The foot of the face is below the water table: all rain there runs off, whatever the rounding of the processor.
   const fs::path folder = make_test_folder("wet_runoff");
   run_wet_case(folder, {{"initial.water_table", "[[0, 2], [7, 1.5]]"}});
-  const json wet = collect_report(folder).document.get();
+  const Content content = collect_report(folder);
   fs::remove_all(folder);
-  const json& budget = wet.at("water").at("budget");
+  const json& wet = content.document.get();
+  const json& budget = content.results.get().at("result").at("water");
   double change = 0, runoff = 0;
   for (const json& s : budget.at("surfaces")) {
     change += s.at("entered").get<double>() - s.at("left").get<double>();
@@ -193,10 +194,11 @@ TEST_F(WetReport, SeriesAreWrittenAsTheyAct) {
   EXPECT_EQ(conditions[1]["series"].at("unit").at("name"), "mm/h");
   EXPECT_EQ(conditions[2].at("text"), "720 mm/h, vertical; what does not enter runs off");
   EXPECT_EQ(conditions[2].at("lines"), json({{{4.0, 3.0}, {7.0, 1.0}}}));
-  const json& water = document().at("model").at("water");
+  const json& water = page_->results.at("result").at("water_states");
   ASSERT_EQ(water.size(), 1u);
   EXPECT_EQ(water[0].at("flow"), "hydrostatic");
-  EXPECT_EQ(water[0].at("tables"), json({{{0.0, 2.0}, {7.0, 1.0}, {10.0, 1.0}}})) << "level to the end of the ground";
+  EXPECT_EQ(water[0].at("water_table"), json({{{0.0, 2.0}, {7.0, 1.0}, {10.0, 1.0}}}))
+      << "level to the end of the ground";
 }
 
 TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {

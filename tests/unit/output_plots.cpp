@@ -278,7 +278,7 @@ TEST_F(Pictures, AreDrawnByTheCommandPlot) {
                         {"stress", "Pa", 6, {-1e3, -2e3, -3e3, 0, 0, 0, -2e3, -4e3, -6e3, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
   output::ResultsWriter::start(folder_).write(frame);
   std::ofstream(folder_ / "summary.json")
-      << R"({"curve": {"points": [{"srf": 1.0, "displacement": 0.001}, {"srf": 1.5, "displacement": 0.002},
+      << R"({"format": 2, "curve": {"points": [{"srf": 1.0, "displacement": 0.001}, {"srf": 1.5, "displacement": 0.002},
              {"srf": 1.6, "displacement": 0.01}, {"srf": 1.7, "displacement": 0.02}],
              "bilinear": {"factor": 1.5, "first": {"slope": 0.002, "intercept": -0.001, "points": [1.0, 1.5]},
                           "second": {"slope": 0.1, "intercept": -0.15, "points": [1.6, 1.7]}},
@@ -305,9 +305,10 @@ TEST_F(Pictures, AreDrawnByTheCommandPlot) {
 TEST_F(Pictures, OfSlicesAloneAreTheSection) {
   const std::string folder = folder_.string();
   const auto write = [&](const std::string& surfaces) {
-    std::ofstream(folder_ / "summary.json") << R"({"title": "Bank", "outlines": [[[0, 0], [9, 0], [0, 9]]], "lem": {},
+    std::ofstream(folder_ / "summary.json")
+        << R"({"format": 2, "title": "Bank", "outlines": [[[0, 0], [9, 0], [0, 9]]], "lem": {},
                                                    "methods": {"surfaces": [)" +
-                                                   surfaces + "]}}";
+               surfaces + "]}}";
   };
   write(R"({"name": "lem.bishop", "title": "Bishop", "method": "lem", "factor": 1.5, "points": [[0, 9], [5, 4]]})");
   auto [code, text] = run_program("plot '" + folder + "'");

@@ -38,7 +38,7 @@ try {
 
   await list.group("Loading", async () => {
     list.note(`${(statSync(file).size / 2 ** 20).toFixed(2)} MiB`);
-    if (!sequence && !report.method_table) return;
+    if (!sequence && !report.methods_read) return;
     const time = await measureInteractive(page);
     list.note(`load to interactive: ${time === null ? "never" : `${Math.round(time)} ms`}`);
     // The time depends on the machine, which may be busy: it is printed and not checked.
@@ -55,9 +55,9 @@ try {
     await list.group("Sequences", () => checkSequences(list, page, report));
     await list.group("In space", () => takeSpace(list, page, out));
   }
-  if (report.slices || report.finite_elements)
+  if (report.result.lem || report.result.fem)
     await list.group("Methods", () => checkMethods(list, page, report, out));
-  if (report.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
+  if (report.result.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await list.group("Phone", async () => checkPhone(list, await open(phone), out));

@@ -28,7 +28,7 @@ export async function checkFirstScreen(list, page, report, summary) {
   await scrollThrough(page);
   await page.evaluate(() => document.querySelectorAll("#answer details").forEach((fold) => (fold.open = true)));
   const all = await page.innerText("body");
-  list.expect(first.includes(report.project.title), "the first screen names the case", first.slice(0, 200));
+  list.expect(first.includes(report.title), "the first screen names the case", first.slice(0, 200));
   const found = summary?.factor_of_safety;
   if (found) {
     if (typeof found.value === "number") {
@@ -52,7 +52,7 @@ export async function checkFirstScreen(list, page, report, summary) {
   }
   for (const warning of report.warnings.slice(0, 3))
     list.expect(all.toLowerCase().includes(warning.toLowerCase()), `the warning '${warning.slice(0, 60)}' is shown`);
-  for (const comparison of report.comparisons.filter((one) => !one.passes)) {
+  for (const comparison of report.result.comparisons.filter((one) => !one.passes)) {
     const rows = await page.locator("tr", { hasText: comparison.title }).allInnerTexts();
     const named = rows.some((text) => /miss|fail|outside|✗/i.test(text) && text.includes(comparison.source));
     list.expect(named, `the missed comparison '${comparison.title}' is named as such`, rows.join(" | "));
@@ -63,7 +63,7 @@ export async function checkFirstScreen(list, page, report, summary) {
 export async function checkStudy(list, page, report) {
   await scrollThrough(page);
   const rows = await page.locator("tr").allInnerTexts();
-  for (const [i, variant] of report.study.rows.entries()) {
+  for (const [i, variant] of report.study_result.variants.entries()) {
     const values = report.study.columns.map((column) => column.shown[i]).filter(Boolean);
     const row = rows.find((text) => text.includes(variant.name) && values.every((value) => text.includes(value)));
     list.expect(row, `the variant '${variant.name}' has a row with ${values.join(", ")}`);

@@ -25,8 +25,13 @@ function readNumber(text) {
   return Number(mantissa) * 10 ** Number(exponent);
 }
 
+function listSurfaces({ result: { lem, methods } }) {
+  return lem ? [...lem.critical, ...lem.noncircular, ...lem.given, ...(methods?.optimised ?? [])] : [];
+}
+
 async function checkSlices(list, page, report, out) {
-  const { surfaces, trials } = report.slices;
+  const { trials } = report.slices;
+  const surfaces = listSurfaces(report);
   const colours = await countColours(page, "#slices");
   list.expect(
     colours > (trials ? 8 : 1),
@@ -35,7 +40,7 @@ async function checkSlices(list, page, report, out) {
   );
   const others = page.locator(".surface-table button");
   list.expect((await others.count()) === surfaces.length, `${surfaces.length} surfaces can be chosen`);
-  const last = surfaces.findLastIndex((surface) => surface.slices && surface.factor !== null);
+  const last = surfaces.findLastIndex((surface) => surface.slices.left.length > 0 && surface.factor !== null);
   if (last >= 0) {
     await others.nth(last).click();
     const rows = await page.locator(".slice-table tbody tr").count();
@@ -72,11 +77,11 @@ async function checkSlices(list, page, report, out) {
 }
 
 async function checkElements(list, page, report, out) {
-  const { mesh, runs } = report.finite_elements;
+  const { runs } = report.result.fem;
   const trials = runs.reduce((sum, run) => sum + run.trials.length, 0);
   const rows = await page.locator("#elements figure[aria-label='Trials of the strength reduction'] tbody tr").count();
   list.expect(rows === trials, `all ${trials} trials of the finite elements have a row`, `${rows}`);
-  if (!mesh) return;
+  if (!report.finite_elements) return;
   const colours = await countColours(page, "#elements");
   list.expect(colours > 3, "the strain of the finite elements is drawn", `${colours} colours`);
   await page
@@ -91,14 +96,15 @@ export async function checkMethods(list, page, report, out) {
   await scrollThrough(page);
   await page.locator("#compared details").evaluateAll((folds) => folds.forEach((fold) => (fold.open = true)));
   const table = await page.locator("#compared tbody tr").allInnerTexts();
-  for (const row of report.method_table?.rows ?? []) {
+  for (const row of (report.methods_read && report.result.methods.table) ?? []) {
     const factor = row.factor === null ? "none" : row.factor.toFixed(3);
     const stands = table.some((text) => text.includes(row.title) && text.includes(factor));
     list.expect(stands, `${row.title}, ${row.criterion}, has a row with ${factor}`);
   }
   if (report.sequences.length > 0) {
     const legend = await page.locator("#section .viewer-legend").innerText();
-    const { surfaces = [], governing } = report.method_table ?? {};
+    const { surfaces } = report.methods_read ? report.result.methods : { surfaces: [] };
+    const governing = report.methods_read?.governing;
     const over = surfaces.filter((s) => s.name === governing || s.method === "fem");
     for (const s of over)
       list.expect(
@@ -107,6 +113,6 @@ export async function checkMethods(list, page, report, out) {
         legend,
       );
   }
-  if (report.slices?.surfaces.length) await checkSlices(list, page, report, out);
-  if (report.finite_elements) await checkElements(list, page, report, out);
+  if (listSurfaces(report).length) await checkSlices(list, page, report, out);
+  if (report.result.fem) await checkElements(list, page, report, out);
 }

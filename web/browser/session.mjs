@@ -41,9 +41,12 @@ export async function openReport(browser, file, options = {}) {
   return { context, page, requests, faults };
 }
 
-/** The document that the page holds. */
+/** The document that the page holds, and the results beside it. */
 export function readDocument(page) {
-  return page.evaluate(() => JSON.parse(document.getElementById("talus-report")?.textContent ?? "null"));
+  return page.evaluate(() => {
+    const read = (id) => JSON.parse(document.getElementById(id)?.textContent ?? "null");
+    return { ...read("talus-report"), ...read("talus-results") };
+  });
 }
 
 /** Milliseconds from the start of loading to the mark that the viewer sets after its first picture; null: no mark. */

@@ -13,8 +13,8 @@ const fromPage: Source = (id) => {
 
 /** The report that the page holds, or null when nothing was filled in. */
 export function readReport(): Report | null {
-  const text = document.getElementById("talus-report")?.textContent;
-  return text ? (JSON.parse(text) as Report) : null;
+  const [report, results] = ["talus-report", "talus-results"].map((id) => document.getElementById(id)?.textContent);
+  return report && results ? { ...JSON.parse(report), ...JSON.parse(results) } : null;
 }
 
 async function inflate(base64: string): Promise<Uint8Array> {

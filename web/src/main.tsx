@@ -24,7 +24,7 @@ function start() {
     return;
   }
   report.value = found;
-  document.title = `${found.project.title} – Talus report`;
+  document.title = `${found.title} – Talus report`;
   preparePrinting(found);
   render(<Page />, root);
 }

@@ -13,13 +13,13 @@ import { findGiven, findPackedArrays, readReportFile } from "./reportFile";
 const given = findGiven();
 
 describe.skipIf(!given)("a report holds the contract", () => {
-  const { report, arrays, doubled, source } = given ? readReportFile(given.page) : ({} as never);
+  const { report, document, arrays, doubled, source } = given ? readReportFile(given.page) : ({} as never);
   const packed = given ? findPackedArrays(report) : [];
 
   it("has the shape of contract/report.schema.json", () => {
     const schema = JSON.parse(readFileSync(new URL("../contract/report.schema.json", import.meta.url), "utf8"));
     const validate = new Ajv({ allErrors: true }).compile(schema);
-    validate(report);
+    validate(document);
     expect(validate.errors ?? []).toEqual([]);
   });
 
@@ -81,6 +81,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
   });
 
   it("has water that is somewhere: budgets close, what flows in steadily flows out, laws fall with suction", () => {
+    const { water: budget, seepage } = report.result;
     const { water } = report;
     expect(water !== undefined).toBe(report.model.materials.some((m) => m.water));
     for (const { name, water: soil } of report.model.materials) {
@@ -91,15 +92,15 @@ describe.skipIf(!given)("a report holds the contract", () => {
       expect([falls(saturation), falls(conductivity)], name).toEqual([true, true]);
       expect(saturation.every((s) => s >= 0 && s <= 1), name).toBe(true);
     }
-    if (water?.budget) {
-      const { surfaces, initial, stored, left_grid, lost_between, pressed_in, error } = water.budget;
+    if (budget) {
+      const { surfaces, initial, stored, left_grid, lost_between, pressed_in, error } = budget;
       const passed = surfaces.reduce((sum, s) => sum + s.entered - s.left, 0);
       const open = stored - (initial + passed + pressed_in - left_grid - lost_between);
       expect(Math.abs(open) / stored).toBeLessThan(Math.abs(error) + 1e-9);
       for (const s of surfaces) expect(s.runoff, s.name).toBeLessThanOrEqual(s.supplied * (1 + 1e-9) + 1e-12);
     }
-    if (water?.seepage) {
-      const { discharges, inflow, outflow, balance_error } = water.seepage;
+    if (seepage) {
+      const { discharges, inflow, outflow, balance_error } = seepage;
       const sum = (key: "inflow" | "outflow") => discharges.reduce((total, d) => total + d[key], 0);
       expect(Math.abs(sum("inflow") - sum("outflow"))).toBeLessThan(Math.abs(balance_error) + 1e-6 * inflow);
       expect(Math.abs(sum("outflow") - outflow)).toBeLessThan(1e-6 * outflow);
@@ -107,10 +108,10 @@ describe.skipIf(!given)("a report holds the contract", () => {
   });
 
   it("draws the water table of the first frame where the steady seepage has it", async () => {
-    const start = report.model.water.at(-1);
+    const start = report.result.water_states?.at(-1);
     const stages = report.sequences.find((s) => s.kind === "stages");
     const field = stages?.fields.find((f) => f.name === "pore_pressure");
-    if (!start || !report.water?.seepage || !stages || !field) return;
+    if (!start || !report.result.seepage || !stages || !field) return;
     const count = stages.point_count;
     const positions = (await readPlaces(stages.positions, source)).slice(0, 2 * count);
     const pressure = (await readValues(field.values, source)).slice(0, count);
@@ -119,7 +120,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
     expect(lines.length).toBeGreaterThan(0);
     // The first frame is the initial state; an element has one pressure, so the position of zero inside it is unknown.
     const distances = lines.flat().map(([x, y]) => {
-      const pieces = start.tables.flatMap((line) => line.slice(1).map((p, k) => [line[k]!, p] as const));
+      const pieces = start.water_table.flatMap((line) => line.slice(1).map((p, k) => [line[k]!, p] as const));
       const piece = pieces.find(([a, b]) => Math.min(a[0]!, b[0]!) <= x && x <= Math.max(a[0]!, b[0]!));
       if (!piece) return 0;
       const [a, b] = piece;

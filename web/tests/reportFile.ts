@@ -3,11 +3,13 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
-import type { PackedArray, Report } from "../src/contract";
+import type { PackedArray, Report, ReportDocument } from "../src/contract";
 import type { Source } from "../src/data";
 
 export interface ReportFile {
   report: Report;
+  /** What the report adds to the results. */
+  document: ReportDocument;
   /** The texts of the packed arrays, by id. */
   arrays: Map<string, string>;
   /** Ids that occur more than once in the page. */
@@ -19,25 +21,30 @@ export interface ReportFile {
 export function readReportFile(path: string): ReportFile {
   const arrays = new Map<string, string>();
   const doubled: string[] = [];
-  let document: string | null = null;
+  const documents = new Map<string, string>();
   for (const [, attributes, text] of readFileSync(path, "utf8").matchAll(/<script\b([^>]*)>([\s\S]*?)<\/script>/g)) {
     const id = /\bid="([^"]*)"/.exec(attributes!)?.[1];
     const type = /\btype="([^"]*)"/.exec(attributes!)?.[1];
-    if (id === "talus-report") {
-      if (document !== null) doubled.push(id);
-      document = text!;
+    if (id === "talus-report" || id === "talus-results") {
+      if (documents.has(id)) doubled.push(id);
+      documents.set(id, text!);
     } else if (id !== undefined && type === "text/plain") {
       if (arrays.has(id)) doubled.push(id);
       arrays.set(id, text!);
     }
   }
-  if (document === null) throw new Error(`${path} holds no report: a script with the id 'talus-report' was expected`);
+  const read = (id: string) => {
+    const text = documents.get(id);
+    if (text === undefined) throw new Error(`${path} holds no report: a script with the id '${id}' was expected`);
+    return JSON.parse(text) as Report;
+  };
+  const document = read("talus-report");
   const source: Source = (id) => {
     const text = arrays.get(id);
     if (text === undefined) throw new Error(`${path} holds no array '${id}'`);
     return text;
   };
-  return { report: JSON.parse(document) as Report, arrays, doubled, source };
+  return { document, report: { ...document, ...read("talus-results") }, arrays, doubled, source };
 }
 
 /** All packed arrays that a document names, at any level. */

@@ -10,9 +10,9 @@ const inWeb = (path: string) => fileURLToPath(new URL(`../${path}`, import.meta.
 it("contract/report.schema.json is up to date (else: npm run schema)", () => {
   const generator = createGenerator({
     path: inWeb("src/contract/report.ts"),
-    type: "Report",
+    type: "ReportDocument",
     tsconfig: inWeb("tsconfig.json"),
   });
-  const generated = JSON.parse(JSON.stringify(generator.createSchema("Report")));
+  const generated = JSON.parse(JSON.stringify(generator.createSchema("ReportDocument")));
   expect(JSON.parse(readFileSync(inWeb("contract/report.schema.json"), "utf8"))).toEqual(generated);
 });

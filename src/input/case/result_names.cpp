@@ -150,9 +150,9 @@ results::Motion outline_motion(const Case& data) {
   return motion;
 }
 
-/// Returns the names of the sides with a water budget: those of [[hydraulic]], moving supports, and the rest.
+/// Returns the names of the sides with a water budget: those of [[hydraulic]], and moving supports.
 std::vector<std::string> list_water_sides(const Case& data) {
-  std::vector<std::string> sides{results::other_surfaces};
+  std::vector<std::string> sides;
   for (const Hydraulic& h : data.hydraulics) sides.push_back(h.on);
   for (const Boundary& b : data.boundaries)
     if (b.fix == Fix::velocity) sides.push_back(b.on);

@@ -12,17 +12,12 @@
 
 namespace talus::report {
 
-/// Return Project, Provenance and Timing of web/src/contract/.
-nlohmann::json make_project(const results::RunResult& run);
-nlohmann::json make_provenance(const ResultFolder& folder);
-nlohmann::json make_timing(const results::RunResult& run);
-
 /// Returns the indices of the shown frames. `times` [s] are ascending and on the clock of the run. The frames are those
 /// nearest to the requested times (the later of two at the same time), or five equally spaced ones from the start of
 /// the clock.
 std::vector<std::size_t> choose_shown(const std::vector<double>& times, const results::Clock& clock);
 
-/// Returns `NamedResult[]` of web/src/contract/. Runout results are omitted if all soil left the grid, since they are
+/// Returns `ShownResult[]` of web/src/contract/. Runout results are omitted if all soil left the grid, since they are
 /// zero.
 nlohmann::json list_named_results(const ResultFolder& folder);
 

@@ -13,7 +13,6 @@
 #include "output/files/history.hpp"
 #include "report/content/sequence.hpp"
 #include "report/words/numbers.hpp"
-#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -29,23 +28,11 @@ std::string describe_parameter(const results::CalibratedParameter& p) {
   return p.limit == results::AtLimit::no ? text : text + " (at its limit)";
 }
 
-const char* name_kind(const results::ShownQuantity& quantity) {
-  using input::PointQuantityKind;
-  const PointQuantityKind kind = input::find_point_quantity_kind(quantity.name);
-  return kind == PointQuantityKind::strain ? "strain" : kind == PointQuantityKind::stress ? "stress" : "other";
-}
-
 }  // namespace
 
 void add_calibration(const ResultFolder& folder, json& document) {
-  const auto found = results::read_file<results::Calibration>(folder.path / "calibration" / "calibration.json");
+  const auto& found = folder.calibration;
   if (!found) return;
-  json section = results::to_json(*found);
-  for (std::size_t i = 0; i < found->curves.size(); ++i) {
-    section["curves"][i]["x"]["kind"] = name_kind(found->curves[i].x);
-    section["curves"][i]["y"]["kind"] = name_kind(found->curves[i].y);
-  }
-  document["calibration"] = std::move(section);
   json warnings = found->findings;
   for (const json& warning : document["warnings"]) warnings.push_back(warning);
   document["warnings"] = std::move(warnings);
@@ -103,35 +90,16 @@ json read_columns(const std::filesystem::path& table, const std::set<std::string
 
 }  // namespace
 
-json make_point_tests(const ResultFolder& folder) {
-  if (!folder.tests) return {};
+json read_point_columns(const ResultFolder& folder) {
   const std::vector<results::PointTest>& list = folder.tests->tests;
   std::vector<std::set<std::string>> wanted(list.size());
-  json groups = json::array(), tests = json::array();
-  for (const results::PointGroup& group : folder.tests->groups) {
+  for (const results::PointGroup& group : folder.tests->groups)
     for (const std::size_t test : group.tests)
       for (const results::PointPanel& panel : group.panels) wanted.at(test).insert({panel.x, panel.y});
-    groups.push_back(results::to_json(group));
-  }
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const results::PointTest& test = list[i];
-    json end;
-    for (const char* key : {"q", "p", "volumetric_strain", "void_ratio", "preconsolidation"}) {
-      const auto value = test.end.find(key);
-      end[key] = value != test.end.end() ? keep_finite(value->second) : 0;
-    }
-    tests.push_back({{"name", test.name},
-                     {"material", test.material},
-                     {"kind", test.kind},
-                     {"path", test.path},
-                     {"set", test.set},
-                     {"stopped", test.stopped},
-                     {"peak_q", keep_finite(test.peak_q)},
-                     {"peak_q_strain", keep_finite(test.peak_q_strain)},
-                     {"end", end},
-                     {"columns", read_columns(join_name(folder.path / "point", test.file), wanted[i], test.turns)}});
-  }
-  return {{"tests", tests}, {"groups", groups}};
+  json columns = json::array();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    columns.push_back(read_columns(join_name(folder.path / "point", list[i].file), wanted[i], list[i].turns));
+  return columns;
 }
 
 std::vector<std::string> format_point_tests(const ResultFolder& folder) {

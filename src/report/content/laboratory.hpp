@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Element tests (`PointTests`) and calibration (`Calibration` in web/src/contract/) of a results folder.
+// Element tests and calibration of a results folder in its report.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace talus::report {
 
-/// Adds a calibration to the document of a report: its section, its warnings, and its answer before that of the element
+/// Adds a calibration to the document of a report: its warnings, and its answer before that of the element
 /// tests. Does nothing if the folder contains no calibration.
 void add_calibration(const ResultFolder& folder, nlohmann::json& document);
 
-/// Returns the tests with their curves and diagrams; null if the folder contains none. Throws Error (wrong_input) if a
-/// table is missing or damaged.
-nlohmann::json make_point_tests(const ResultFolder& folder);
+/// Returns the columns of each test that its diagrams need, `ReportDocument.point_columns` of web/src/contract/. Throws
+/// Error (wrong_input) if a table is missing or damaged.
+nlohmann::json read_point_columns(const ResultFolder& folder);
 
 /// Returns the sentences of the answer on the element tests.
 std::vector<std::string> format_point_tests(const ResultFolder& folder);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
@@ -20,91 +19,19 @@ using nlohmann::json;
 
 namespace {
 
-/// Returns null for 0, the value of rejected surfaces.
-json write_factor(const std::optional<double>& factor) {
-  return factor.value_or(0) > 0 ? json(*factor) : json();
-}
-
-json take_number(const std::optional<double>& number) {
-  return number ? json(*number) : json();
-}
-
-json list_numbers(const std::vector<std::optional<double>>& numbers) {
-  json list = json::array();
-  for (const std::optional<double>& number : numbers) list.push_back(take_number(number));
-  return list;
-}
-
-/// Returns the columns of the slice table; older results have fewer.
-json take_columns(const results::SliceTable& slices) {
-  json columns = results::to_json(slices);
-  for (json& column : columns)
-    if (column.size() != slices.size()) column = std::vector<double>(slices.size());
-  return columns;
-}
-
-json take_surface(const results::CriticalSurface& found, const char* kind, bool governs) {
-  const results::SlipSurface& surface = found.surface;
-  const results::SurfaceChecks& checks = found.checks;
-  json taken{{"kind", kind},
-             {"name", surface.name.value_or("")},
-             {"method", results::to_word(surface.method)},
-             {"title", surface.title},
-             {"factor", write_factor(surface.factor)},
-             {"lambda", is_rigorous(surface.method) ? take_number(found.lambda) : json()},
-             {"correction", found.correction},
-             {"points", surface.points},
-             {"area", found.area},
-             {"depth", found.depth},
-             {"yield_acceleration", take_number(found.yield_acceleration)},
-             {"checks",
-              {{"smallest_m_alpha", checks.smallest_m_alpha},
-               {"tensile_share", keep_finite(checks.tensile_share)},
-               {"thrust_outside", keep_finite(checks.thrust_outside)},
-               {"refusal", checks.refusal}}},
-             {"warnings", found.warnings},
-             {"governs", governs}};
-  if (const auto& drawn = found.drawdown)
-    taken["drawdown"] = {{"factor_before", write_factor(drawn->factor_before)},
-                         {"undrained_factor", write_factor(drawn->undrained_factor)},
-                         {"normal", drawn->normal},
-                         {"shear", drawn->shear},
-                         {"strength", list_numbers(drawn->strength)}};
-  if (surface.circle) taken["circle"] = results::to_json(*surface.circle);
-  if (found.slices.size() > 0) taken["slices"] = take_columns(found.slices);
-  return taken;
-}
-
-json list_minima(const results::SliceResult& lem) {
-  json list = json::array();
-  for (const auto& [method, surfaces] : lem.minima)
-    for (const results::SlipSurface& m : surfaces) {
-      json taken{{"method", method}, {"factor", m.factor.value_or(0)}, {"points", m.points}};
-      if (m.circle) taken["circle"] = results::to_json(*m.circle);
-      list.push_back(std::move(taken));
+/// Returns the number of the governing surface among the critical, noncircular, given and optimised ones.
+std::optional<std::size_t> find_governing(const results::RunResult& run) {
+  const auto governing = results::find_governing_surface(run);
+  if (!governing) return std::nullopt;
+  static const std::vector<results::CriticalSurface> none;
+  std::size_t number = 0;
+  for (const auto* list : {&run.slices->critical, &run.slices->noncircular, &run.slices->given,
+                           run.methods ? &run.methods->optimised : &none})
+    for (const results::CriticalSurface& found : *list) {
+      if (&found == governing->found) return number;
+      ++number;
     }
-  return list;
-}
-
-json take_search(const results::SliceSearch& search) {
-  json refused = json::array(), limit_hits = json::array();
-  for (const auto& [method, reasons] : search.refused) {
-    json list = json::array();
-    for (const auto& [reason, count] : reasons) list.push_back({{"reason", reason}, {"count", count}});
-    refused.push_back({{"method", method}, {"reasons", list}});
-  }
-  for (const results::LimitHit& hit : search.limit_hits)
-    limit_hits.push_back(fmt::format("{}: {}", hit.method, hit.limit));
-  json taken{{"kind", results::to_word(search.kind)},
-             {"tried", search.tried},
-             {"refused", refused},
-             {"limit_hits", limit_hits},
-             {"circles_per_second", search.circles_per_second}};
-  const results::SearchRanges& ranges = search.ranges;
-  if (ranges.exit) taken["exit"] = *ranges.exit;
-  if (ranges.entry) taken["entry"] = *ranges.entry;
-  if (ranges.grid) taken["grid"] = {ranges.grid->from, ranges.grid->to};
-  return taken;
+  return std::nullopt;
 }
 
 json pack_trials(const results::SliceTrials& file, Packer& packer) {
@@ -141,29 +68,12 @@ json pack_maps(const results::SliceTrials& file, Packer& packer) {
 
 }  // namespace
 
-json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
+json pack_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (!folder.run.slices) return {};
   const results::SliceResult& lem = *folder.run.slices;
-  json surfaces = json::array(), methods = json::array();
-  std::map<SliceMethod, std::string> titles;
-  const auto governing = results::find_governing_surface(folder.run);
-  static const std::vector<results::CriticalSurface> none;
-  for (const auto& [kind, list] :
-       {std::pair{"circle", &lem.critical}, std::pair{"polyline", &lem.noncircular}, std::pair{"given", &lem.given},
-        std::pair{"optimised", folder.run.methods ? &folder.run.methods->optimised : &none}})
-    for (const results::CriticalSurface& found : *list) {
-      surfaces.push_back(take_surface(found, kind, governing && governing->found == &found));
-      titles[found.surface.method] = found.surface.title;
-    }
-  for (const SliceMethod method : lem.methods) {
-    const std::string name = results::to_word(method);
-    methods.push_back({{"name", name}, {"title", titles.contains(method) ? titles[method] : name}});
-  }
-  json slices{{"methods", methods},   {"slice_count", lem.slices},  {"seconds", lem.seconds},
-              {"surfaces", surfaces}, {"minima", list_minima(lem)}, {"maps", json::array()}};
+  json slices{{"maps", json::array()}};
   if (lem.drawdown) slices["drawdown"] = get_title(*lem.drawdown);
-  if (lem.error) slices["error"] = *lem.error;
-  if (lem.search) slices["search"] = take_search(*lem.search);
+  if (const auto governing = find_governing(folder.run)) slices["governing"] = *governing;
   try {
     const auto file =
         results::read_file<results::SliceFile>(join_name(folder.path, lem.trials_file.value_or("lem.json")));
@@ -176,51 +86,11 @@ json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   return slices;
 }
 
-using nlohmann::json;
-
 namespace {
 
 /// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.
 constexpr std::size_t most_field_elements = 60000;
 constexpr std::size_t corners_per_element = 6;
-
-json take_factor(double factor) {
-  return factor > 0 ? json(factor) : json();
-}
-
-json take_trials(std::vector<results::ElementTrial> trials) {
-  std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.factor < b.factor; });
-  json list = json::array();
-  for (const results::ElementTrial& trial : trials)
-    list.push_back({{"factor", trial.factor},
-                    {"converged", trial.converged},
-                    {"iterations", trial.iterations},
-                    {"force_residual", keep_finite(trial.force_residual)},
-                    {"displacement_residual", keep_finite(trial.displacement_residual)},
-                    {"displacement", keep_finite(trial.displacement)},
-                    {"seconds", trial.seconds}});
-  return list;
-}
-
-json take_run(const results::ElementRun& run) {
-  json taken{{"flow", results::to_word(run.flow)},
-             {"title", run.flow == results::Flow::associated ? "associated flow, ψ = φ" : "ψ as given"},
-             {"psi", run.psi},
-             {"trials", take_trials(run.trials)},
-             {"slip_lines", json::array()},
-             {"warnings", run.warnings},
-             {"factor", take_factor(run.factor)},
-             {"stable", take_factor(run.stable)},
-             {"failed", take_factor(run.failed)},
-             {"by_displacement", take_factor(run.by_displacement.value_or(0))},
-             {"lower", run.interval ? json(results::show_lower(run.interval->lower)) : json()},
-             {"upper", run.interval ? json(results::show_upper(run.interval->upper)) : json()}};
-  if (run.sides)
-    for (const results::SideLine& side : *run.sides) taken["slip_lines"].push_back(side.points);
-  else if (!run.slip_line.empty())
-    taken["slip_lines"].push_back(run.slip_line);
-  return taken;
-}
 
 /// Returns the limits of the colour scale from 0 to the 99th percentile of the nodal shear strain.
 std::vector<double> find_strain_scale(std::vector<double> strain) {
@@ -277,47 +147,28 @@ json pack_fields(const results::ElementMesh& file, results::Flow flow, Packer& p
 
 }  // namespace
 
-json make_finite_elements(const ResultFolder& folder, Packer& packer, json& warnings) {
+json pack_finite_elements(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (!folder.run.elements) return {};
   const results::ElementResult& fem = *folder.run.elements;
-  json block{{"element", fem.element.empty() ? "T6" : fem.element},
-             {"elements", fem.elements},
-             {"nodes", fem.nodes},
-             {"unknowns", fem.unknowns},
-             {"size", fem.size},
-             {"seconds", fem.seconds.value_or(0)},
-             {"runs", json::array()}};
-  if (fem.error) block["error"] = *fem.error;
-  for (const results::ElementRun& run : fem.runs) block["runs"].push_back(take_run(run));
   try {
     const auto file = results::read_file<results::ElementFile>(
         join_name(folder.path, fem.fields_file.empty() ? "fem.json" : fem.fields_file));
     json mesh = file ? pack_mesh(file->mesh, packer) : json();
-    if (mesh.is_null()) return block;
-    block["mesh"] = std::move(mesh);
-    for (std::size_t i = 0; i < fem.runs.size(); ++i)
-      if (json fields = pack_fields(file->mesh, fem.runs[i].flow, packer); !fields.is_null())
-        block["runs"][i]["fields"] = std::move(fields);
+    if (mesh.is_null()) return {};
+    json fields = json::array();
+    for (const results::ElementRun& run : fem.runs) fields.push_back(pack_fields(file->mesh, run.flow, packer));
+    return {{"mesh", std::move(mesh)}, {"fields", std::move(fields)}};
   } catch (const Error& error) {
     warnings.push_back(fmt::format("The finite elements are not drawn: {}", error.what()));
+    return {};
   }
-  return block;
 }
-
-using nlohmann::json;
 
 namespace {
 
 /// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.
 constexpr std::size_t most_field_triangles = 60000;
 constexpr std::size_t components = 3;  ///< xx, yy, xy
-
-json write_lower(std::optional<double> value) {
-  return value ? json(results::show_lower(*value)) : json();
-}
-json write_upper(std::optional<double> value) {
-  return value ? json(results::show_upper(*value)) : json();
-}
 
 std::vector<double> join_places(const std::vector<results::Point>& places) {
   std::vector<double> values;
@@ -381,32 +232,11 @@ json pack_moving(const results::MovingField& field, Packer& packer) {
 
 }  // namespace
 
-json make_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnings) {
-  if (!folder.run.bounds) return {};
-  const results::BoundsResult& bounds = *folder.run.bounds;
-  json block{{"lower", write_lower(bounds.lower)},
-             {"upper", write_upper(bounds.upper)},
-             {"no_lower", bounds.no_lower},
-             {"no_upper", bounds.no_upper},
-             {"asked_gap", bounds.asked_gap},
-             {"is_davis", bounds.is_davis},
-             {"takes_tension", bounds.takes_tension},
-             {"seconds", bounds.seconds.value_or(0)},
-             {"meshes", json::array()},
-             {"slip_lines", json::array()}};
-  if (bounds.error) block["error"] = *bounds.error;
-  for (const results::BoundsMesh& mesh : bounds.meshes)
-    block["meshes"].push_back({{"triangles", mesh.triangles},
-                               {"lower", write_lower(mesh.lower)},
-                               {"upper", write_upper(mesh.upper)},
-                               {"programs", mesh.programs},
-                               {"iterations", mesh.iterations},
-                               {"seconds", mesh.seconds}});
-  if (bounds.sides)
-    for (const results::SideLine& side : *bounds.sides) block["slip_lines"].push_back(side.points);
-  if (bounds.fields_file.empty()) return block;
+json pack_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnings) {
+  if (!folder.run.bounds || folder.run.bounds->fields_file.empty()) return {};
+  json block;
   try {
-    const auto file = results::read_file<results::BoundsFile>(join_name(folder.path, bounds.fields_file));
+    const auto file = results::read_file<results::BoundsFile>(join_name(folder.path, folder.run.bounds->fields_file));
     if (!file) return block;
     if (json field = pack_holding(file->holds, packer); !field.is_null()) block["holds"] = std::move(field);
     if (json field = pack_moving(file->moves, packer); !field.is_null()) block["moves"] = std::move(field);

@@ -25,32 +25,8 @@ using results::Topic;
 
 namespace {
 
-/// Returns nullopt unless the value is positive.
-std::optional<double> take_factor(std::optional<double> value) {
-  return value && *value > 0 ? value : std::nullopt;
-}
-
 json write(std::optional<double> value) {
   return value ? json(*value) : json();
-}
-
-json take_partial_factors(const results::DesignStatement& block) {
-  json values = json::array(), materials = json::array();
-  for (const results::PartialFactor& v : block.values)
-    values.push_back({{"key", v.key}, {"title", v.title}, {"symbol", v.symbol}, {"value", v.value}});
-  for (const results::DesignValue& m : block.materials)
-    materials.push_back({{"material", m.material},
-                         {"quantity", m.quantity},
-                         {"symbol", m.symbol},
-                         {"unit", m.unit},
-                         {"characteristic", m.characteristic},
-                         {"design", m.design}});
-  return {{"set", block.set},
-          {"values", values},
-          {"materials", materials},
-          {"notes", block.notes},
-          {"over_design", write(take_factor(block.over_design))},
-          {"text", block.text}};
 }
 
 bool is_associated(const MethodRow& row) {
@@ -59,20 +35,7 @@ bool is_associated(const MethodRow& row) {
 
 /// Returns a text such as "Spencer, critical circle".
 std::string describe(const MethodRow& row) {
-  std::string label = row.label;
-  // Rows of older versions have no label; their title contains the name of the method.
-  if (label.empty()) label = row.method == Method::lem ? row.title : is_associated(row) ? "ψ = φ" : "ψ as given";
-  return row.criterion.empty() ? label : label + ", " + row.criterion;
-}
-
-/// Rows of older versions have no source; it follows from the name of their surface.
-SurfaceSource find_source(const MethodRow& row) {
-  if (row.source) return *row.source;
-  if (row.surface.empty()) return SurfaceSource::none;
-  if (row.method == Method::fem) return SurfaceSource::band;
-  if (row.method == Method::bounds) return SurfaceSource::mechanism;
-  if (row.surface == "lem." + row.name) return SurfaceSource::critical;
-  return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
+  return row.criterion.empty() ? row.label : row.label + ", " + row.criterion;
 }
 
 /// Returns true for limit analysis and FEM, whose intervals are rounded outward; others are rounded to the nearest.
@@ -80,31 +43,10 @@ bool is_rounded_outward(const MethodRow& row) {
   return row.method == Method::bounds || row.method == Method::fem;
 }
 std::optional<double> take_lower(const MethodRow& row) {
-  const auto lower = take_factor(row.lower);
-  return lower && is_rounded_outward(row) ? results::show_lower(*lower) : lower;
+  return row.lower && is_rounded_outward(row) ? results::show_lower(*row.lower) : row.lower;
 }
 std::optional<double> take_upper(const MethodRow& row) {
-  const auto upper = take_factor(row.upper);
-  return upper && is_rounded_outward(row) ? results::show_upper(*upper) : upper;
-}
-
-json take_row(const MethodRow& row) {
-  return {{"method", to_word(row.method)},
-          {"name", row.name},
-          {"title", row.title},
-          {"criterion", row.criterion},
-          {"surface", row.surface},
-          {"source", to_word(find_source(row))},
-          {"note", row.note},
-          {"factor", write(take_factor(row.factor))},
-          {"lower", write(take_lower(row))},
-          {"upper", write(take_upper(row))},
-          {"seconds", write(row.seconds)}};
-}
-
-/// Rows of older versions have no measure; their factors by displacement had no bracket.
-FactorMeasure find_measure(const MethodRow& row) {
-  return row.measure.value_or(row.lower ? FactorMeasure::equilibrium : FactorMeasure::displacement);
+  return row.upper && is_rounded_outward(row) ? results::show_upper(*row.upper) : row.upper;
 }
 
 /// Returns the name in [[compare]]: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
@@ -112,8 +54,8 @@ std::string name_result(const MethodRow& row) {
   if (row.method == Method::bounds) return "bounds";
   if (row.method == Method::fem)
     return fmt::format("fem.{}{}", is_associated(row) ? "associated." : "",
-                       find_measure(row) == FactorMeasure::displacement ? "by_displacement" : "factor");
-  switch (find_source(row)) {
+                       row.measure == FactorMeasure::displacement ? "by_displacement" : "factor");
+  switch (row.source) {
     case SurfaceSource::none:
       return "lem." + row.name;
     case SurfaceSource::handed:
@@ -125,7 +67,7 @@ std::string name_result(const MethodRow& row) {
 
 /// Returns true for a surface found by a search of LEM, not one that was given to it.
 bool is_critical(const MethodRow& row) {
-  const SurfaceSource source = find_source(row);
+  const SurfaceSource source = row.source;
   return row.method == Method::lem && (source == SurfaceSource::critical || source == SurfaceSource::noncircular);
 }
 
@@ -134,16 +76,16 @@ Factor make_factor(const MethodRow& row) {
   factor.method = row.method;
   factor.name = name_result(row);
   factor.title = describe(row);
-  factor.value = take_factor(row.factor);
+  factor.value = row.factor;
   factor.lower = take_lower(row);
   factor.upper = take_upper(row);
   factor.note = row.note;
-  factor.source = find_source(row);
+  factor.source = row.source;
   if (row.method == Method::lem) {
     factor.slice_method = results::from_word<SliceMethod>(row.name);
   } else if (row.method == Method::fem) {
     factor.flow = results::from_word<results::Flow>(row.name);
-    factor.measure = find_measure(row);
+    factor.measure = row.measure;
   }
   return factor;
 }
@@ -243,31 +185,11 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
 
 }  // namespace
 
-json make_method_table(const ResultFolder& folder) {
+json read_methods(const ResultFolder& folder) {
   if (!folder.run.methods || !asks_for_others(folder)) return {};
-  const results::MethodComparison& methods = *folder.run.methods;
-  json table{{"asked", json::array()},
-             {"rows", json::array()},
-             {"surfaces", json::array()},
-             {"handed", json::array()},
-             {"reading", group_remarks(methods.remarks)}};
-  for (const Method method : methods.asked) table["asked"].push_back(to_word(method));
-  for (const MethodRow& row : methods.table) table["rows"].push_back(take_row(row));
-  for (const results::MethodSurface& s : methods.surfaces)
-    table["surfaces"].push_back({{"name", s.name},
-                                 {"title", s.title},
-                                 {"method", to_word(s.method)},
-                                 {"factor", write(take_factor(s.factor))},
-                                 {"points", s.points}});
-  for (const results::HandedSurface& h : methods.handed)
-    table["handed"].push_back({{"from", h.from},
-                               {"to", h.to},
-                               {"title", h.title},
-                               {"factor", write(take_factor(h.factor))},
-                               {"refusal", h.refusal}});
-  if (const auto governing = results::find_governing_surface(folder.run)) table["governing"] = governing->name;
-  if (methods.partial_factors) table["partial_factors"] = take_partial_factors(*methods.partial_factors);
-  return table;
+  json read{{"reading", group_remarks(folder.run.methods->remarks)}};
+  if (const auto governing = results::find_governing_surface(folder.run)) read["governing"] = governing->name;
+  return read;
 }
 
 json to_json(const Factor& factor) {

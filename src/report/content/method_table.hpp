@@ -11,8 +11,8 @@
 
 namespace talus::report {
 
-/// Returns `MethodTable` of web/src/contract/; null for a run of MPM only.
-nlohmann::json make_method_table(const ResultFolder& folder);
+/// Returns `MethodsRead` of web/src/contract/; null for a run of MPM only.
+nlohmann::json read_methods(const ResultFolder& folder);
 
 /// A factor of safety in the answer (`Factor` of web/src/contract/).
 struct Factor {

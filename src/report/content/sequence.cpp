@@ -234,53 +234,6 @@ json pack_sequence(const SequencePlan& plan, std::size_t dimension, const ShownU
   return SequencePacker(plan, dimension, units, budget).pack(packer);
 }
 
-using nlohmann::json;
-
-namespace {
-
-json make_point(const results::Trial& trial) {
-  return {{"srf", trial.factor},
-          {"displacement", keep_finite(trial.displacement)},
-          {"end", results::to_word(trial.end)},
-          {"force_ratio", keep_finite(trial.force_ratio)},
-          {"nodal_speed", keep_finite(trial.speed)}};
-}
-
-json make_branch(const results::Branch& branch) {
-  return {{"slope", branch.slope}, {"intercept", branch.intercept}, {"factors", branch.factors}};
-}
-
-/// Rounds the ends of intervals outward, as in the answer and its table.
-std::vector<results::Criterion> list_criteria(std::vector<results::Criterion> criteria) {
-  for (results::Criterion& c : criteria) {
-    if (c.kind != results::CriterionKind::frozen) continue;
-    if (c.lower) c.lower = results::show_lower(*c.lower);
-    if (c.upper) c.upper = results::show_upper(*c.upper);
-  }
-  return criteria;
-}
-
-}  // namespace
-
-json make_curve(const ResultFolder& folder) {
-  const auto& curve = folder.run.curve;
-  json points = json::array();
-  if (curve)
-    for (const results::Trial& trial : curve->points) points.push_back(make_point(trial));
-  else
-    for (const TrialFolder& trial : folder.trials)
-      if (trial.result) points.push_back(make_point(*trial.result));
-  if (!curve && points.empty()) return {};
-  json result{
-      {"points", points},
-      {"criteria", results::to_json(list_criteria(curve ? curve->criteria : std::vector<results::Criterion>{}))}};
-  if (curve && curve->bilinear)
-    result["bilinear"] = {{"first", make_branch(curve->bilinear->first)},
-                          {"last", make_branch(curve->bilinear->second)},
-                          {"factor", curve->bilinear->factor}};
-  return result;
-}
-
 namespace {
 
 SequencePlan plan_stages(const std::shared_ptr<const output::ResultsReader>& frames, std::string id,

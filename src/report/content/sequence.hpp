@@ -68,10 +68,6 @@ struct SequencePlan {
 nlohmann::json pack_sequence(const SequencePlan& plan, std::size_t dimension, const ShownUnits& units,
                              const Budget& budget, Packer& packer);
 
-/// Returns `Curve` of web/src/contract/ of a finished run, otherwise from the finished trials in the folder; null if
-/// there are none.
-nlohmann::json make_curve(const ResultFolder& folder);
-
 /// Packs the sequences of a run: its stages, the trials of the curve, and each runout.
 nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer);
 

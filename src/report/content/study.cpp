@@ -32,10 +32,6 @@ std::string show_share(double share) {
 
 }  // namespace
 
-json make_sampling(const results::Sampling& sampling) {
-  return results::to_json(sampling);
-}
-
 void format_sampling(const results::Sampling& sampling, const ShownUnit& length, std::vector<std::string>& sentences) {
   if (const auto& failure = sampling.failure)
     sentences.push_back(
@@ -230,7 +226,7 @@ std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrap
   std::vector<results::ExtrapolatedFactor> varying;
   for (const results::ExtrapolatedFactor& f : extrapolation.factors)
     if (std::adjacent_find(f.factors.begin(), f.factors.end(), std::not_equal_to<>()) != f.factors.end())
-      varying.push_back(f), varying.back().criterion = use_symbol(f.criterion);
+      varying.push_back(f);
   return varying;
 }
 
@@ -242,9 +238,8 @@ void format_extrapolation(const results::StudyExtrapolation& extrapolation, std:
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
   for (const results::ExtrapolatedFactor& f : factors) {
-    const std::string& by = f.by.empty() ? f.criterion : f.by;  // older versions have the title of the column only
     parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
-                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", by,
+                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", f.by,
                                 f.variant.empty() ? "" : "; " + f.variant));
   }
   sentences.push_back(
@@ -271,9 +266,10 @@ ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const re
   return first;
 }
 
-/// Returns "finished" if all variants are. A study of LEM samples has no variants; it has finished if its samples are
+/// Returns finished if all variants are. A study of LEM samples has no variants; it has finished if its samples are
 /// there.
-std::string find_status(const results::StudyResult& study) {
+results::Status find_status(const results::StudyResult& study) {
+  using results::Status;
   using results::VariantStatus;
   const auto has = [&](VariantStatus status) {
     return std::any_of(study.variants.begin(), study.variants.end(), [&](const auto& v) { return v.status == status; });
@@ -282,24 +278,21 @@ std::string find_status(const results::StudyResult& study) {
                             ? study.sampling.has_value()
                             : std::all_of(study.variants.begin(), study.variants.end(),
                                           [](const auto& v) { return v.status == VariantStatus::finished; });
-  return finished                          ? "finished"
-         : has(VariantStatus::interrupted) ? "interrupted"
-         : has(VariantStatus::not_started) ? "unfinished"
-         : has(VariantStatus::unstable)    ? "unstable"
-                                           : "failed";
+  return finished                          ? Status::finished
+         : has(VariantStatus::interrupted) ? Status::interrupted
+         : has(VariantStatus::not_started) ? Status::unfinished
+         : has(VariantStatus::unstable)    ? Status::unstable
+                                           : Status::failed;
 }
 
-/// Returns a row with the results of the variant: curve, onsets, displacements of the monitors, sections.
+/// Returns `StudyRow` of web/src/contract/: what the page shows of the results of a variant.
 json make_row(const results::StudyVariant& variant, const std::optional<ResultFolder>& folder,
               std::vector<std::string>& said) {
   const std::vector<std::string> own = folder ? folder->run.warnings : std::vector<std::string>{};
-  json row{{"name", variant.name},
-           {"status", results::to_word(variant.status)},
-           {"reason", variant.reason},
-           {"warnings", own}};
+  json row{{"warnings", own}};
   json warnings = json::array();
   if (folder) {
-    if (json curve = make_curve(*folder); !curve.is_null()) row["curve"] = std::move(curve);
+    if (folder->run.curve) row["curve"] = results::to_json(*folder->run.curve);
     if (folder->run.motion) row["motion"] = results::to_json(*folder->run.motion);
     if (json paths = make_paths(*folder, warnings); !paths.is_null()) row["paths"] = std::move(paths);
     if (json sections = make_sections(*folder, warnings); !sections.empty()) row["sections"] = std::move(sections);
@@ -315,7 +308,7 @@ json make_row(const results::StudyVariant& variant, const std::optional<ResultFo
 StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   const results::StudyResult& study = *folder.study_result;
   StudyContent content;
-  json rows = json::array(), vary = json::array(), columns = json::array();
+  json rows = json::array(), columns = json::array();
   std::vector<std::optional<ResultFolder>> runs;
   std::vector<PictureSource> sources;
   std::vector<std::size_t> rows_of_sources;
@@ -341,10 +334,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
     }
   }
   std::vector<std::string> keys;
-  for (const results::StudyKey& k : study.vary) {
-    vary.push_back({{"key", k.key}, {"values", k.values}});
-    keys.push_back(k.key);
-  }
+  for (const results::StudyKey& k : study.vary) keys.push_back(k.key);
   // The unit of stress is that of the first variant with a summary.
   const auto ran = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });
   results::RunResult head;
@@ -369,21 +359,14 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   if (!rows.empty()) {
     const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
                                         [](const auto& v) { return v.status == results::VariantStatus::finished; });
-    sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
-                                    rows.size() == 1 ? "" : "s",
-                                    keys.empty() ? "" : ", which differ in " + join_words(keys),
-                                    content.status == "finished" ? std::string("all") : std::to_string(finished)));
+    sentences.push_back(
+        fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(), rows.size() == 1 ? "" : "s",
+                    keys.empty() ? "" : ", which differ in " + join_words(keys),
+                    content.status == results::Status::finished ? std::string("all") : std::to_string(finished)));
   }
   if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
   if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;
-  json table{
-      {"vary", vary}, {"mode", study.mode}, {"reference", study.reference}, {"columns", columns}, {"rows", rows}};
-  if (study.sampling) table["sampling"] = make_sampling(*study.sampling);
-  if (study.extrapolation)
-    table["extrapolation"] = {{"key", study.extrapolation->key},
-                              {"unit", study.extrapolation->unit},
-                              {"factors", results::to_json(list_varying(*study.extrapolation))}};
-  content.table = JsonTree(std::move(table));
+  content.table = JsonTree({{"columns", columns}, {"rows", rows}});
   return content;
 }
 

@@ -14,9 +14,6 @@
 
 namespace talus::report {
 
-/// Returns `Sampling` of web/src/contract/: distributions, probability of failure, sensitivities, runout.
-nlohmann::json make_sampling(const results::Sampling& sampling);
-
 /// Adds the sentences of the answer on the samples, the most important first.
 void format_sampling(const results::Sampling& sampling, const ShownUnit& length, std::vector<std::string>& sentences);
 
@@ -38,7 +35,7 @@ std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, P
 
 struct StudyContent {
   ResultFolder first;  ///< first variant with a summary; its model and input represent all variants
-  std::string status;  ///< "finished" if all variants are
+  results::Status status = results::Status::unfinished;  ///< finished if all variants are
   std::vector<std::string> sentences, warnings;
   double wall = 0, cpu = 0;         ///< sum over all variants [s]
   JsonTree table;                   ///< `Study` of web/src/contract/

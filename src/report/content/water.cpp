@@ -320,63 +320,6 @@ json list_properties(const input::Water& water) {
   return rows;
 }
 
-json make_budget(const results::WaterBudget& water) {
-  json surfaces = json::array();
-  for (const results::SurfaceWater& s : water.surfaces)
-    surfaces.push_back({{"name", s.name},
-                        {"condition", name_condition(to_word(s.condition))},
-                        {"entered", s.entered},
-                        {"left", s.left},
-                        {"supplied", s.supplied},
-                        {"runoff", s.runoff}});
-  json budget{{"surfaces", surfaces},
-              {"density", water.density},
-              {"initial", water.initial},
-              {"stored", water.stored},
-              {"entered", water.entered},
-              {"left", water.left},
-              {"runoff", water.runoff},
-              {"left_grid", water.left_grid},
-              {"pressed_in", water.pressed_in},
-              {"lost_between", water.lost_between},
-              {"error", water.error},
-              {"largest_pressure", water.largest_pressure},
-              {"largest_suction", water.largest_suction}};
-  if (water.transpired) budget["transpired"] = *water.transpired;
-  return budget;
-}
-
-json make_season(const results::Season& season) {
-  json layers = json::array();
-  for (const results::SuctionLayer& layer : season.layers)
-    layers.push_back({{"depth", layer.depth},
-                      {"initial", layer.initial},
-                      {"mean", layer.mean},
-                      {"least", layer.least},
-                      {"greatest", layer.greatest},
-                      {"driest", layer.driest}});
-  return {{"duration", season.duration}, {"inflow", season.inflow},       {"outflow", season.outflow},
-          {"runoff", season.runoff},     {"potential", season.potential}, {"transpired", season.transpired},
-          {"growth", season.growth},     {"error", season.error},         {"layers", layers}};
-}
-
-json make_seepage(const results::Seepage& seepage) {
-  json discharges = json::array(), exits = json::array();
-  for (const results::Discharge& d : seepage.discharges)
-    discharges.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
-  for (const results::SeepageExit& e : seepage.exits)
-    exits.push_back({{"name", e.name}, {"lowest", e.lowest}, {"highest", e.highest}});
-  return {{"inflow", seepage.inflow},
-          {"outflow", seepage.outflow},
-          {"balance_error", seepage.balance_error},
-          {"iterations", seepage.iterations},
-          {"undecided", seepage.undecided},
-          {"largest_suction", seepage.largest_suction},
-          {"largest_suction_at", seepage.largest_suction_at},
-          {"discharges", discharges},
-          {"exits", exits}};
-}
-
 }  // namespace
 
 json make_water(const ResultFolder& folder) {
@@ -384,14 +327,10 @@ json make_water(const ResultFolder& folder) {
   std::optional<mesh::Mesh<2>> mesh;
   if (get_dimension(folder.run) == 2 && std::filesystem::exists(folder.path / "mesh.h5"))
     mesh = run::get_mesh<2>(output::ArchiveReader(folder.path / "mesh.h5"));
-  json water{{"state", describe_state(folder)},
-             {"initial", describe_start(folder)},
-             {"properties", list_properties(folder.data.water)},
-             {"conditions", list_hydraulics(folder, mesh)}};
-  if (folder.run.water) water["budget"] = make_budget(*folder.run.water);
-  if (folder.run.seepage) water["seepage"] = make_seepage(*folder.run.seepage);
-  if (folder.run.season) water["season"] = make_season(*folder.run.season);
-  return water;
+  return {{"state", describe_state(folder)},
+          {"initial", describe_start(folder)},
+          {"properties", list_properties(folder.data.water)},
+          {"conditions", list_hydraulics(folder, mesh)}};
 }
 
 }  // namespace talus::report

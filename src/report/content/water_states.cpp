@@ -19,34 +19,6 @@ namespace {
 
 constexpr double hour = 3600, day = 86400;
 
-json list_discharges(const std::vector<results::Discharge>& discharges) {
-  json list = json::array();
-  for (const results::Discharge& d : discharges)
-    list.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
-  return list;
-}
-
-}  // namespace
-
-json write_water_state(const results::WaterState& state, const std::string& title) {
-  json exits = json::array(), ponds = json::array();
-  for (const results::SeepageExit& e : state.exits)
-    exits.push_back({{"name", e.name}, {"lowest", e.lowest}, {"highest", e.highest}});
-  for (const results::StandingWater& pond : state.ponds) ponds.push_back(results::to_json(pond));
-  return {{"flow", results::to_word(state.flow)},
-          {"title", title},
-          {"time", state.time},
-          {"inflow", state.inflow},
-          {"outflow", state.outflow},
-          {"storage_rate", state.storage_rate},
-          {"discharges", list_discharges(state.discharges)},
-          {"exits", exits},
-          {"tables", state.water_table},
-          {"ponds", ponds}};
-}
-
-namespace {
-
 /// Packs the values of a field; returns null if their number does not match the mesh.
 json pack_field(const results::WaterFields& file, const results::WaterField& field, const std::string& name,
                 Packer& packer) {
@@ -115,35 +87,20 @@ std::string name_water_state(const results::WaterState& state, bool is_last) {
 
 std::vector<results::WaterState> find_water_states(const ResultFolder& folder) {
   if (folder.run.water_states) return *folder.run.water_states;
-  std::vector<results::WaterState> states;
-  if (get_dimension(folder.run) != 2) return states;
   const input::InitialWater& initial = folder.data.initial.water;
-  if (const auto& seepage = folder.run.seepage) {
-    results::WaterState& state = states.emplace_back();
-    state.flow = WaterFlow::steady;
-    state.time = -initial.season;
-    state.inflow = seepage->inflow;
-    state.outflow = seepage->outflow;
-    state.discharges = seepage->discharges;
-    state.exits = seepage->exits;
-    for (const auto& line : seepage->water_table) {
-      auto& points = state.water_table.emplace_back();
-      for (const std::vector<double>& x : line)
-        if (x.size() == 2) points.push_back({x[0], x[1]});
-    }
-  } else if (initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty()) {
-    states.emplace_back().water_table = {{initial.water_table.begin(), initial.water_table.end()}};
-  }
-  return states;
+  if (get_dimension(folder.run) != 2 || initial.pressure != input::InitialPressure::water_table ||
+      initial.water_table.empty())
+    return {};
+  results::WaterState state;
+  state.water_table = {{initial.water_table.begin(), initial.water_table.end()}};
+  return {state};
 }
 
 json list_water_states(const ResultFolder& folder) {
   const std::vector<results::WaterState> states = find_water_states(folder);
   json list = json::array();
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const results::WaterState& state = states[i];
-    list.push_back(write_water_state(state, name_water_state(state, i + 1 == states.size())));
-  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+    list.push_back({{"title", name_water_state(states[i], i + 1 == states.size())}});
   return list;
 }
 
@@ -151,14 +108,11 @@ void add_water_fields(const ResultFolder& folder, json& document, Packer& packer
   try {
     const auto file = results::read_file<results::WaterFields>(folder.path / "water.json");
     if (!file || file->nodes.empty() || file->elements.empty()) return;
-    json mesh = pack_water_mesh(*file, "water", packer), list = json::array();
+    json mesh = pack_water_mesh(*file, "water", packer), list = list_water_states(folder);
     const std::vector<results::WaterState> states = find_water_states(folder);
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      json state = write_water_state(states[i], name_water_state(states[i], i + 1 == states.size()));
+    for (std::size_t i = 0; i < states.size(); ++i)
       if (json packed = pack_water_field(*file, states[i], fmt::format("water.{}", i), packer); !packed.is_null())
-        state["fields"] = std::move(packed);
-      list.push_back(std::move(state));
-    }
+        list[i]["fields"] = std::move(packed);
     document["model"]["water_mesh"] = std::move(mesh);
     document["model"]["water"] = std::move(list);
   } catch (const Error& error) {

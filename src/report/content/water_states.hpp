@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// States of the pore water up to the initial state of the methods (`WaterState` in web/src/contract/), with their
+// States of the pore water up to the initial state of the methods (`WaterShown` in web/src/contract/): titles and
 // fields.
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,15 +12,12 @@
 
 namespace talus::report {
 
-/// Returns the states of a run in order of time. Results of older versions have none; their water table is returned
-/// instead.
+/// Returns the states of a run in order of time. Without a run, as in a study by LEM alone, it is the water table of
+/// the case.
 std::vector<results::WaterState> find_water_states(const ResultFolder& folder);
 
 /// Returns a title such as "steady seepage" or "1.5 days before the start".
 std::string name_water_state(const results::WaterState& state, bool is_last);
-
-/// Returns `WaterState` of the contract, without fields.
-nlohmann::json write_water_state(const results::WaterState& state, const std::string& title);
 
 /// Returns a duration such as "3 days", "12 hours" or "40 s".
 std::string show_duration(double seconds);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/pack/pack.hpp"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -207,10 +208,12 @@ std::string escape_html(const std::string& text) {
 
 /// Replaces '<' by its Unicode escape: "</script" would end the script and "<!--" would change how its rest is parsed.
 /// In JSON, '<' occurs inside strings only.
-std::string escape_script(const std::string& json) {
+std::string write_script(const nlohmann::json& json) {
+  // Invalid UTF-8, for example in a title, is replaced rather than rejected.
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string safe;
-  safe.reserve(json.size());
-  for (const char c : json) {
+  safe.reserve(text.size());
+  for (const char c : text) {
     if (c == '<')
       safe += "\\u003c";
     else
@@ -225,8 +228,8 @@ std::string_view get_page() {
   return {talus_report_page, static_cast<std::size_t>(talus_report_page_end - talus_report_page)};
 }
 
-std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& document,
-                      const std::vector<PackedText>& arrays) {
+std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& results,
+                      const nlohmann::json& document, const std::vector<PackedText>& arrays) {
   // The last placeholder is used, since the script of the page precedes it and may contain the same text.
   const std::size_t at = page.rfind(mark);
   if (at == std::string_view::npos) {
@@ -234,10 +237,9 @@ std::string fill_page(std::string_view page, const std::string& title, const nlo
         ExitCode::internal_error,
         "the page for reports inside this program has no place for data; build it again (docs/manual/report.md)");
   }
-  std::string data = "<script type=\"application/json\" id=\"talus-report\">";
-  // Invalid UTF-8, for example in a title, is replaced rather than rejected.
-  data += escape_script(document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-  data += "</script>\n";
+  std::string data;
+  for (const auto& [id, part] : {std::pair{"talus-report", &document}, std::pair{"talus-results", &results}})
+    data += fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, write_script(*part));
   for (const PackedText& array : arrays)
     data += "<script type=\"text/plain\" id=\"" + array.id + "\">" + array.base64 + "</script>\n";
 

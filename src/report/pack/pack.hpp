@@ -73,9 +73,9 @@ class Packer {
 /// Returns the page as it was built, without data.
 std::string_view get_page();
 
-/// Returns `page` with the document and its arrays in place of the placeholder <!--TALUS_DATA-->, and with `title` as
-/// the title of its window. Throws Error (internal_error) if the page has no placeholder.
-std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& document,
-                      const std::vector<PackedText>& arrays);
+/// Returns `page` with the results, the document and its arrays in place of the placeholder <!--TALUS_DATA-->, and with
+/// `title` as the title of its window. Throws Error (internal_error) if the page has no placeholder.
+std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& results,
+                      const nlohmann::json& document, const std::vector<PackedText>& arrays);
 
 }  // namespace talus::report

@@ -151,16 +151,9 @@ class Assumptions {
     if (run_.slices && run_.slices->search)
       add("The critical surface is the weakest of those that were tried and then improved; a weaker one of another "
           "shape is possible.");
-    add("Fellenius, Bishop and Janbu leave a part of the equilibrium out; Spencer and Morgenstern–Price "
-        "satisfy all of it with an assumed inclination of the forces between slices.");
     add("A factor of Spencer or Morgenstern–Price is not shown with λ above {:g}, since the forces between the slices "
         "would be steeper than soil can bear, nor with λ below {:g}, since the upper part would hold up the lower.",
         data_.lem.largest_lambda, data_.lem.smallest_lambda);
-    if (const input::LimitEquilibrium& lem = data_.lem; lem.reject)
-      add("Surfaces with m_α below {:g}, with tension over more than {:g} % of the base, or (Spencer, "
-          "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "
-          "and counted.",
-          lem.smallest_m_alpha, 100 * lem.most_tension, 100 * lem.most_thrust_outside);
     if (data_.lem.drawdown)
       add("The drawdown is instantaneous: no soil that holds its water drains or swells while the level falls, and "
           "soil "
@@ -171,10 +164,8 @@ class Assumptions {
   }
 
   void add_elements() {
-    add("Finite elements: {} at small strains on the undeformed geometry. The factor is where Newton's method finds no "
-        "equilibrium that meets both the force and the displacement residual; a shear band is as wide as an element, "
-        "so that a finer mesh gives a slightly lower factor.",
-        dimension_ == 2 ? "quadratic triangles (six nodes)" : "quadratic tetrahedra (ten nodes)");
+    add("Finite elements: small strains on the undeformed geometry. A shear band is as wide as an element, so that a "
+        "finer mesh gives a slightly lower factor.");
     if (!run_.elements) return;
     const auto& runs = run_.elements->runs;
     if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.interval.has_value(); }))

@@ -4,7 +4,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { ProvenBounds } from "../contract";
+import type { BoundsDrawn, BoundsResult } from "../contract";
 import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
@@ -14,7 +14,7 @@ import { paintTriangles } from "../drawing/trianglePainter";
 import { useOpacity } from "../drawing/useOpacity";
 import { bandLook } from "../elements/ElementsFigure";
 import { ChartTable, numbers } from "../page/DataTable";
-import { formatFactor, formatSentence } from "../page/format";
+import { formatFactor, formatSentence, roundDown, roundUp } from "../page/format";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
@@ -31,9 +31,9 @@ function findLimit(values: Float32Array): number {
   return sorted[Math.floor(0.97 * (sorted.length - 1))] || 1;
 }
 
-function Figure({ bounds }: { bounds: ProvenBounds }) {
-  const fields = useBounds(bounds);
-  const options = (["moves", "holds"] as const).filter((field) => bounds[field]);
+function Figure({ bounds, drawn }: { bounds: BoundsResult; drawn: BoundsDrawn }) {
+  const fields = useBounds(drawn);
+  const options = (["moves", "holds"] as const).filter((field) => drawn[field]);
   const [chosen, choose] = useState<Field>("moves");
   const field = options.includes(chosen) ? chosen : options[0];
   const { opacity, slider } = useOpacity();
@@ -44,7 +44,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
   );
   if (!field) return null;
   const holds = field === "holds";
-  const factor = holds ? bounds.lower : bounds.upper;
+  const factor = holds ? roundDown(bounds.lower) : roundUp(bounds.upper);
   const title = holds ? "Strength used" : "Shear strain rate";
   return (
     <figure class="chart-figure" aria-label="Fields that prove the bounds">
@@ -82,7 +82,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
           if (!holds && fields?.moves) drawArrows(pen, fields.moves.nodes, fields.moves.velocity);
           drawSoilNames(pen);
           if (!holds)
-            for (const line of bounds.slip_lines) drawSurface(pen.context, line.map(pen.place), bandLook, 2.4);
+            for (const { points } of bounds.sides ?? []) drawSurface(pen.context, points.map(pen.place), bandLook, 2.4);
         }}
         dependsOver={[fields, field]}
       />
@@ -93,7 +93,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
         ) : (
           <li>Arrows: velocities; their size has no meaning</li>
         )}
-        {!holds && bounds.slip_lines.length > 0 && (
+        {!holds && (bounds.sides ?? []).length > 0 && (
           <LineKey colour={bandLook.colour} width={2.4}>
             Axis of the largest shear strain rate
           </LineKey>
@@ -103,7 +103,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
   );
 }
 
-function Meshes({ bounds }: { bounds: ProvenBounds }) {
+function Meshes({ bounds }: { bounds: BoundsResult }) {
   return (
     <ChartTable
       label="Meshes of the proven bounds"
@@ -113,8 +113,8 @@ function Meshes({ bounds }: { bounds: ProvenBounds }) {
       {bounds.meshes.map((mesh) => (
         <tr key={mesh.triangles}>
           <td class="number">{formatNumber(mesh.triangles, 6)}</td>
-          <td class="number">{formatFactor(mesh.lower, "–")}</td>
-          <td class="number">{formatFactor(mesh.upper, "–")}</td>
+          <td class="number">{formatFactor(roundDown(mesh.lower), "–")}</td>
+          <td class="number">{formatFactor(roundUp(mesh.upper), "–")}</td>
           <td class="number">{mesh.programs}</td>
           <td class="number">{mesh.iterations}</td>
           <td class="number">{formatNumber(mesh.seconds, 3)}</td>
@@ -125,7 +125,8 @@ function Meshes({ bounds }: { bounds: ProvenBounds }) {
 }
 
 /** The proven interval in one sentence. */
-function describeInterval({ lower, upper, no_lower, no_upper, is_davis, takes_tension }: ProvenBounds): string {
+function describeInterval({ no_lower, no_upper, is_davis, takes_tension, ...bounds }: BoundsResult): string {
+  const [lower, upper] = [roundDown(bounds.lower), roundUp(bounds.upper)];
   const soil =
     (is_davis ? "for soil with the strength of Davis, which is an estimate for ψ < φ" : "for ψ = φ") +
     (takes_tension ? ", and soil that bears no more tension than given" : "");
@@ -140,7 +141,8 @@ function describeInterval({ lower, upper, no_lower, no_upper, is_davis, takes_te
 }
 
 export function BoundsSection() {
-  const bounds = report.value.proven_bounds;
+  const { result, proven_bounds: drawn } = report.value;
+  const { bounds } = result;
   if (!bounds) return null;
   return (
     <section class="chart-section" aria-labelledby="chart-bounds-title">
@@ -151,10 +153,10 @@ export function BoundsSection() {
         </p>
       ) : (
         <p>
-          {describeInterval(bounds)} {formatQuantity(bounds.seconds, "s", 3)}.
+          {describeInterval(bounds)} {formatQuantity(bounds.seconds ?? 0, "s", 3)}.
         </p>
       )}
-      <Figure bounds={bounds} />
+      {drawn && <Figure bounds={bounds} drawn={drawn} />}
       {bounds.meshes.length > 0 && <Meshes bounds={bounds} />}
     </section>
   );

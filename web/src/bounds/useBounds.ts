@@ -2,7 +2,7 @@
 /** Decodes the fields of both bounds. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { ProvenBounds } from "../contract";
+import type { BoundsDrawn } from "../contract";
 import type { Triangles } from "../drawing/trianglePainter";
 import { load, loadIntegers, loadPlaces } from "../state";
 
@@ -32,7 +32,7 @@ function findMiddles({ nodes }: Triangles): number[][] {
   );
 }
 
-async function loadHolds(field: ProvenBounds["holds"]): Promise<BoundsFields["holds"]> {
+async function loadHolds(field: BoundsDrawn["holds"]): Promise<BoundsFields["holds"]> {
   if (!field) return null;
   const [nodes, triangles, stress, utilisation] = await Promise.all([
     loadPlaces(field.nodes),
@@ -44,7 +44,7 @@ async function loadHolds(field: ProvenBounds["holds"]): Promise<BoundsFields["ho
   return { mesh, middles: findMiddles(mesh), stress, utilisation: repeat(utilisation) };
 }
 
-async function loadMoves(field: ProvenBounds["moves"]): Promise<BoundsFields["moves"]> {
+async function loadMoves(field: BoundsDrawn["moves"]): Promise<BoundsFields["moves"]> {
   if (!field) return null;
   const [nodes, triangles, velocity, shear_rate] = await Promise.all([
     loadPlaces(field.nodes),
@@ -56,7 +56,7 @@ async function loadMoves(field: ProvenBounds["moves"]): Promise<BoundsFields["mo
 }
 
 /** null until they are there. */
-export function useBounds(bounds: ProvenBounds | undefined): BoundsFields | null {
+export function useBounds(bounds: BoundsDrawn | undefined): BoundsFields | null {
   const [fields, setFields] = useState<BoundsFields | null>(null);
   useEffect(() => {
     if (!bounds) return;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** A factor as a mark on the common scale of a table: behind it the interval of limit analysis, and its own
  * interval as a bar. */
-import type { Factor, MethodName } from "../contract";
+import type { Factor, Method } from "../contract";
 
 /** [lower, upper] */
 export type Interval = [number, number];
 
 /** Marks of a row of the methods, or of a factor of the answer. */
 export interface Marked {
-  method: MethodName;
+  method: Method;
   /** Word of the method, flow rule or criterion: "spencer", "associated". */
   name: string;
   factor: number | null;

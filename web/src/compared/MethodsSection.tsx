@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 /** All methods side by side: factors by criterion with computing times, surfaces of other methods, and their reading. */
 import { CsvButton } from "../charts/base/Legend";
-import type { MethodRow, MethodTable } from "../contract";
+import type { MethodComparison, MethodRow } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatInterval, formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
+import { findMethods, listRows } from "./methodTable";
 import { PartialFactors } from "./PartialFactors";
 
 /** Others are compared with the surface of the slices that governs, else with the first factor there is. */
-function chooseReference({ rows, governing }: MethodTable): MethodRow | undefined {
+function chooseReference(rows: MethodRow[]): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
-  return found.find((row) => row.method === "lem" && row.surface === governing) ?? found[0];
+  return found.find((row) => row.method === "lem" && row.surface === report.value.methods_read?.governing) ?? found[0];
 }
 
 interface RowsProps {
@@ -72,9 +73,8 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
   );
 }
 
-function FactorRows({ table }: { table: MethodTable }) {
-  const { rows } = table;
-  const reference = chooseReference(table);
+function FactorRows({ rows }: { rows: MethodRow[] }) {
+  const reference = chooseReference(rows);
   const compare = (row: MethodRow) =>
     row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
   const columns = () => [
@@ -117,15 +117,15 @@ function FactorRows({ table }: { table: MethodTable }) {
   );
 }
 
-function Handed({ table }: { table: MethodTable }) {
+function Handed({ methods: { table, handed } }: { methods: MethodComparison }) {
   // The table has them with LEM among the methods.
-  const inTable = table.rows.some((row) => row.source === "handed");
-  if (table.handed.length === 0 || inTable) return null;
+  const inTable = table.some((row) => row.source === "handed");
+  if (handed.length === 0 || inTable) return null;
   return (
     <figure class="chart-figure" aria-label="Surfaces handed to slices">
       <h4>Slices on the surfaces of the other methods</h4>
       <ul class="compared-list">
-        {table.handed.map((h) => (
+        {handed.map((h) => (
           <li key={`${h.from} ${h.to}`}>
             {h.title}:{" "}
             {h.factor === null ? <span class="chart-bad">refused</span> : <strong>F = {formatFactor(h.factor)}</strong>}
@@ -138,16 +138,18 @@ function Handed({ table }: { table: MethodTable }) {
 }
 
 export function MethodsSection() {
-  const table = report.value.method_table;
-  if (!table) return null;
+  const methods = findMethods(report.value);
+  if (!methods) return null;
+  const { reading } = report.value.methods_read!;
+  const { partial_factors: partial } = methods;
   return (
     <section class="chart-section" aria-labelledby="chart-compared-title">
-      <FactorRows table={table} />
-      {table.reading.length > 0 && (
+      <FactorRows rows={listRows(methods)} />
+      {reading.length > 0 && (
         <figure class="chart-figure" aria-label="How to read the differences">
           <h4>How to read the differences</h4>
           <dl class="compared-reading">
-            {table.reading.map(({ topic, sentences }) => (
+            {reading.map(({ topic, sentences }) => (
               <div key={topic}>
                 <dt>{topic}</dt>
                 <dd>
@@ -160,8 +162,8 @@ export function MethodsSection() {
           </dl>
         </figure>
       )}
-      <Handed table={table} />
-      <PartialFactors table={table} />
+      <Handed methods={methods} />
+      {partial && <PartialFactors partial={partial} />}
     </section>
   );
 }

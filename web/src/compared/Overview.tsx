@@ -12,9 +12,9 @@ import { SectionCanvas } from "../drawing/SectionCanvas";
 import { useOpacity } from "../drawing/useOpacity";
 import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { paintField } from "../elements/fieldPainter";
+import { flowRuns } from "../elements/flowRuns";
 import { useFields } from "../elements/useFields";
 import { formatCount } from "../page/format";
-import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
@@ -26,9 +26,8 @@ import "./compared.css";
 type Shown = "strain" | "soils" | WaterQuantity;
 
 export function Overview() {
-  const { finite_elements: elements } = report.value;
-  const run = elements?.runs.find((r) => r.fields);
-  const fields = useFields(elements, run);
+  const run = flowRuns.value.find((r) => r.fields);
+  const fields = useFields(run);
   const surfaces = useMemo(listSurfaces, []);
   const [hidden, toggle] = useSwitches(() => surfaces.filter((s) => !s.first).map((s) => s.name));
   const [chosen, choose] = useState<Shown | null>(null);

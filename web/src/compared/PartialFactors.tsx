@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** Partial factors, design values and the over-design factor. */
 import { formatNumber } from "../charts/base/numbers";
-import type { MethodTable } from "../contract";
+import type { DesignStatement } from "../contract";
 import { ChartTable, SymbolText, numbers } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 
-export function PartialFactors({ table }: { table: MethodTable }) {
-  const partial = table.partial_factors;
-  if (!partial) return null;
+export function PartialFactors({ partial }: { partial: DesignStatement }) {
   return (
     <figure class="chart-figure" aria-label="Partial factors">
       <h4>Partial factors{partial.set && `: ${partial.set}`}</h4>

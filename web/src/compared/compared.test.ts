@@ -6,7 +6,7 @@ import type { Report } from "../contract";
 import { chooseMagnification } from "../elements/ElementsFigure";
 import { moveNodes } from "../elements/fieldPainter";
 import { selectsMethod } from "../page/selected";
-import { listContents } from "../page/contents";
+import { listSections } from "../page/sections";
 import { findDensity, formatShare } from "../sampling/probability";
 import { report } from "../state";
 import { listSurfaces } from "./surfaces";
@@ -21,20 +21,23 @@ const surfaces = [
   { name: "lem.janbu", title: "Janbu", method: "lem", factor: null, points: [] },
   { name: "fem.band", title: "Band", method: "fem", factor: 1.42, points },
 ];
-const rows = ["bishop", "spencer", "janbu"].map((name) => ({ name, surface: `lem.${name}`, source: "critical" }));
+const table = ["bishop", "spencer", "janbu"].map((name) => ({ name, surface: `lem.${name}`, source: "critical" }));
 const bare = {
   kind: "run",
   sequences: [],
   tables: [],
-  comparisons: [],
   methods: [],
-  input: {},
+  result: { input: {}, comparisons: [] },
   model: { dimension: 2, materials: [], polygons: [] },
 } as unknown as Report;
 
 describe("surfaces over each other", () => {
   it("begin with those that are shown at first: what governs of slices, all of other methods", () => {
-    report.value = { ...bare, method_table: { surfaces, rows, governing: "lem.spencer" } } as unknown as Report;
+    report.value = {
+      ...bare,
+      methods_read: { governing: "lem.spencer" },
+      result: { methods: { surfaces, table } },
+    } as unknown as Report;
     const listed = listSurfaces();
     expect(listed.map((s) => [s.name, s.first, s.look])).toEqual([
       ["lem.spencer", true, 0],
@@ -46,17 +49,17 @@ describe("surfaces over each other", () => {
 });
 
 describe("a run without material points", () => {
-  const lem = { ...bare, method_table: { asked: ["lem"], surfaces }, slices: {} } as unknown as Report;
+  const lem = { ...bare, methods_read: {}, result: { ...bare.result, methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
 
   it("has a section, and no part of points", () => {
-    const ids = listContents(lem).map((entry) => entry.id);
+    const ids = listSections(lem).map((entry) => entry.id);
     expect(ids).toEqual(["answer", "section", "compared", "slices", "statement", "input", "provenance"]);
     expect(selectsMethod(lem, "mpm")).toBe(false);
   });
 
   it("is known by its input when it failed before it had a table", () => {
     const input = { analysis: { methods: { value: ["lem", "fem"], given: true } } };
-    const failed = { ...bare, input } as unknown as Report;
+    const failed = { ...bare, result: { input } } as unknown as Report;
     expect([selectsMethod(failed, "mpm"), selectsMethod(failed, "fem"), selectsMethod(bare, "mpm")]).toEqual([false, true, true]);
   });
 });

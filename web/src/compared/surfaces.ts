@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The slip surfaces that can be drawn together, with their texts in the legends. */
-import type { MethodName, MethodSurface } from "../contract";
+import type { Method, MethodSurface } from "../contract";
 import { report } from "../state";
+import { findMethods } from "./methodTable";
 
 export interface NamedSurface {
   name: string;
@@ -9,7 +10,7 @@ export interface NamedSurface {
   text: string;
   /** null where the line has none, as a band of strain. */
   factor: number | null;
-  method: MethodName;
+  method: Method;
   points: number[][];
   /** Number of its colour and dashes. */
   look: number;
@@ -18,7 +19,8 @@ export interface NamedSurface {
 }
 
 export function listSurfaces(): NamedSurface[] {
-  const { surfaces = [], rows = [], governing } = report.value.method_table ?? {};
+  const { surfaces = [], table: rows = [] } = findMethods(report.value) ?? {};
+  const governing = report.value.methods_read?.governing;
   const all = surfaces.filter((s) => s.points.length > 1);
   const slices = all.filter((s) => s.method === "lem");
   const leading = slices.find((s) => s.name === governing) ?? slices[0];

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 /** What was asked for: factors of safety, other numbers, and published values beside them. */
-import type { Criterion, FactorMeasure, Flow, MethodName, SliceMethod, SurfaceSource, Unit } from "./units";
+import type { CriterionKind, FactorMeasure, Flow, Method, SliceMethod, SurfaceSource, Unit } from "./results";
 
 export interface Answer {
   /** The answer in words, the most important sentence first. */
   sentences: string[];
   factors: Factor[];
-  results: NamedResult[];
+  results: ShownResult[];
 }
 
 /** A factor of safety by one method and criterion. */
 export interface Factor {
-  method: MethodName;
+  method: Method;
   /** The method of slices, flow rule or criterion; empty where slices changed a surface that they were given. */
-  by: SliceMethod | Flow | Criterion | "";
+  by: SliceMethod | Flow | CriterionKind | "";
   /** Where its surface comes from: of slices and finite elements. */
   source?: SurfaceSource;
   /** Of finite elements. */
@@ -34,7 +34,7 @@ export interface Factor {
 }
 
 /** A number that a [[compare]] of the case may name. */
-export interface NamedResult {
+export interface ShownResult {
   name: string;
   title: string;
   value: number;
@@ -56,21 +56,4 @@ export interface NamedResult {
   quantity: string;
   /** Of slices; empty for other results. */
   by: SliceMethod | "";
-}
-
-/** A [[compare]] of the case. */
-export interface Comparison {
-  name: string;
-  title: string;
-  unit: Unit;
-  /** null: the run has no such result. */
-  computed: number | null;
-  published: number;
-  /** Largest difference that passes: absolute [SI]. */
-  tolerance: number;
-  /** As the case states it: "5 %", "0.02". */
-  tolerance_text: string;
-  source: string;
-  passes: boolean;
-  note: string;
 }

@@ -1,33 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** The interval that limit analysis proves. */
+/** What the report adds to `bounds` of the results: the packed fields. */
 import type { PackedArray, PackedPlaces } from "./units";
 
-export interface ProvenBounds {
-  /** Why there is no answer. */
-  error?: string;
-  /** null: none was proven, `no_lower` says why. */
-  lower: number | null;
-  upper: number | null;
-  no_lower: string;
-  no_upper: string;
-  /** Width of the interval over its middle that was asked for. */
-  asked_gap: number;
-  /** Of soil with the strength of Davis for ψ < φ. */
-  is_davis: boolean;
-  /** Whether soils bear no more tension than given. */
-  takes_tension: boolean;
-  seconds: number;
-  /** Nested, from coarse to fine, with what was proven up to each. */
-  meshes: {
-    triangles: number;
-    lower: number | null;
-    upper: number | null;
-    programs: number;
-    iterations: number;
-    seconds: number;
-  }[];
-  /** Lines along which the mechanism slides [m]. */
-  slip_lines: number[][][];
+export interface BoundsDrawn {
   /** The stress field of the lower bound; absent where there is none, and of a mesh too large to draw. */
   holds?: {
     nodes: PackedPlaces;

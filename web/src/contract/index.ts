@@ -3,13 +3,12 @@
 export type * from "./answer";
 export type * from "./bounds";
 export type * from "./elements";
-export type * from "./head";
-export type * from "./laboratory";
+export type * from "./input";
 export type * from "./methods";
 export type * from "./model";
 export type * from "./report";
+export type * from "./results";
 export type * from "./run";
-export type * from "./sampling";
 export type * from "./slices";
 export type * from "./study";
 export type * from "./timeline";

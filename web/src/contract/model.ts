@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The calculation model: geometry, supports, loads, soils, stages, mesh. */
 import type { PackedArray, PackedPlaces } from "./units";
-import type { SoilWater, WaterMesh, WaterState } from "./water";
+import type { SoilWater, WaterMesh, WaterShown } from "./water";
 
 export interface Model {
   dimension: 2 | 3;
@@ -16,8 +16,8 @@ export interface Model {
   surcharges: { name: string; x: number[]; load: number[] }[];
   /** Vertical crack at the upper end of the surfaces of slices: its depth, and that of the water in it [m]. */
   crack?: { depth: number; water: number };
-  /** Where the water stood, in time: the last state is that which the methods began with. Empty in dry ground. */
-  water: WaterState[];
+  /** Of `water_states` of the results, in their order. */
+  water: WaterShown[];
   /** The triangles of the fields of these states. */
   water_mesh?: WaterMesh;
   monitors: { name: string; at: number[]; id: number }[];

@@ -1,32 +1,43 @@
 // SPDX-License-Identifier: MIT
 /**
- * The data contract between the C++ side (src/report/) and this page: what a report holds.
+ * The data contract between the program (src/report/) and this page: the results as they are, and beside them what the
+ * report adds. The types of the results are generated from contract/results.schema.json (`npm run types`).
  *
- * `npm run schema` writes it as JSON Schema to contract/report.schema.json; the C++ tests hold what they write against
- * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
+ * `npm run schema` writes ReportDocument as JSON Schema to contract/report.schema.json; the C++ tests hold what they
+ * write against both schemas, the tests of the page hold a real report against them too. Numbers are SI; `Unit.si`
+ * converts for display.
  */
-import type { Answer, Comparison } from "./answer";
-import type { ProvenBounds } from "./bounds";
-import type { FiniteElements } from "./elements";
-import type { InputTable, Project, Provenance, Timing } from "./head";
-import type { Calibration, PointTests } from "./laboratory";
-import type { MethodTable } from "./methods";
+import type { Answer } from "./answer";
+import type { BoundsDrawn } from "./bounds";
+import type { ElementsDrawn } from "./elements";
+import type { InputTable } from "./input";
+import type { MethodsRead } from "./methods";
 import type { Model } from "./model";
-import type { Curve, Motion, Section, Sequence, Table } from "./run";
+import type { Calibration, PointTests, RunResult, StudyResult, Unit } from "./results";
+import type { Section, Sequence, Table } from "./run";
 import type { Slices } from "./slices";
-import type { Study } from "./study";
-import type { Timeline } from "./timeline";
-import type { Unit } from "./units";
+import type { StudyShown } from "./study";
+import type { TimelineShown } from "./timeline";
+import type { Column } from "./units";
 import type { Water } from "./water";
 
-/** A report: of one run, of a study, or of element tests alone. */
-export interface Report {
-  format: 1;
+/** What the program computed: the files of the results folder. */
+export interface Results {
+  /** summary.json; of a study what stands for all variants: the head of the first one. */
+  result: Omit<RunResult, "input"> & { input: InputTable };
+  study_result?: StudyResult;
+  /** Absent where the folder holds no element tests. */
+  point_tests?: PointTests;
+  /** Of `talus calibrate`. */
+  calibration?: Calibration;
+}
+
+/** What the report adds to the results: sentences, derived values and packed arrays. */
+export interface ReportDocument {
   kind: "run" | "study" | "tests";
-  project: Project;
-  status: "finished" | "interrupted" | "unstable" | "failed" | "unfinished";
-  /** Why the run did not finish. */
-  error?: string;
+  title: string;
+  /** Of the results, without its path. */
+  folder: string;
   /** `line_force`, and in 2D `volume` and `flow` [m³/s]: per metre or foot of thickness. */
   units: {
     length: Unit;
@@ -41,38 +52,29 @@ export interface Report {
   warnings: string[];
   model: Model;
   sequences: Sequence[];
-  curve?: Curve;
   tables: Table[];
-  comparisons: Comparison[];
-  study?: Study;
-  /** Absent where the folder holds no element tests. */
-  point_tests?: PointTests;
-  /** Of `talus calibrate`. */
-  calibration?: Calibration;
-  /** Of a run with monitors. */
-  motion?: Motion;
+  study?: StudyShown;
+  /** What the diagrams of each element test show; the columns of a test have one length. */
+  point_columns?: Column[][];
   /** Of a run whose case has sections. */
   sections?: Section[];
   /** Absent where the ground is dry. */
   water?: Water;
-  /** Of a case that asks for several methods, or for others than material points. */
-  method_table?: MethodTable;
+  methods_read?: MethodsRead;
   slices?: Slices;
-  finite_elements?: FiniteElements;
-  proven_bounds?: ProvenBounds;
+  finite_elements?: ElementsDrawn;
+  proven_bounds?: BoundsDrawn;
   /** Of a case with a timeline. */
-  timeline?: Timeline;
+  timeline?: TimelineShown;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */
-  methods: Method[];
-  /** The case as it was understood: nested tables whose leaves are InputValue. */
-  input: InputTable;
-  provenance: Provenance;
-  timing: Timing;
+  methods: MethodParagraph[];
 }
 
-export type Method =
+export type Report = ReportDocument & Results;
+
+export type MethodParagraph =
   | "material_point_method"
   | "time_step"
   | "mixed_integration"

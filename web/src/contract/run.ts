@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** What one run has: frames, the displacement curve, tables over time, motion, sections. */
-import type { Criterion, PackedArray, PackedPlaces, TableColumn, Unit } from "./units";
+/** What the report adds to the results of one run: frames, tables over time, sections. */
+import type { Unit } from "./results";
+import type { PackedArray, PackedPlaces, TableColumn } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
@@ -36,20 +37,6 @@ export interface SequenceField {
   diverging: boolean;
 }
 
-export interface Curve {
-  points: { srf: number; displacement: number; end: string; force_ratio: number; nodal_speed: number }[];
-  bilinear?: { first: Branch; last: Branch; factor: number | null };
-  criteria: { name: Criterion; factor: number | null; lower: number | null; upper: number | null; note: string }[];
-}
-
-/** displacement = slope × SRF + intercept [m]. */
-export interface Branch {
-  slope: number;
-  intercept: number;
-  /** The factors that the line was fitted to. */
-  factors: number[];
-}
-
 /** A table with a common abscissa: a history, a profile. */
 export interface Table {
   /** "history", "monitors", "history_runout_1.75", "profile_runout_1.75". */
@@ -60,21 +47,6 @@ export interface Table {
   sequence: string;
   x: TableColumn;
   columns: TableColumn[];
-}
-
-/** When the monitored points began to move. */
-export interface Motion {
-  stage: string;
-  /** Where the clock of onset and sections starts, in the time of the run [s]. */
-  start: number;
-  /** Displacement beyond which a point has begun to move [m]. */
-  threshold: number;
-  /** Onset on that clock [s], null for a point that did not move; displacement at the end [m]. */
-  monitors: { name: string; onset: number | null; displacement: number | null }[];
-  /** Names of those that moved, first to last. */
-  order: string[];
-  pattern: "none" | "single" | "together" | "upwards" | "downwards" | "mixed";
-  sentence: string;
 }
 
 /** The fields along a line of the case at some of its stored frames. */

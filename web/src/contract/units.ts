@@ -1,49 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What all parts of the contract share: kinds of methods and factors, units, packed arrays, columns. */
 
-/** Slices, finite elements, proven bounds, material points. */
-export type MethodName = "lem" | "fem" | "bounds" | "mpm";
-
-export type SliceMethod =
-  | "fellenius"
-  | "bishop"
-  | "janbu"
-  | "janbu_corrected"
-  | "spencer"
-  | "morgenstern_price"
-  | "morgenstern_price_constant"
-  | "corps_1"
-  | "corps_2"
-  | "lowe_karafiath"
-  | "modified_swedish";
-
-/** The flow rule of finite elements. */
-export type Flow = "as_given" | "associated";
-
-/** By what a factor is read off the material points. */
-export type Criterion = "frozen" | "bilinear" | "displacement" | "jump";
-
-/** What a factor of finite elements is read off: no equilibrium beyond it, or displacements that run away. */
-export type FactorMeasure = "equilibrium" | "displacement";
-
-/** Slices find "critical" circles and "noncircular" polylines themselves. */
-export type SurfaceSource =
-  | "none"
-  | "critical"
-  | "noncircular"
-  | "given"
-  | "handed"
-  | "optimised"
-  | "band"
-  | "mechanism"
-  | "slip_line";
-
-/** How a quantity is shown: value in SI = value shown × si. */
-export interface Unit {
-  name: string;
-  si: number;
-}
-
 /**
  * An array kept outside the JSON document, in a `<script type="text/plain" id="...">`: base64 of a zlib stream of the
  * numbers, little endian. With `planes` the bytes stand as planes (all lowest bytes first, then all next ones); with

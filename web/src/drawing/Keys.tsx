@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
 import { describeStrength, findSoilColour } from "./ground";
+import { findUsedWater } from "./standingWater";
 
 export function LineSwatch({ colour, dash, width = 2.2 }: { colour: string; dash?: string; width?: number }) {
   return (
@@ -24,8 +25,8 @@ export function LineKey(props: { colour: string; dash?: string; width?: number; 
 
 /** Soils and water tables. */
 export function GroundKeys() {
-  const { polygons, water, surcharges, crack } = report.value.model;
-  const used = water.at(-1);
+  const { polygons, surcharges, crack } = report.value.model;
+  const used = findUsedWater();
   const soils = [...new Set(polygons.map((p) => p.material).filter(Boolean))];
   return (
     <>
@@ -46,7 +47,7 @@ export function GroundKeys() {
           {describeStrength(name) && <span class="muted"> {describeStrength(name)}</span>}
         </li>
       ))}
-      {used && used.tables.length > 0 && (
+      {used && used.water_table.length > 0 && (
         <LineKey colour="#2f7fd6" dash="8 2 2 2" width={1.8}>
           Water table
         </LineKey>

@@ -2,6 +2,7 @@
 /** The water of a section: ponds with their level, the water table, and where water comes out of the ground. */
 import type { WaterState } from "../contract";
 import { report } from "../state";
+import { startWater } from "../water/waterStates";
 import { makeTicks } from "../viewer/format";
 import { drawWaterMark, strokeLine, type Pixel } from "../viewer/lines";
 import { fontFamily } from "../viewer/scaleBar";
@@ -9,7 +10,7 @@ import type { Theme } from "../viewer/theme";
 import type { Pen } from "./pen";
 
 /** The state that the methods began with; undefined in dry ground. */
-export const findUsedWater = (): WaterState | undefined => report.value.model.water.at(-1);
+export const findUsedWater = () => startWater.value.states.at(-1);
 
 /** A text with a light edge, read over any colour. */
 export function writeLabel(
@@ -101,7 +102,7 @@ export function drawWaterState(pen: Pen, state: WaterState | undefined): void {
   if (!state) return;
   const { context, place, theme } = pen;
   drawPonds(pen, state);
-  for (const points of state.tables) {
+  for (const points of state.water_table) {
     const line = points.map(place);
     strokeLine(context, line, { colour: theme.ground, width: 4 });
     strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });

@@ -4,7 +4,6 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import type { FiniteElements, FlowRun } from "../contract";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
@@ -18,6 +17,7 @@ import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
 import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
+import type { FlowRun } from "./flowRuns";
 import { useFields } from "./useFields";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
@@ -32,8 +32,8 @@ export function chooseMagnification(largest: number, height: number): number {
   return Math.max(1, ([5, 2, 1].find((k) => k * power <= rough) ?? 1) * power);
 }
 
-export function ElementsFigure({ elements, run }: { elements: FiniteElements; run: FlowRun }) {
-  const fields = useFields(elements, run);
+export function ElementsFigure({ run }: { run: FlowRun }) {
+  const fields = useFields(run);
   const [quantity, setQuantity] = useState<Quantity>("strain");
   const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
   const ofSolid = quantity === "strain" || quantity === "displacement";
@@ -77,9 +77,6 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
             },
     [fields, quantity, scale],
   );
-  if (!elements.mesh) {
-    return <p>The mesh is not in this report: it is three-dimensional, or too large to be drawn.</p>;
-  }
   const toggle = (name: keyof typeof on, title: string) => (
     <label key={name}>
       <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
@@ -90,7 +87,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
   return (
     <figure class="chart-figure" aria-label="Finite elements at failure">
       <h4>
-        At F = {run.failed === null ? "failure" : run.failed.toFixed(3)}, without equilibrium ({run.title})
+        At F = {run.failed.toFixed(3)}, without equilibrium ({run.title})
       </h4>
       <div class="chart-bar">
         <Choice
@@ -133,9 +130,8 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
           if (!on.slip) return;
           const lines = run.slip_lines.map((line) => line.map(pen.place));
           for (const line of lines) drawSurface(pen.context, line, bandLook, 2.4);
-          const factor = run.factor;
-          if (factor === null) return;
-          const labels = lines.slice(0, 1).map((line) => ({ line, text: factor.toFixed(3), colour: bandLook.colour }));
+          const text = run.factor.toFixed(3);
+          const labels = lines.slice(0, 1).map((line) => ({ line, text, colour: bandLook.colour }));
           drawSurfaceLabels(pen.context, labels);
         }}
         dependsOver={[on, run, fields]}

@@ -4,11 +4,11 @@ import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { FlowRun } from "../contract";
 import { formatFactor, formatSentence } from "../page/format";
 import { ChartTable, numbers } from "../page/DataTable";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
+import { flowRuns, type FlowRun } from "./flowRuns";
 import { ReductionChart } from "./ReductionChart";
 import { TrialTable } from "./TrialTable";
 
@@ -53,10 +53,10 @@ function NotDrawn({ element }: { element: string }) {
 }
 
 export function ElementsSection() {
-  const elements = report.value.finite_elements;
+  const elements = report.value.result.fem;
   const [flow, setFlow] = useState("");
   if (!elements) return null;
-  const { runs } = elements;
+  const runs = flowRuns.value;
   const run = runs.find((r) => r.flow === flow) ?? runs[0];
   const { length } = report.value.units;
   const warnings = [...new Set(runs.flatMap((r) => r.warnings))];
@@ -68,7 +68,7 @@ export function ElementsSection() {
           {formatNumber(elements.elements, 6)}{" "}
           {elements.element === "T10" ? "quadratic tetrahedra" : "quadratic triangles"} of{" "}
           {formatQuantity(elements.size / length.si, length.name, 3)}, {formatNumber(elements.nodes, 6)} nodes,{" "}
-          {formatNumber(elements.unknowns, 6)} unknowns; {formatQuantity(elements.seconds, "s", 3)}.
+          {formatNumber(elements.unknowns, 6)} unknowns; {formatQuantity(elements.seconds ?? 0, "s", 3)}.
         </p>
       )}
       {elements.error && (
@@ -92,7 +92,7 @@ export function ElementsSection() {
           />
         </div>
       )}
-      {run?.fields ? <ElementsFigure elements={elements} run={run} /> : run && <NotDrawn element={elements.element} />}
+      {run?.fields ? <ElementsFigure run={run} /> : run && <NotDrawn element={elements.element} />}
       {runs.length > 0 && <ReductionChart runs={runs} />}
       {runs.length > 0 && <TrialTable runs={runs} />}
     </section>

@@ -9,8 +9,8 @@ import { AxisChoice, type AxisKind, Legend } from "../charts/base/Legend";
 import { formatQuantity } from "../charts/base/numbers";
 import { styleOf } from "../charts/base/styles";
 import { useSwitches } from "../charts/base/useSwitches";
-import type { FlowRun } from "../contract";
 import { report } from "../state";
+import type { FlowRun } from "./flowRuns";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;
@@ -19,7 +19,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   // Failed trials far above the factor carry no information, and would compress the curve.
   const beyond = useMemo(() => {
     const least = Math.min(...runs.flatMap((r) => r.trials.map((t) => t.factor)));
-    const failed = Math.max(...runs.map((r) => r.failed ?? r.trials.at(-1)?.factor ?? least));
+    const failed = Math.max(...runs.map((r) => r.failed));
     return failed + 0.4 * Math.max(failed - least, 0.1);
   }, [runs]);
   const points = useMemo(
@@ -70,7 +70,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         const own = seen.filter((p) => p.k === k);
         const { colour, dash } = styleOf(k);
         return [
-          run.factor === null ? null : Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
+          Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
           run.by_displacement === null
             ? null
             : Plot.ruleX([run.by_displacement], { stroke: colour, strokeDasharray: "1.5 3" }),

@@ -2,9 +2,9 @@
 /** The trials of the strength reduction with their residuals. */
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import type { FlowRun } from "../contract";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
+import type { FlowRun } from "./flowRuns";
 
 export function TrialTable({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;

@@ -2,9 +2,9 @@
 /** Decodes mesh and fields of the finite elements. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { FiniteElements, FlowRun } from "../contract";
-import { load, loadIntegers, loadPlaces } from "../state";
+import { load, loadIntegers, loadPlaces, report } from "../state";
 import type { QuadraticMesh } from "./fieldPainter";
+import type { FlowRun } from "./flowRuns";
 
 export interface ElementFields {
   mesh: QuadraticMesh;
@@ -15,10 +15,10 @@ export interface ElementFields {
 }
 
 /** null until they are there, and where there are none. */
-export function useFields(elements: FiniteElements | undefined, run: FlowRun | undefined): ElementFields | null {
+export function useFields(run: FlowRun | undefined): ElementFields | null {
   const [fields, setFields] = useState<ElementFields | null>(null);
   useEffect(() => {
-    const mesh = elements?.mesh;
+    const mesh = report.value.finite_elements?.mesh;
     if (!mesh || !run?.fields) return setFields(null);
     const { displacement, shear_strain, yields } = run.fields;
     let wanted = true;
@@ -41,6 +41,6 @@ export function useFields(elements: FiniteElements | undefined, run: FlowRun | u
       () => wanted && setFields(null),
     );
     return () => void (wanted = false);
-  }, [elements, run]);
+  }, [run]);
   return fields?.run === run ? fields : null;
 }

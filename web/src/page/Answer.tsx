@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
+import { findMethods } from "../compared/methodTable";
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
 import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
 import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
 import { formatNumber } from "../charts/base/numbers";
-import type { Factor, NamedResult } from "../contract";
+import type { Factor, ShownResult } from "../contract";
 import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
-const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
-const resistance = () => getResistance(report.value.method_table);
+const findPartialFactors = () => findMethods(report.value)?.partial_factors ?? null;
+const hasDesignValues = () => findPartialFactors() !== null;
+const resistance = () => getResistance(findPartialFactors());
 /** Value to be compared with 1: the factor of safety over γ_R. */
 const check = (factor: number | null) => (factor === null ? null : factor / resistance());
 const checkInterval = ({ lower, upper }: Factor) => ({ lower: check(lower), upper: check(upper) });
@@ -19,7 +21,7 @@ const nameFactor = () =>
   hasDesignValues() ?
     resistance() === 1 ? "Factor of safety with design values"
     : `Factor of safety with design values over the resistance factor ${formatNumber(resistance(), 4)}`
-  : report.value.slices?.drawdown ? "Factor of safety after drawdown"
+  : report.value.result.lem?.drawdown ? "Factor of safety after drawdown"
   : "Factor of safety";
 const describeFailure = () =>
   hasDesignValues() ? "the slope is not verified"
@@ -160,24 +162,24 @@ const wanted = [
 ];
 
 /** One yield acceleration is enough here: that of the surface that governs, which no method is named with. */
-const isOtherAcceleration = ({ kind, by }: NamedResult) => kind === "yield_acceleration" && by !== "";
+const isOtherAcceleration = ({ kind, by }: ShownResult) => kind === "yield_acceleration" && by !== "";
 
 /** The results that are not factors, those named above first. */
-function pickResults(results: NamedResult[], most: number): NamedResult[] {
-  const rank = ({ quantity }: NamedResult) => {
+function pickResults(results: ShownResult[], most: number): ShownResult[] {
+  const rank = ({ quantity }: ShownResult) => {
     const found = wanted.indexOf(quantity);
     return found < 0 ? wanted.length : found;
   };
   // With other methods the stages only prepare the strength reduction, and the mesh is stated below.
-  const beside = (report.value.method_table?.asked.length ?? 1) > 1;
-  const isAside = ({ kind }: NamedResult) => beside && (kind === "stage" || kind === "mesh");
+  const beside = (findMethods(report.value)?.asked.length ?? 1) > 1;
+  const isAside = ({ kind }: ShownResult) => beside && (kind === "stage" || kind === "mesh");
   return results
     .filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result))
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }
 
-function Results({ results, large }: { results: NamedResult[]; large: boolean }) {
+function Results({ results, large }: { results: ShownResult[]; large: boolean }) {
   return (
     <dl class={large ? "results large" : "results"}>
       {results.map((result) => (

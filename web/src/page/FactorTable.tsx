@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
 import { FactorMark, makeFactorScale, markFactor } from "../compared/FactorMark";
-import type { Factor, MethodName } from "../contract";
+import type { Factor, Method } from "../contract";
 import { formatFactor, formatInterval } from "./format";
 
-export const methodNames: Record<MethodName, string> = {
+export const methodNames: Record<Method, string> = {
   mpm: "Material points",
   lem: "Slices",
   fem: "Finite elements",

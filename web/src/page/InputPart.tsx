@@ -85,7 +85,7 @@ function filterBlocks(blocks: InputBlock[], text: string, onlyGiven: boolean): I
 function Echo() {
   const [text, setText] = useState("");
   const [onlyGiven, setOnlyGiven] = useState(false);
-  const blocks = useMemo(() => listBlocks(report.value.input), []);
+  const blocks = useMemo(() => listBlocks(report.value.result.input), []);
   const shown = filterBlocks(blocks, text, onlyGiven);
   const count = shown.flatMap((block) => block.groups).reduce((sum, group) => sum + group.rows.length, 0);
   const narrowed = text.trim() !== "" || onlyGiven;
@@ -124,7 +124,7 @@ const lead =
   "A copied case file gives the same calculation again.";
 
 export function InputPart() {
-  if (Object.keys(report.value.input).length === 0)
+  if (Object.keys(report.value.result.input).length === 0)
     return (
       <Part id="input" title="Input as it was understood" newPage>
         <p>Not known: the results hold no summary of the input.</p>
@@ -132,8 +132,8 @@ export function InputPart() {
     );
   const tools = (
     <>
-      <CopyButton label="Copy case file" text={() => writeToml(report.value.input, true)} />
-      <CopyButton label="Copy with defaults" text={() => writeToml(report.value.input, false)} />
+      <CopyButton label="Copy case file" text={() => writeToml(report.value.result.input, true)} />
+      <CopyButton label="Copy with defaults" text={() => writeToml(report.value.result.input, false)} />
     </>
   );
   return (

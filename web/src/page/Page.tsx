@@ -1,79 +1,39 @@
 // SPDX-License-Identifier: MIT
 /** The page: the answer first, then its basis. */
-import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 
 import { report } from "../state";
-import {
-  CalibrationSection,
-  CompareSection,
-  CurveSection,
-  HistorySection,
-  PointSection,
-  ProfileSection,
-  SoilWaterSection,
-  StudySection,
-} from "../charts/Charts";
-import { MethodsSection } from "../compared/MethodsSection";
-import { Overview } from "../compared/Overview";
-import { BoundsSection } from "../bounds/BoundsSection";
-import { ElementsSection } from "../elements/ElementsSection";
-import { TimelinePane } from "../timeline/TimelinePane";
-import { TimelineSection } from "../timeline/TimelineSection";
-import { SamplingSection } from "../sampling/SamplingSection";
-import { SlicesSection } from "../slices/SlicesSection";
-import { Viewer } from "../viewer/Viewer";
-import { WaterSection } from "../water/WaterSection";
-import { Answer } from "./Answer";
-import { listContents } from "./contents";
 import { Guard } from "./Guard";
-import { InputPart } from "./InputPart";
 import { Lazy } from "./Lazy";
-import { MethodsPart } from "./methods/MethodsPart";
 import { openAtMechanism } from "./opening";
 import { Part } from "./Part";
-import { ProvenancePart } from "./ProvenancePart";
-import { Statement } from "./statement/Statement";
+import { listSections, type Section } from "./sections";
 import { TitleBlock } from "./statement/TitleBlock";
 import { TitleLine } from "./TitleLine";
 import { TopBar } from "./TopBar";
-import { Variants } from "./Variants";
 
-/** The first figure: the history of a timeline, the motion of material points, or the section. */
-function drawFirstFigure() {
-  if (report.value.timeline) return <TimelinePane />;
-  return report.value.sequences.length > 0 ? <Viewer /> : <Overview />;
-}
-
-function SectionPane() {
-  const is3d = report.value.model.dimension === 3;
+/** Beside the answer. */
+function SectionPane({ section }: { section: Section }) {
+  const { model, timeline } = report.value;
   return (
-    <section id="section" class="section-pane" aria-labelledby="section-title" tabIndex={-1}>
+    <section id={section.id} class="section-pane" aria-labelledby="section-title" tabIndex={-1}>
       <h2 id="section-title" class="unseen">
-        {is3d ? "The slope in three dimensions" : "Section through the slope"}
+        {model.dimension === 3 ? "The slope in three dimensions" : "Section through the slope"}
       </h2>
       <Guard what="The section">
-        <Lazy height={report.value.timeline ? 900 : 520}>{drawFirstFigure}</Lazy>
+        <Lazy height={timeline ? 900 : 520}>{section.draw}</Lazy>
       </Guard>
     </section>
   );
 }
 
-interface ChartProps {
-  id: string;
-  title: string;
-  /** As in "The curve cannot be shown". */
-  what: string;
-  /** About what it takes [px]. */
-  height: number;
-  draw: () => ComponentChildren;
-}
-
-function ChartPart({ id, title, what, height, draw }: ChartProps) {
+function SectionPart({ id, label, chart, draw }: Section) {
+  const what = `The part “${chart?.title ?? label}”`;
+  if (!chart) return <Guard what={what}>{draw()}</Guard>;
   return (
-    <Part id={id} title={title} chart>
+    <Part id={id} title={chart.title} chart>
       <Guard what={what}>
-        <Lazy height={height}>{draw}</Lazy>
+        <Lazy height={chart.height}>{draw}</Lazy>
       </Guard>
     </Part>
   );
@@ -81,8 +41,11 @@ function ChartPart({ id, title, what, height, draw }: ChartProps) {
 
 export function Page() {
   useState(() => openAtMechanism(report.value));
-  const entries = listContents(report.value);
-  const has = (id: string) => entries.some((entry) => entry.id === id);
+  const all = listSections(report.value);
+  const pane = all.find(({ id }) => id === "section");
+  const [answer, ...others] = all.filter((section) => section !== pane);
+  const { folder, model, result } = report.value;
+  const entries = all.map(({ id, label }) => ({ id, label: id === "section" && model.dimension === 3 ? "View" : label }));
   return (
     <>
       <a class="skip-link" href="#main">
@@ -94,148 +57,19 @@ export function Page() {
         <div class="print-only">
           <TitleBlock />
         </div>
-        <div class={has("section") ? "first-screen" : "first-screen alone"}>
-          <Answer />
-          {has("section") && <SectionPane />}
+        <div class={pane ? "first-screen" : "first-screen alone"}>
+          {answer?.draw()}
+          {pane && <SectionPane section={pane} />}
         </div>
-        {has("sampling") && (
-          <ChartPart
-            id="sampling"
-            title="Uncertain numbers"
-            what="The sampling"
-            height={1200}
-            draw={() => <SamplingSection />}
-          />
-        )}
-        {has("study") && (
-          <ChartPart id="study" title="Study" what="The study" height={600} draw={() => <StudySection />} />
-        )}
-        {has("variants") && <Variants />}
-        {has("timeline") && (
-          <ChartPart
-            id="timeline"
-            title="Factor of safety in time"
-            what="The factor in time"
-            height={500}
-            draw={() => <TimelineSection />}
-          />
-        )}
-        {has("compared") && (
-          <ChartPart
-            id="compared"
-            title="Methods beside each other"
-            what="The comparison of the methods"
-            height={500}
-            draw={() => <MethodsSection />}
-          />
-        )}
-        {has("slices") && (
-          <ChartPart id="slices" title="Slices" what="The part on slices" height={1600} draw={() => <SlicesSection />} />
-        )}
-        {has("elements") && (
-          <ChartPart
-            id="elements"
-            title="Finite elements"
-            what="The part on finite elements"
-            height={1400}
-            draw={() => <ElementsSection />}
-          />
-        )}
-        {has("bounds") && (
-          <ChartPart
-            id="bounds"
-            title="Proven bounds"
-            what="The part on proven bounds"
-            height={900}
-            draw={() => <BoundsSection />}
-          />
-        )}
-        {has("curve") && (
-          <ChartPart
-            id="curve"
-            title="Displacement over strength reduction factor"
-            what="The curve"
-            height={560}
-            draw={() => <CurveSection />}
-          />
-        )}
-        {has("histories") && (
-          <ChartPart
-            id="histories"
-            title="Histories"
-            what="The histories"
-            height={1000}
-            draw={() => <HistorySection />}
-          />
-        )}
-        {has("profiles") && (
-          <ChartPart id="profiles" title="Profiles" what="The profiles" height={900} draw={() => <ProfileSection />} />
-        )}
-        {has("pore-water") && (
-          <ChartPart
-            id="pore-water"
-            title="Pore water at the start"
-            what="The pore water"
-            height={620}
-            draw={() => <WaterSection />}
-          />
-        )}
-        {has("water") && (
-          <ChartPart
-            id="water"
-            title="Soil water: retention and conductivity"
-            what="The curves of the soil water"
-            height={380}
-            draw={() => <SoilWaterSection />}
-          />
-        )}
-        {has("calibration") && (
-          <ChartPart
-            id="calibration"
-            title="Calibration of the soils"
-            what="The calibration"
-            height={900}
-            draw={() => <CalibrationSection />}
-          />
-        )}
-        {has("tests") && (
-          <ChartPart
-            id="tests"
-            title="Element tests of the soils"
-            what="The element tests"
-            height={900}
-            draw={() => <PointSection />}
-          />
-        )}
-        {has("comparison") && (
-          <ChartPart
-            id="comparison"
-            title="Comparison with published values"
-            what="The comparison"
-            height={320}
-            draw={() => <CompareSection />}
-          />
-        )}
-        <Guard what="The report for signature">
-          <Statement />
-        </Guard>
-        {has("methods") && (
-          <Guard what="The methods">
-            <MethodsPart />
-          </Guard>
-        )}
-        <Guard what="The input">
-          <InputPart />
-        </Guard>
-        <Guard what="The provenance">
-          <ProvenancePart />
-        </Guard>
+        {others.map((section) => (
+          <SectionPart key={section.id} {...section} />
+        ))}
       </main>
       <footer class="foot">
         <p>
-          Made from results of Talus{` ${report.value.provenance.version}`.trimEnd()}. Everything shown is in this file;
-          it needs no network. The results files in the folder “{report.value.provenance.folder}” are in SI units, its
-          tables in the units that their headers name.
+          Made from results of Talus{` ${result.provenance.version}`.trimEnd()}. Everything shown is in this file; it
+          needs no network. The results files in the folder “{folder}” are in SI units, its tables in the units that
+          their headers name.
         </p>
       </footer>
     </>

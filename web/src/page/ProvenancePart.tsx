@@ -34,9 +34,11 @@ const known = (rows: [string, ComponentChildren][]): [string, ComponentChildren]
   rows.map(([name, value]) => [name, value || "not known"]);
 
 export function ProvenancePart() {
-  const { provenance, timing } = report.value;
-  const parts = [...timing.parts].sort((a, b) => b.seconds - a.seconds);
-  const busy = timing.wall > 0 ? timing.cpu / timing.wall : 0;
+  const { result, folder } = report.value;
+  const { provenance } = result;
+  const { wall = 0, cpu = 0, parts: timed = [] } = result.timing ?? {};
+  const parts = [...timed].sort((a, b) => b.seconds - a.seconds);
+  const busy = wall > 0 ? cpu / wall : 0;
   return (
     <Part id="provenance" title="Provenance and time" lead="What is needed to make the same numbers again.">
       <div class="columns">
@@ -59,7 +61,7 @@ export function ProvenancePart() {
               ["Started", provenance.started && formatDate(provenance.started)],
               ["Case file", provenance.case_file && <code>{provenance.case_file}</code>],
               ["Input hash", provenance.input_hash && <code>{provenance.input_hash}</code>],
-              ["Results folder", <code>{provenance.folder}</code>],
+              ["Results folder", <code>{folder}</code>],
             ])}
           />
         </div>
@@ -68,11 +70,11 @@ export function ProvenancePart() {
           <Facts
             caption="Time of the whole calculation"
             rows={[
-              ["Wall time", timing.wall > 0 ? formatDuration(timing.wall) : "not known"],
+              ["Wall time", wall > 0 ? formatDuration(wall) : "not known"],
               [
                 "Processor time",
-                timing.cpu > 0 && busy > 0
-                  ? `${formatDuration(timing.cpu)}, ${formatNumber(busy, 2)} cores busy on average`
+                cpu > 0 && busy > 0
+                  ? `${formatDuration(cpu)}, ${formatNumber(busy, 2)} cores busy on average`
                   : "not known",
               ],
             ]}

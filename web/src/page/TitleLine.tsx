@@ -12,11 +12,12 @@ const statusTexts: { [status: string]: string } = {
 };
 
 export function TitleLine() {
-  const { project, provenance, status, error, kind } = report.value;
+  const { title, kind, result } = report.value;
+  const { project, provenance, status, error } = result;
   const facts: [string, string][] = [
     ["Project", project.project],
     ["Revision", project.revision],
-    ["Date", project.date && formatDate(project.date)],
+    ["Date", provenance.started && formatDate(provenance.started)],
     ["Talus", provenance.version],
     ["Input", provenance.input_hash.slice(0, 8)],
   ];
@@ -24,7 +25,7 @@ export function TitleLine() {
     <div class="title-line">
       {/* A title without spaces must not widen the page. */}
       <h1 style={{ overflowWrap: "anywhere", minWidth: 0 }}>
-        {project.title}
+        {title}
         {kind === "study" && <span class="kind"> – parameter study</span>}
         {kind === "tests" && <span class="kind"> – element tests</span>}
       </h1>

@@ -2,8 +2,12 @@
 /** The bar at the top: contents, colours, printing. It stays while the page moves. */
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import type { Entry } from "./contents";
 import { printReport } from "./printing";
+
+interface Entry {
+  id: string;
+  label: string;
+}
 
 /** The part that the reader is in: the last one whose head has passed under the bar. */
 function useCurrent(entries: Entry[]): string {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** The outcome of each variant of a study: its status, why it did not finish, its warnings. */
-import { report } from "../state";
+import { shownStudy } from "../charts/study/shownStudy";
 import { DataTable } from "./DataTable";
 import { formatCount, formatSentence } from "./format";
 import { Part } from "./Part";
 
 export function Variants() {
-  const rows = report.value.study?.rows ?? [];
+  const rows = shownStudy.value?.rows ?? [];
   const bad = rows.filter((row) => row.status !== "finished").length;
   const warned = rows.filter((row) => row.warnings.length > 0).length;
   const lead = `${formatCount(rows.length, "variant")}: ${bad === 0 ? "all finished" : `${bad} did not finish`}, ${

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Warnings, counted, each a sentence: seen at once, never folded away before the third. */
+import { listLimits } from "../slices/sliceData";
 import { report } from "../state";
 import { formatCount, formatSentence } from "./format";
 
@@ -34,8 +35,8 @@ export function WarningLink() {
 }
 
 export function Warnings() {
-  const { status, warnings, slices } = report.value;
-  const limits = slices?.search?.limit_hits ?? [];
+  const { warnings, result } = report.value;
+  const limits = listLimits();
   if (warnings.length === 0 && limits.length > 0) {
     return (
       <div class="warnings">
@@ -52,7 +53,7 @@ export function Warnings() {
         <svg class="sign" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d="m2.5 8.5 3.5 3.5 7.5-8" fill="none" stroke="currentColor" stroke-width="1.8" />
         </svg>
-        {status === "finished" ? "No warnings." : "No warnings so far."}
+        {result.status === "finished" ? "No warnings." : "No warnings so far."}
       </p>
     );
   }

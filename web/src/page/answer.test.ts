@@ -2,7 +2,7 @@
 // The first statement of the answer with several methods.
 import { describe, expect, it } from "vitest";
 
-import type { Factor, MethodTable, Report } from "../contract";
+import type { DesignStatement, Factor, Report } from "../contract";
 import { findMechanism } from "./opening";
 import { getResistance, splitFactors } from "./shortFactors";
 
@@ -22,12 +22,12 @@ const factors = [
 ];
 
 describe("the check with design values", () => {
-  const table = { partial_factors: { values: [{ key: "resistance", title: "", symbol: "", value: 1.1 }] } };
+  const partial = { values: [{ key: "resistance", title: "", symbol: "", value: 1.1 }] } as DesignStatement;
 
   it("divides by the resistance factor, which is 1 without a set", () => {
-    expect(getResistance(table as MethodTable)).toBe(1.1);
-    expect(getResistance(undefined)).toBe(1);
-    expect(1.068 / getResistance(table as MethodTable)).toBeLessThan(1);
+    expect(getResistance(partial)).toBe(1.1);
+    expect(getResistance(null)).toBe(1);
+    expect(1.068 / getResistance(partial)).toBeLessThan(1);
   });
 });
 
@@ -57,14 +57,13 @@ describe("the viewer", () => {
   const make = (points: object[], method = "fem") =>
     ({
       answer: { factors },
-      method_table: { surfaces: [{ method }] },
-      input: {},
+      methods_read: {},
+      result: { input: {}, curve: { points }, methods: { surfaces: [{ method }] } },
       model: { slope_height: 10 },
       sequences: [
         { id: "stages", kind: "stages", frames: [{ factor: null }] },
         { id: "curve", kind: "curve", frames: [1.3, 1.4, 1.5, 1.6].map((factor) => ({ factor })), fields: [] },
       ],
-      curve: { points },
     }) as unknown as Report;
   const points = [1.3, 1.4, 1.5, 1.6].map((srf) => ({ srf, ...(srf < 1.45 ? still : moving) }));
 

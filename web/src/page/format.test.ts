@@ -14,8 +14,17 @@ import {
   formatPlace,
   formatQuantity,
   formatSentence,
+  roundDown,
+  roundUp,
   splitSentences,
 } from "./format";
+
+describe("ends of proven intervals", () => {
+  it("are rounded outward", () => {
+    expect([1.2349, 1.235, null].map(roundDown)).toEqual([1.234, 1.235, null]);
+    expect([1.2341, 1.235, null].map(roundUp)).toEqual([1.235, 1.235, null]);
+  });
+});
 
 describe("formatNumber", () => {
   it.each([

@@ -35,6 +35,10 @@ export function formatNumber(value: number | null | undefined, digits = 4, keepZ
   return groupDigits(decimals > 0 && !keepZeros ? text.replace(/\.?0+$/, "") : text);
 }
 
+/** The ends of an interval as printed with three decimals. Rounding is outward, so that the printed interval also holds. */
+export const roundDown = (lower: number | null) => (lower === null ? null : Math.floor(1e3 * lower) / 1e3);
+export const roundUp = (upper: number | null) => (upper === null ? null : Math.ceil(1e3 * upper) / 1e3);
+
 /** A factor of safety: three decimals, always; `none` where there is none. */
 export function formatFactor(value: number | null | undefined, none = "–"): string {
   return value === null || value === undefined ? none : value.toFixed(3).replace("-", "−");

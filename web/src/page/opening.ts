@@ -2,6 +2,7 @@
 /** Initial state of the viewer with slip surfaces of other methods over the material points. */
 import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/curve/rest";
+import { findMethods } from "../compared/methodTable";
 import type { Report } from "../contract";
 import { fieldName, frameIndex, sequenceIndex } from "../state";
 import { limitMode } from "../viewer/settings";
@@ -11,13 +12,13 @@ import { limitMode } from "../viewer/settings";
  * the first that does not come to rest, else the first. Null for material points alone, and without such a trial.
  */
 export function findMechanism(report: Report): { sequence: number; frame: number } | null {
-  if (!report.method_table || report.method_table.surfaces.every((s) => s.method === "mpm")) return null;
+  if (!findMethods(report)?.surfaces.some((s) => s.method !== "mpm")) return null;
   const main = report.answer.factors.find((f) => f.method === "mpm" && f.main)?.value;
   const sequence = report.sequences.findIndex((s) => s.kind === "curve");
   if (main === null || main === undefined || sequence < 0) return null;
-  const limits = findRestLimits(report.input, report.model.slope_height);
+  const limits = findRestLimits(report.result.input, report.model.slope_height);
   const moves = (factor: number) => {
-    const point = report.curve?.points.find((p) => Math.abs(p.srf - factor) < 1e-9);
+    const point = report.result.curve?.points.find((p) => Math.abs(p.srf - factor) < 1e-9);
     return point !== undefined && judgeTrial(point, limits) !== "rest";
   };
   const above = report.sequences[sequence]!.frames

@@ -35,9 +35,9 @@ export async function printReport() {
 }
 
 /** Text at the head and foot of every page: style sheets cannot read it from the document. */
-export function preparePrinting({ project, provenance }: Report) {
-  const title = [project.title, project.project].filter(Boolean).join(" · ");
-  const state = [project.revision && `Revision ${project.revision}`, formatDate(project.date)]
+export function preparePrinting({ title: name, result: { project, provenance } }: Report) {
+  const title = [name, project.project].filter(Boolean).join(" · ");
+  const state = [project.revision && `Revision ${project.revision}`, formatDate(provenance.started)]
     .filter(Boolean)
     .join(" · ");
   const boxes: [string, string][] = [

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Selects the factors of safety that the answer shows at once; the others are folded. */
-import type { Factor, MethodTable } from "../contract";
+import type { DesignStatement, Factor } from "../contract";
 
 /** γ_R of the design values, which divides the factor of safety; 1 without. */
-export const getResistance = (table: MethodTable | undefined) =>
-  table?.partial_factors?.values.find(({ key }) => key === "resistance")?.value ?? 1;
+export const getResistance = (partial: DesignStatement | null) =>
+  partial?.values.find(({ key }) => key === "resistance")?.value ?? 1;
 
 /** A fold for fewer rows saves nothing. */
 const worthFolding = 3;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
 import { formatNumber } from "../charts/base/numbers";
-import type { Runout } from "../contract";
+import type { SampledRunout } from "../contract";
 import { ChartTable, numbers } from "../page/DataTable";
 import { BandChart } from "./BandChart";
 import { formatShare } from "./probability";
 
-export function RunoutChart({ runout }: { runout: Runout }) {
+export function RunoutChart({ runout }: { runout: SampledRunout }) {
   return (
     <div>
       {runout.curve.length > 1 && (

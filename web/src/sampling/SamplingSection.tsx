@@ -64,7 +64,7 @@ function Estimates({ sampling }: { sampling: Sampling }) {
 }
 
 export function SamplingSection() {
-  const sampling = report.value.study?.sampling;
+  const sampling = report.value.study_result?.sampling;
   if (!sampling) return null;
   const { factor, failure, runout, failure_time } = sampling;
   const plan =

@@ -3,7 +3,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { formatNumber } from "../charts/base/numbers";
-import type { FactorMap, SlicedSurface, Slices } from "../contract";
+import type { FactorMap, Slices } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
@@ -17,7 +17,7 @@ import { makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { binTrials, takeMap, type CentreMap } from "./centreMap";
 import { traceContour } from "./contours";
-import { chooseColours, nameSurface, rankTrials, titleMethod } from "./sliceData";
+import { chooseColours, nameSurface, rankTrials, titleMethod, type SlicedSurface } from "./sliceData";
 import { criticalLook, drawCritical } from "./surfacePainter";
 import { useTrials } from "./useTrials";
 
@@ -38,10 +38,11 @@ function useMap(slices: Slices, method: string): CentreMap | null {
   const map = slices.maps.find((m) => m.method === method);
   const values = useFactors(map);
   const { arrays } = useTrials(slices);
-  const { trials, search } = slices;
+  const { trials } = slices;
+  const kind = report.value.result.lem?.search?.kind;
   return useMemo(() => {
     const own = trials?.methods.indexOf(method) ?? -1;
-    if (arrays && trials && own >= 0 && search?.kind !== "grid") {
+    if (arrays && trials && own >= 0 && kind !== "grid") {
       const ranked = rankTrials(arrays.factors, trials.methods.length, own);
       return ranked && binTrials(arrays.circles, ranked, findSoilBox());
     }
@@ -92,9 +93,10 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
         strokeLine(context, [place(at(x0, y0)), place(at(x1, y1))], { colour: theme.ground, width: 1 });
   };
   const { length } = report.value.units;
+  const grid = report.value.result.lem?.search?.ranges.grid;
   return (
     <figure class="chart-figure" aria-label="Map of the smallest factors">
-      <h4>Smallest factor by centre of the circles, {titleMethod(slices, method)}</h4>
+      <h4>Smallest factor by centre of the circles, {titleMethod(method)}</h4>
       <SectionCanvas
         label="Map of the smallest factor of safety over the centres of the trial circles, above the slope"
         file={`centres_${method}`}
@@ -109,9 +111,8 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
         }}
         depends={[map, dark]}
         drawOver={(pen) => {
-          const { grid } = slices.search ?? {};
-          if (grid?.length === 2) {
-            const [a, b] = [grid[0]!, grid[1]!];
+          if (grid) {
+            const { from: a, to: b } = grid;
             const corners = [a, [b[0]!, a[1]!], b, [a[0]!, b[1]!]].map(pen.place);
             strokeLine(pen.context, corners, { colour: pen.theme.accent, width: 1.6, dash: [6, 4], closed: true });
           }
@@ -134,7 +135,7 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
             {formatNumber(circle.radius / length.si, 4)} {length.name}
           </LineKey>
         )}
-        {slices.search?.grid && (
+        {grid && (
           <LineKey colour="var(--accent)" dash="6 4">
             Searched centres
           </LineKey>

@@ -1,45 +1,44 @@
 // SPDX-License-Identifier: MIT
 /** How the search went: what was tried and refused, limits that were hit, and separate local minima. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { LocalMinimum, SlicedSurface, Slices, SliceSearch } from "../contract";
+import type { SliceResult, SliceSearch, SlipSurface } from "../contract";
 import { formatCoordinate, formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
-import { nameReason, titleMethod } from "./sliceData";
+import { listLimits, nameReason, titleMethod, type SlicedSurface } from "./sliceData";
 
 const kinds: Record<SliceSearch["kind"], string> = {
   entry_exit: "Circles through points of entry and exit on the ground, several depths each",
   grid: "Circles about a grid of centres, several radii each",
 };
 
-function describeRanges(search: SliceSearch): string {
+function describeRanges({ ranges: { exit, entry, grid } }: SliceSearch): string {
   const { length } = report.value.units;
   const formatPlace = formatCoordinate;
   const parts = [];
-  if (search.exit) parts.push(`exit from x = ${formatPlace(search.exit[0]!)} to ${formatPlace(search.exit[1]!)} ${length.name}`);
-  if (search.entry) parts.push(`entry from x = ${formatPlace(search.entry[0]!)} to ${formatPlace(search.entry[1]!)} ${length.name}`);
-  if (search.grid?.length === 2)
+  if (exit) parts.push(`exit from x = ${formatPlace(exit[0]!)} to ${formatPlace(exit[1]!)} ${length.name}`);
+  if (entry) parts.push(`entry from x = ${formatPlace(entry[0]!)} to ${formatPlace(entry[1]!)} ${length.name}`);
+  if (grid)
     parts.push(
-      `centres from (${search.grid[0]!.map(formatPlace).join(", ")}) to (${search.grid[1]!.map(formatPlace).join(", ")}) ${length.name}`,
+      `centres from (${grid.from.map(formatPlace).join(", ")}) to (${grid.to.map(formatPlace).join(", ")}) ${length.name}`,
     );
   return parts.length ? `: ${parts.join("; ")}` : "";
 }
 
-export function SearchSummary({ slices }: { slices: Slices }) {
-  const { search } = slices;
+export function SearchSummary({ lem: { search, slices, seconds } }: { lem: SliceResult }) {
   if (!search) return null;
   const rate = search.circles_per_second ? `, ${formatNumber(search.circles_per_second, 2)} circles per second` : "";
   return (
     <>
       <p>
         {kinds[search.kind]}
-        {describeRanges(search)}. {formatNumber(search.tried, 6)} tried with {slices.slice_count} slices in{" "}
-        {formatQuantity(slices.seconds, "s", 3)}
+        {describeRanges(search)}. {formatNumber(search.tried, 6)} tried with {slices} slices in{" "}
+        {formatQuantity(seconds, "s", 3)}
         {rate}.
       </p>
-      {search.limit_hits.length > 0 && (
+      {search.limits.length > 0 && (
         <ul class="slice-hits">
-          {search.limit_hits.map((text) => (
+          {listLimits().map((text) => (
             <li key={text}>
               <strong>At a limit of the search: </strong>
               {formatSentence(text)}
@@ -51,9 +50,9 @@ export function SearchSummary({ slices }: { slices: Slices }) {
   );
 }
 
-export function RefusedTable({ slices }: { slices: Slices }) {
-  const { search } = slices;
-  const reasons = [...new Set((search?.refused ?? []).flatMap((r) => r.reasons.map((x) => x.reason)))];
+export function RefusedTable({ lem: { search } }: { lem: SliceResult }) {
+  const refused = Object.entries(search?.refused ?? {});
+  const reasons = [...new Set(refused.flatMap(([, counts]) => Object.keys(counts)))];
   if (!search || reasons.length === 0) return null;
   return (
     <figure class="chart-figure" aria-label="Refused surfaces">
@@ -62,19 +61,18 @@ export function RefusedTable({ slices }: { slices: Slices }) {
         label="Refused surfaces by method and reason"
         head={["Method", ...wrapped(...reasons.map(nameReason)), ...numbers("All")]}
       >
-        {search.refused.map((row) => {
-          const count = (reason: string) => row.reasons.find((r) => r.reason === reason)?.count ?? 0;
+        {refused.map(([method, counts]) => {
           return (
-            <tr key={row.method}>
-              <th scope="row">{titleMethod(slices, row.method)}</th>
+            <tr key={method}>
+              <th scope="row">{titleMethod(method)}</th>
               {reasons.map((reason) => (
                 <td key={reason} class="number">
-                  {formatNumber(count(reason), 6)}
+                  {formatNumber(counts[reason] ?? 0, 6)}
                 </td>
               ))}
               <td class="number">
                 {formatNumber(
-                  row.reasons.reduce((sum, r) => sum + r.count, 0),
+                  Object.values(counts).reduce((sum, count) => sum + count, 0),
                   6,
                 )}
               </td>
@@ -87,25 +85,25 @@ export function RefusedTable({ slices }: { slices: Slices }) {
 }
 
 interface MinimaProps {
-  slices: Slices;
+  lem: SliceResult;
   selected: SlicedSurface;
-  lit: LocalMinimum | null;
-  light: (minimum: LocalMinimum | null) => void;
+  lit: SlipSurface | null;
+  light: (minimum: SlipSurface | null) => void;
 }
 
-export function Minima({ slices, selected, lit, light }: MinimaProps) {
-  const minima = slices.minima.filter((m) => m.method === selected.method);
+export function Minima({ lem, selected, lit, light }: MinimaProps) {
+  const minima = lem.minima[selected.method] ?? [];
   if (minima.length === 0) return null;
   const { length } = report.value.units;
   const formatPlace = formatCoordinate;
   return (
     <figure class="chart-figure" aria-label="Local minima">
-      <h4>Local minima, {titleMethod(slices, selected.method)}</h4>
+      <h4>Local minima, {titleMethod(selected.method)}</h4>
       <ol class="slice-minima">
         {minima.map((m, i) => (
           <li key={i}>
             <button type="button" aria-pressed={lit === m} onClick={() => light(lit === m ? null : m)}>
-              <strong>F = {m.factor.toFixed(3)}</strong>
+              <strong>F = {(m.factor ?? 0).toFixed(3)}</strong>
               {m.circle &&
                 ` centre (${m.circle.centre.map(formatPlace).join(", ")}), radius ${formatNumber(m.circle.radius / length.si, 4)} ${length.name}`}
               {m.points.length > 1 &&

@@ -4,13 +4,12 @@ import { useState } from "preact/hooks";
 
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import type { SlicedSurface } from "../contract";
 import { formatCoordinate, formatFactor } from "../page/format";
 import { SymbolText } from "../page/DataTable";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";
 import { orderValues } from "./order";
-import { makeSliceTable, nameSurface } from "./sliceData";
+import { hasSlices, makeSliceTable, nameSurface, type SlicedSurface } from "./sliceData";
 
 const writeValue = (value: number | null, digits: number | "place") =>
   digits !== "place" ? formatNumber(value, digits)
@@ -22,7 +21,7 @@ const lowerFirst = (text: string) => text[0]!.toLowerCase() + text.slice(1);
 export function SliceTable({ surface }: { surface: SlicedSurface }) {
   const [sort, setSort] = useState<{ by: number; down: boolean }>({ by: 0, down: false });
   const columns = makeSliceTable(surface);
-  if (!columns.length) return null;
+  if (!hasSlices(surface)) return null;
   const by = Math.min(sort.by, columns.length - 1);
   const order = orderValues(columns[by]!.values, sort.down);
   const part = ["slices", surface.method, surface.kind === "circle" ? "" : surface.name || surface.kind];

@@ -2,23 +2,22 @@
 /** The surfaces that have a factor: by method, with the results of the checks and the yield acceleration; one is selected. */
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import type { SlicedSurface, Slices } from "../contract";
 import { formatFactor } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
-import { nameReason, nameSurface } from "./sliceData";
+import { nameReason, nameSurface, slicedSurfaces, type SlicedSurface } from "./sliceData";
 
 interface Props {
-  slices: Slices;
   selected: SlicedSurface;
   select: (surface: SlicedSurface) => void;
 }
 
 const percent = (share: number) => `${formatNumber(100 * share, 2)} %`;
 
-export function SurfaceTable({ slices, selected, select }: Props) {
+export function SurfaceTable({ selected, select }: Props) {
   const { length } = report.value.units;
-  const { surfaces } = slices;
+  const surfaces = slicedSurfaces.value;
+  const drawdown = report.value.slices?.drawdown;
   const has = {
     lambda: surfaces.some((s) => s.lambda !== null),
     correction: surfaces.some((s) => s.correction !== 1),
@@ -132,9 +131,9 @@ export function SurfaceTable({ slices, selected, select }: Props) {
           </tr>
         ))}
       </ChartTable>
-      {slices.drawdown && (
+      {drawdown && (
         <p class="chart-note">
-          F is the factor of safety after a rapid drawdown, by {slices.drawdown}; the other factors are of the same
+          F is the factor of safety after a rapid drawdown, by {drawdown}; the other factors are of the same
           surface.
         </p>
       )}

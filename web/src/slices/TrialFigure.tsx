@@ -4,7 +4,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
-import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
+import type { Slices, SlipSurface } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
@@ -17,7 +17,7 @@ import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
 import { drawRanges } from "./ranges";
 import { chooseLimit, makeBands } from "./bands";
-import { chooseColours, nameSurface, rankTrials, titleMethod } from "./sliceData";
+import { chooseColours, hasSlices, nameSurface, rankTrials, slicedSurfaces, titleMethod, type SlicedSurface } from "./sliceData";
 import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
 import { drawTrials, findTrial, trialWidth } from "./trialPainter";
 import { useTrials } from "./useTrials";
@@ -34,7 +34,7 @@ interface Props {
   slices: Slices;
   selected: SlicedSurface;
   /** A local minimum that is pointed at. */
-  lit: LocalMinimum | null;
+  lit: SlipSurface | null;
 }
 
 export function TrialFigure({ slices, selected, lit }: Props) {
@@ -57,8 +57,8 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   );
   /** Trials beyond the bands are grey, or not drawn. */
   const most = show === "best" ? 0 : show === "below" ? below : Infinity;
-  const others = slices.surfaces.filter((s) => s !== selected && s.factor !== null);
-  const { exit, entry } = slices.search ?? {};
+  const others = slicedSurfaces.value.filter((s) => s !== selected && s.factor !== null);
+  const { exit, entry } = report.value.result.lem?.search?.ranges ?? {};
   const bar = useMemo<Bar | null>(
     () => bands && { title: "Factor of safety", ...bands, below: false, above: false },
     [bands],
@@ -73,7 +73,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   return (
     <figure class="chart-figure" aria-label="Trial surfaces and slices">
       <h4>
-        Trial surfaces by {titleMethod(slices, selected.method)}, and {nameSurface(selected)}
+        Trial surfaces by {titleMethod(selected.method)}, and {nameSurface(selected)}
       </h4>
       <div class="chart-bar">
         {trials && (
@@ -100,7 +100,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
             />
           </label>
         )}
-        {selected.slices && toggle("slices", "Slices")}
+        {hasSlices(selected) && toggle("slices", "Slices")}
         {hasThrust(selected) && toggle("thrust", "Line of thrust")}
         {others.length > 0 && toggle("others", "Other critical surfaces")}
         {(exit || entry) && toggle("ranges", "Searched ranges")}
@@ -133,7 +133,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
           drawSurfaceLabels(context, [
             ...label(selected.points.map(place), selected.factor, criticalLook.colour),
             ...(on.others ? others.flatMap((s) => label(s.points.map(place), s.factor, otherLook.colour)) : []),
-            ...(lit ? label(lit.points.map(place), lit.factor, minimumLook.colour) : []),
+            ...(lit ? label(lit.points.map(place), lit.factor ?? 0, minimumLook.colour) : []),
           ], names);
         }}
         dependsOver={[on, selected, lit]}
@@ -168,7 +168,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
         )}
         {lit && (
           <LineKey colour={minimumLook.colour} dash="3 3">
-            Local minimum: F = {lit.factor.toFixed(3)}
+            Local minimum: F = {(lit.factor ?? 0).toFixed(3)}
           </LineKey>
         )}
       </ul>

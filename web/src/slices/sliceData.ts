@@ -1,8 +1,32 @@
 // SPDX-License-Identifier: MIT
 /** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
-import type { DrawnSurface, SlicedSurface, Slices } from "../contract";
+import { computed } from "@preact/signals";
+
+import type { CriticalSurface, DrawnSurface } from "../contract";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
+
+/** A surface that one method gives a factor for, and where it comes from. */
+export interface SlicedSurface extends CriticalSurface {
+  kind: "circle" | "polyline" | "given" | "optimised";
+  /** Its factor is that of the slices. */
+  governs: boolean;
+}
+
+export const slicedSurfaces = computed<SlicedSurface[]>(() => {
+  const { result, slices } = report.value;
+  const { lem, methods } = result;
+  const lists = [lem?.critical, lem?.noncircular, lem?.given, methods?.optimised];
+  const kinds = ["circle", "polyline", "given", "optimised"] as const;
+  return lists
+    .flatMap((list, k) => (list ?? []).map((surface) => ({ ...surface, kind: kinds[k]! })))
+    .map((surface, i) => ({ ...surface, governs: i === slices?.governing }));
+});
+
+export const hasSlices = ({ slices }: CriticalSurface) => slices.left.length > 0;
+
+/** "Spencer: the critical circle …". */
+export const listLimits = () => (report.value.result.lem?.search?.limits ?? []).map((hit) => `${hit.method}: ${hit.limit}`);
 
 export const nameReason = (reason: string) => reason.replaceAll("m_alpha", "m_α");
 
@@ -13,7 +37,7 @@ export function nameSurface(surface: SlicedSurface): string {
   return `${surface.title}, ${surface.kind === "circle" ? "critical circle" : "polyline"}`;
 }
 
-export const titleMethod = (slices: Slices, name: string) => slices.methods.find((m) => m.name === name)?.title ?? name;
+export const titleMethod = (name: string) => slicedSurfaces.value.find((s) => s.method === name)?.title ?? name;
 
 export interface SliceColumn {
   name: string;
@@ -46,9 +70,8 @@ const makeDrawdownColumns = (drawn: DrawnSurface, column: MakeColumn, stress: { 
 ];
 
 /** The slice table; quantities that are zero everywhere are left out, but for those of every slice table. */
-export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
+export function makeSliceTable(surface: CriticalSurface): SliceColumn[] {
   const s = surface.slices;
-  if (!s) return [];
   const { length, stress, line_force: force } = report.value.units;
   const count = s.left.length;
   const effective = s.normal.map((n, i) => (n === null ? null : n - Math.max(0, s.pore_pressure[i]!) * s.length[i]!));

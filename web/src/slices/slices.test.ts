@@ -2,7 +2,7 @@
 /** Slices: the table, the trials, the map of centres. */
 import { beforeEach, describe, expect, it } from "vitest";
 
-import type { Report, SlicedSurface } from "../contract";
+import type { CriticalSurface, Report } from "../contract";
 import { report } from "../state";
 import { binTrials } from "./centreMap";
 import { chooseLimit, makeBands } from "./bands";
@@ -57,7 +57,7 @@ const surface = {
     shear_right: zeros,
     thrust_right: zeros,
   },
-} as unknown as SlicedSurface;
+} as unknown as CriticalSurface;
 
 describe("the slice table", () => {
   const column = (name: string) => makeSliceTable(surface).find((c) => c.name === name);
@@ -87,7 +87,7 @@ describe("the line of thrust", () => {
     top_right: [2, 2, 2, 2, 2],
   };
   const trace = (thrust_right: (number | null)[]) =>
-    traceThrust({ slices: { ...slices, thrust_right } } as unknown as SlicedSurface);
+    traceThrust({ slices: { ...slices, thrust_right } } as unknown as CriticalSurface);
 
   it("is drawn in the mass or just beside it, without its last point", () => {
     expect(trace([0.5, 0.7, -0.3, 2.4, 1])).toEqual([

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre. */
-import type { SlicedSurface } from "../contract";
+import type { CriticalSurface } from "../contract";
 import type { Pen } from "../drawing/pen";
 import { drawSurface } from "../drawing/surfaceLines";
 import { strokeLine } from "../viewer/lines";
@@ -8,8 +8,7 @@ import { strokeLine } from "../viewer/lines";
 export const criticalLook = { colour: "#c2185b", dash: [] };
 export const thrustLook = { colour: "#00755a", dash: [7, 3] };
 
-export function drawSlices({ context, place, theme }: Pen, { slices }: SlicedSurface): void {
-  if (!slices) return;
+export function drawSlices({ context, place, theme }: Pen, { slices }: CriticalSurface): void {
   const { left, base_left, base_right, top_left, top_right, right } = slices;
   context.globalAlpha = 0.45;
   context.fillStyle = theme.ground;
@@ -29,17 +28,17 @@ export function drawSlices({ context, place, theme }: Pen, { slices }: SlicedSur
 }
 
 /** Returns whether a surface has a line of thrust; methods without interslice forces have none. */
-export function hasThrust({ slices }: SlicedSurface): boolean {
-  return !!slices && slices.normal_right.some((e) => e) && slices.thrust_right.some((y) => y !== null && y !== 0);
+export function hasThrust({ slices }: CriticalSurface): boolean {
+  return slices.normal_right.some((e) => e) && slices.thrust_right.some((y) => y !== null && y !== 0);
 }
 
 /**
  * The pieces of the line of thrust [m]. Where the force is nearly zero its position is unbounded: a point outside the mass by
  * more than a quarter of its height there ends a piece. On the last side, at the ground, there is no force.
  */
-export function traceThrust({ slices }: SlicedSurface): number[][][] {
+export function traceThrust({ slices }: CriticalSurface): number[][][] {
   const pieces: number[][][] = [[]];
-  slices?.right.slice(0, -1).forEach((x, i) => {
+  slices.right.slice(0, -1).forEach((x, i) => {
     const y = slices.thrust_right[i] ?? Number.NaN;
     const [base, top] = [slices.base_right[i]![1]!, slices.top_right[i]!];
     const margin = Math.max(top - base, 0) / 4;
@@ -50,7 +49,7 @@ export function traceThrust({ slices }: SlicedSurface): number[][][] {
 }
 
 /** Inside the frame of the drawing. */
-export function drawThrust({ context, camera, place }: Pen, surface: SlicedSurface): void {
+export function drawThrust({ context, camera, place }: Pen, surface: CriticalSurface): void {
   if (!hasThrust(surface)) return;
   const { margins, width, height } = camera;
   context.save();
@@ -62,15 +61,15 @@ export function drawThrust({ context, camera, place }: Pen, surface: SlicedSurfa
 }
 
 /** The surface; of a circle also the lines from its centre to its ends. */
-export function drawCritical({ context, place, theme }: Pen, surface: SlicedSurface, withCentre: boolean): void {
+export function drawCritical({ context, place, theme }: Pen, surface: CriticalSurface, withCentre: boolean): void {
   const { slices } = surface;
   const points = [...surface.points];
   if (points.length < 2) return;
+  const last = slices.left.length - 1;
   // A tension crack ends the surface below the ground.
-  if (slices && slices.top_left[0]! > slices.base_left[0]![1]! + 1e-6)
+  if (last >= 0 && slices.top_left[0]! > slices.base_left[0]![1] + 1e-6)
     points.unshift([slices.left[0]!, slices.top_left[0]!]);
-  const last = (slices?.left.length ?? 0) - 1;
-  if (slices && slices.top_right[last]! > slices.base_right[last]![1]! + 1e-6)
+  if (last >= 0 && slices.top_right[last]! > slices.base_right[last]![1] + 1e-6)
     points.push([slices.right[last]!, slices.top_right[last]!]);
   const line = points.map(place);
   drawSurface(context, line, criticalLook, 2.6);

@@ -7,13 +7,13 @@ import { signal } from "@preact/signals";
 import { centred, describeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
 import { styleOf } from "../charts/base/styles";
-import type { Timeline } from "../contract";
 import { formatFactor } from "../page/format";
 import { report } from "../state";
 import { findRain, listLevels, listRain, type LevelLine, type RainBar } from "./rain";
+import type { ShownTimeline } from "./shownTimeline";
 
 interface Props {
-  timeline: Timeline;
+  timeline: ShownTimeline;
   chosen: number;
   onChoose: (moment: number) => void;
 }
@@ -31,7 +31,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
     from: bar.from / unit.si,
     to: bar.to / unit.si,
   }));
-  const elements = (timeline.elements ?? []).flatMap((e) => e.runs.map((r) => ({ t: e.time / unit.si, factor: r.factor })));
+  const elements = timeline.elements.flatMap((e) => e.runs.map((r) => ({ t: e.time / unit.si, factor: r.factor })));
   const factors = [...points.map((p) => p.factor!), ...elements.map((e) => e.factor)];
   const [low, high] = [Math.min(target, ...factors), Math.max(target, ...factors)];
   const margin = 0.06 * Math.max(high - low, 0.02);
@@ -98,7 +98,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         read={(i) => {
           const p = points[i]!;
           return {
-            text: `${p.title}: F = ${formatFactor(p.factor)}, ${p.method}, ${p.source}`,
+            text: `${p.title}: F = ${formatFactor(p.factor)}, ${p.surface.title}, ${p.source}`,
             marks: [{ value: p.factor!, at: p.t, colour }],
           };
         }}
@@ -118,7 +118,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
 }
 
 /** The level of the water on a side, on the times of the factor above it. */
-function LevelChart({ line, timeline }: { line: LevelLine; timeline: Timeline }) {
+function LevelChart({ line, timeline }: { line: LevelLine; timeline: ShownTimeline }) {
   const { unit, duration, start } = timeline;
   const points = line.points.map(([t, level]) => [t / unit.si, level] as [number, number]);
   const levels = points.map(([, level]) => level);

@@ -3,7 +3,6 @@
 import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
-import type { Timeline } from "../contract";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
@@ -14,22 +13,22 @@ import { formatFactor } from "../page/format";
 import { criticalLook } from "../slices/surfacePainter";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
+import type { ShownTimeline } from "./shownTimeline";
 
 type Shown = "soils" | WaterQuantity;
 
-export function MomentFigure({ timeline, chosen }: { timeline: Timeline; chosen: number }) {
+export function MomentFigure({ timeline, chosen }: { timeline: ShownTimeline; chosen: number }) {
   const dark = useDark();
   const moment = timeline.factors[chosen]!;
-  const states = { water: timeline.states, water_mesh: timeline.water_mesh };
-  const options: Shown[] = ["soils", ...listQuantities(states)];
+    const options: Shown[] = ["soils", ...listQuantities(timeline)];
   const [shows, choose] = useState<Shown>("soils");
   const { opacity, slider } = useOpacity();
-  const layer = useWaterLayer(shows === "soils" ? null : shows, states, chosen);
+  const layer = useWaterLayer(shows === "soils" ? null : shows, timeline, chosen);
   return (
     <figure class="chart-figure" aria-label={`Section at ${moment.title}`}>
       <h4>
         {moment.title}: F = {formatFactor(moment.factor, "none")}
-        {moment.factor !== null && `, ${moment.method}, ${moment.source}`}
+        {moment.factor !== null && `, ${moment.surface.title}, ${moment.source}`}
       </h4>
       {options.length > 1 && (
         <div class="chart-bar no-print">
@@ -60,8 +59,8 @@ export function MomentFigure({ timeline, chosen }: { timeline: Timeline; chosen:
           const names = drawSoilNames(pen);
           layer.drawOver(pen);
           if (moment.factor === null) return;
-          const line = moment.points.map(pen.place);
-          drawCrack(pen, moment.points);
+          const line = moment.surface.points.map(pen.place);
+          drawCrack(pen, moment.surface.points);
           drawSurface(pen.context, line, criticalLook, 2.6);
           drawSurfaceLabels(pen.context, [{ line, text: moment.factor.toFixed(3), colour: criticalLook.colour }], names);
         }}

@@ -2,18 +2,19 @@
 /** The first figure of a run with a timeline: the factor of safety and the rain with the section at the chosen time, or
  * the material points. */
 import { Choice } from "../charts/base/Legend";
-import type { Timeline } from "../contract";
 import { report } from "../state";
 import { Viewer } from "../viewer/Viewer";
 import { chooseFigure, chooseMoment, chosenFigure, chosenMoment, findMoment, type FirstFigure } from "./chosen";
 import { FactorChart } from "./FactorChart";
 import { MomentFigure } from "./MomentFigure";
 import "./timeline.css";
+import { shownTimeline, type ShownTimeline } from "./shownTimeline";
 
 const titles: Record<FirstFigure, string> = { motion: "material points", time: "factor in time" };
 
 export function TimelinePane() {
-  const { timeline, sequences } = report.value;
+  const { sequences } = report.value;
+  const timeline = shownTimeline.value;
   if (!timeline) return null;
   const shown = chosenFigure(timeline);
   return (
@@ -33,7 +34,7 @@ export function TimelinePane() {
   );
 }
 
-function History({ timeline }: { timeline: Timeline }) {
+function History({ timeline }: { timeline: ShownTimeline }) {
   const chosen = chosenMoment(timeline);
   const { title, time } = timeline.factors[chosen]!;
   return (

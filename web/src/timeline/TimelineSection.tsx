@@ -2,14 +2,14 @@
 /** Details of the factor of safety in time: the water balance, and every searched time. */
 import { formatNumber } from "../charts/base/numbers";
 import { ChartTable, numbers } from "../page/DataTable";
-import type { Release } from "../contract/timeline";
 import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
 import { chooseMoment, chosenMoment, findRelease, showRelease } from "./chosen";
 import "./timeline.css";
+import { shownTimeline, type ShownRelease } from "./shownTimeline";
 
 /** Moved soil after each release, and its dependence on the time of release. */
-function Releases({ releases }: { releases: Release[] }) {
+function Releases({ releases }: { releases: ShownRelease[] }) {
   const { units } = report.value;
   const length = (x: number) => formatQuantity(x, units.displacement);
   return (
@@ -48,10 +48,11 @@ function Releases({ releases }: { releases: Release[] }) {
 }
 
 export function TimelineSection() {
-  const { timeline } = report.value;
+  const timeline = shownTimeline.value;
   if (!timeline) return null;
   const chosen = chosenMoment(timeline);
-  const { water } = timeline;
+  const { weather: water } = timeline;
+  const standing = water.standing ?? 0;
   const { units } = report.value;
   const volume = (v: number) => formatQuantity(v, units.volume, 3);
   return (
@@ -60,12 +61,12 @@ export function TimelineSection() {
       <p class="chart-note">
         Water over the whole time: {volume(water.inflow)} came in, {volume(water.outflow)} left
         {water.transpired > 0 && `, ${volume(water.transpired)} were drawn by roots`}, {volume(Math.abs(water.growth))} {water.growth < 0 ? "less" : "more"} are in
-        the soil, {volume(water.runoff)} of the rain ran off{water.standing > 0 && `, ${volume(water.standing)} stand on the ground`}; it closes to {water.error === 0 ? "0" : Math.abs(water.error).toExponential(0)}. {timeline.steps}{" "}
+        the soil, {volume(water.runoff)} of the rain ran off{standing > 0 && `, ${volume(standing)} stand on the ground`}; it closes to {water.error === 0 ? "0" : Math.abs(water.error).toExponential(0)}. {water.steps}{" "}
         steps; the largest error of one, by its prediction, is {formatQuantity(timeline.step_error, units.length, 2)} of head.
         {timeline.distance !== null &&
           ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor, as far as the bends of the curve tell.`}
       </p>
-      {timeline.releases && <Releases releases={timeline.releases} />}
+      {timeline.releases.length > 0 && <Releases releases={timeline.releases} />}
       <ChartTable
         label="Factors of safety in time"
         class="timeline-factors"
@@ -79,10 +80,10 @@ export function TimelineSection() {
               </button>
             </th>
             <td class="number">{formatFactor(f.factor, "none")}</td>
-            <td>{f.factor !== null && `${f.method}, ${f.source}${f.refusal && ` (${f.refusal})`}`}</td>
+            <td>{f.factor !== null && `${f.surface.title}, ${f.source}${f.refusal && ` (${f.refusal})`}`}</td>
           </tr>
         ))}
-        {timeline.elements?.map((e) => (
+        {timeline.elements.map((e) => (
           <tr key={`elements ${e.time}`}>
             <th scope="row">{e.title}</th>
             <td class="number">{e.runs.length > 0 ? e.runs.map((r) => formatFactor(r.factor)).join("; ") : "none"}</td>

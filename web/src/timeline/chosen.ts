@@ -2,7 +2,7 @@
 /** Shown part of the timeline: one time for the curve, the section and the table; the released points. */
 import { signal } from "@preact/signals";
 
-import type { Release, Timeline } from "../contract/timeline";
+import type { Release, Timeline } from "../contract";
 import { frameIndex, report, sequenceIndex } from "../state";
 
 const picked = signal<number | null>(null);
@@ -28,7 +28,7 @@ const figure = signal<FirstFigure | null>(null);
 
 /** Selects the first figure: with a release it is the final position of the soil. */
 export function chosenFigure(timeline: Timeline): FirstFigure {
-  const moved = timeline.releases?.some((r) => r.error === null) ?? false;
+  const moved = timeline.releases.some((r) => r.error === null);
   return report.value.sequences.length === 0 ? "time" : (figure.value ?? (moved ? "motion" : "time"));
 }
 

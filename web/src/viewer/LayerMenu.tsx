@@ -5,12 +5,13 @@ import { findComponents } from "./arrows";
 import { Choice } from "./Choice";
 import { listOtherSurfaces } from "./otherSurfaces";
 import { arrowQuantity, arrowTitles, chosenSurfaces, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
+import { findUsedWater } from "../drawing/standingWater";
 
 function hasLayer(name: LayerName): boolean {
   const { model } = report.value;
-  if (name === "water") return model.water.length > 0 || (model.dimension === 2 && hasPressure());
+  if (name === "water") return findUsedWater() !== undefined || (model.dimension === 2 && hasPressure());
   // Without a water table of each frame, the initial one is the water table.
-  if (name === "startWater") return (model.water.at(-1)?.tables.length ?? 0) > 0 && hasPressure();
+  if (name === "startWater") return (findUsedWater()?.water_table.length ?? 0) > 0 && hasPressure();
   if (name === "hydraulics") return report.value.water?.conditions.some((c) => c.lines.length > 0) ?? false;
   if (name === "mesh") return model.mesh.cells !== undefined;
   const hasStrain = sequence.value?.fields.some((f) => f.name === "deviatoric_strain") ?? false;

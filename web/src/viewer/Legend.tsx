@@ -12,6 +12,7 @@ import { frame, shown } from "./shown";
 import { hasNoValue } from "./sizes";
 import { chooseSymbol } from "./supports";
 import { movedThreshold, slipSurfaces, strainRidge, waterTables } from "./tracedLines";
+import { findUsedWater } from "../drawing/standingWater";
 
 const symbols = {
   hatching: "M1 3h24M5 3 1 11M11 3l-4 8M17 3l-4 8M23 3l-4 8",
@@ -88,10 +89,10 @@ export function Legend() {
       {on.path && pickedPoint.value !== null && shown.value && (
         <Entry path={bar} colour="var(--accent)" width={2} text="Path of the picked point" />
       )}
-      {on.water && (waterTables.value ?? model.water.at(-1)?.tables ?? []).length > 0 && (
+      {on.water && (waterTables.value ?? findUsedWater()?.water_table ?? []).length > 0 && (
         <Entry path={bar} colour="#2f7fd6" dash="8 2 2 2" width={1.8} text="Water table" />
       )}
-      {on.startWater && waterTables.value && (model.water.at(-1)?.tables.length ?? 0) > 0 && (
+      {on.startWater && waterTables.value && (findUsedWater()?.water_table.length ?? 0) > 0 && (
         <Entry path={bar} colour="#2f7fd6" dash="2 3" width={1.4} text="Water table at the start" />
       )}
       {on.boundaries &&

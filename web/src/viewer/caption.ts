@@ -11,8 +11,9 @@ export const captionHeight = 46;
 /** Title of the run, and sequence with frame below it. */
 export function writeCaption(): [string, string] {
   const now = shown.value!;
-  const { title, revision } = report.value.project;
-  const head = [title || report.value.provenance.case_file, revision && `revision ${revision}`];
+  const { title, result } = report.value;
+  const { revision } = result.project;
+  const head = [title || result.provenance.case_file, revision && `revision ${revision}`];
   const label = now.sequence.frames[frame.value]?.label ?? "";
   const below = [now.sequence.title, label, now.field.title];
   return [head.filter(Boolean).join(", "), below.filter(Boolean).join(" · ")];

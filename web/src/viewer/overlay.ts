@@ -5,7 +5,7 @@ import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic } from "./hydraulics";
 import { drawCrack, drawSoilNames } from "../drawing/ground";
-import { drawExitMarks, drawPonds, listExits } from "../drawing/standingWater";
+import { drawExitMarks, drawPonds, listExits, findUsedWater } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
@@ -104,8 +104,8 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     const sketch = { context, place: (at: number[]) => place(at, sides.at(-1)!), middle, theme };
     for (const condition of overlay.hydraulics) drawHydraulic(sketch, condition, overlay.time);
   }
-  const start = model.water.at(-1);
-  const atStart = start?.tables ?? [];
+  const start = findUsedWater();
+  const atStart = start?.water_table ?? [];
   if (layers.startWater && overlay.waterTables) {
     for (const points of atStart) {
       const line = points.map((p) => place(p, sides.at(-1)!));

@@ -30,6 +30,6 @@ export function tabulatePoint(now: Shown, point: number, series: Map<string, Arr
 
 /** Name and content of the file. */
 export function writePointCsv(now: Shown, point: number, series: Map<string, ArrayLike<number>>): [string, Blob] {
-  const name = makeFileName(report.value.project.title, `${now.sequence.id} point ${now.ids[point]}`);
+  const name = makeFileName(report.value.title, `${now.sequence.id} point ${now.ids[point]}`);
   return [name, new Blob([writeCsv(tabulatePoint(now, point, series))], { type: "text/csv" })];
 }

@@ -3,7 +3,6 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { titleWithUnit } from "../charts/base/numbers";
-import type { WaterMesh, WaterState } from "../contract";
 import type { Pen } from "../drawing/pen";
 import { drawWaterState } from "../drawing/standingWater";
 import { paintTriangles } from "../drawing/trianglePainter";
@@ -13,6 +12,7 @@ import { makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { findLimits, takeQuantity, useWaterArrays, type WaterQuantity } from "./waterFields";
 import { drawFlow, drawLevels } from "./waterPainter";
+import { startWater, type ShownWater, type WaterStates } from "./waterStates";
 
 export const quantityTitles: { [name in WaterQuantity]: string } = {
   pressure: "pore pressure",
@@ -20,22 +20,16 @@ export const quantityTitles: { [name in WaterQuantity]: string } = {
   saturation: "degree of saturation",
 };
 
-/** States of the water and the mesh of their fields. */
-export interface WaterStates {
-  water: WaterState[];
-  water_mesh?: WaterMesh;
-}
-
 /** The quantities that states have; by default those that the methods began with. */
-export function listQuantities({ water, water_mesh }: WaterStates = report.value.model): WaterQuantity[] {
-  if (!water_mesh || !water.some((s) => s.fields)) return [];
-  return water.some((s) => s.fields?.saturation) ? ["pressure", "head", "saturation"] : ["pressure", "head"];
+export function listQuantities({ states, water_mesh }: WaterStates = startWater.value): WaterQuantity[] {
+  if (!water_mesh || !states.some((s) => s.fields)) return [];
+  return states.some((s) => s.fields?.saturation) ? ["pressure", "head", "saturation"] : ["pressure", "head"];
 }
 
 const lineCount = 9;
 
 export interface WaterLayer {
-  state: WaterState | undefined;
+  state: ShownWater | undefined;
   bar: Bar | null;
   /** Changes with all that the drawing depends on. */
   depends: unknown[];
@@ -70,13 +64,13 @@ function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar;
 /** Layer of the initial states of the methods; or of others, of which `given` is shown. */
 export function useWaterLayer(
   quantity: WaterQuantity | null,
-  { water, water_mesh }: WaterStates = report.value.model,
+  { states, water_mesh }: WaterStates = startWater.value,
   given?: number,
 ): WaterLayer {
-  const [picked, setIndex] = useState(water.length - 1);
+  const [picked, setIndex] = useState(states.length - 1);
   const [on, setOn] = useState({ lines: true, arrows: false });
   const index = given ?? picked;
-  const state = water[index];
+  const state = states[index];
   const arrays = useWaterArrays(state, water_mesh);
   const shown = useMemo(() => (arrays && quantity ? takeQuantity(arrays, quantity) : null), [arrays, quantity]);
   const scaled = useMemo(() => (shown && quantity ? makeBar(quantity, findLimits(shown)) : null), [shown]);
@@ -110,11 +104,11 @@ export function useWaterLayer(
     },
     controls: (
       <>
-        {water.length > 1 && given === undefined && (
+        {states.length > 1 && given === undefined && (
           <label>
             Water at{" "}
             <select value={index} onChange={(e) => setIndex(Number(e.currentTarget.value))}>
-              {water.map((s, i) => (
+              {states.map((s, i) => (
                 <option key={s.title} value={i}>
                   {s.title}
                 </option>

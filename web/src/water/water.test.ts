@@ -47,7 +47,7 @@ describe("a quantity by element", () => {
 });
 
 describe("ponds", () => {
-  const piece = (from: number[], to: number[], level: number) => ({ from, to, level_from: level, level_to: level });
+  const piece = (from: [number, number], to: [number, number], level: number) => ({ from, to, level_from: level, level_to: level });
 
   it("that touch under one level are one pond with one surface", () => {
     const ponds = [piece([29.5, 17], [52, 8], 17), piece([52, 8], [70, 8], 17)];

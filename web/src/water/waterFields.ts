@@ -2,14 +2,15 @@
 /** The fields of the water states: decoded, as quantities that are drawn. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { WaterMesh, WaterState } from "../contract";
+import type { WaterMesh } from "../contract";
 import { load, loadIntegers, loadPlaces } from "../state";
 import type { Triangles } from "../drawing/trianglePainter";
+import type { ShownWater } from "./waterStates";
 
 export type WaterQuantity = "pressure" | "head" | "saturation";
 
 export interface WaterArrays {
-  state: WaterState;
+  state: ShownWater;
   mesh: Triangles;
   /** [node] [Pa], [m]. */
   pressure: Float32Array;
@@ -19,7 +20,7 @@ export interface WaterArrays {
   velocity: Float32Array | null;
 }
 
-async function loadState(state: WaterState, told: WaterMesh | undefined): Promise<WaterArrays | null> {
+async function loadState(state: ShownWater, told: WaterMesh | undefined): Promise<WaterArrays | null> {
   const { fields } = state;
   if (!told || !fields) return null;
   const [nodes, numbers, pressure] = await Promise.all([
@@ -38,7 +39,7 @@ async function loadState(state: WaterState, told: WaterMesh | undefined): Promis
 }
 
 /** null until they are there, and where there are none. */
-export function useWaterArrays(state: WaterState | undefined, mesh: WaterMesh | undefined): WaterArrays | null {
+export function useWaterArrays(state: ShownWater | undefined, mesh: WaterMesh | undefined): WaterArrays | null {
   const [arrays, setArrays] = useState<WaterArrays | null>(null);
   useEffect(() => {
     if (!state) return setArrays(null);

@@ -24,8 +24,8 @@ test("labels cover no other label and no other line, on either side", () => {
 });
 
 test("fitted lines meet where the criterion says and stay inside of the frame", () => {
-  const first = { slope: 0.0528, intercept: -0.0581, factors: [] };
-  const last = { slope: 19.887, intercept: -31.663, factors: [] };
+  const first = { slope: 0.0528, intercept: -0.0581, points: [] };
+  const last = { slope: 19.887, intercept: -31.663, points: [] };
   const meet = (first.intercept - last.intercept) / (last.slope - first.slope);
   const points = sampleBranch(last, 1, 1.75, 0, 3);
   expect(points.length).toBeGreaterThan(10);
@@ -42,7 +42,7 @@ test("a trial rests when force ratio and nodal speed are below the case's limits
   const limits = findRestLimits(input, 10);
   // √(9.81 × 10) = 9.9 m/s
   expect(limits.nodalSpeed).toBeCloseTo(9.9045e-4, 7);
-  const trial = { srf: 1.5, displacement: 0.1, end: "time", force_ratio: 5e-4, nodal_speed: 5e-4 };
+  const trial = { srf: 1.5, displacement: 0.1, end: "time" as const, force_ratio: 5e-4, nodal_speed: 5e-4 };
   expect(judgeTrial(trial, limits)).toBe("rest");
   expect(judgeTrial({ ...trial, force_ratio: 2e-3 }, limits)).toBe("moving");
   expect(judgeTrial({ ...trial, nodal_speed: 2e-3 }, limits)).toBe("moving");

@@ -5,7 +5,8 @@ import { expect, test } from "vitest";
 import { interpolate, makeMotionCharts, makeMotionColumns, nameRow } from "../../src/charts/study/motionData";
 import { joinScales, listPictures } from "../../src/charts/study/pictureData";
 import { chooseField, findAxis, listSectionsOf, makeSectionCharts, nameTime } from "../../src/charts/sections/sectionData";
-import type { Section, SequenceField, Study } from "../../src/contract";
+import type { Study } from "../../src/charts/study/shownStudy";
+import type { Section, SequenceField } from "../../src/contract";
 
 const paths = (scale: number) => ({
   time: [0, 1, 3],
@@ -34,9 +35,9 @@ const section = (to: number[], values: (number | null)[][] = []): Section => ({
   fields: ["stress_xx", "deviatoric_strain"].map((name) => ({ name, title: name, unit: { name: "-", si: 1 } })),
   profiles: [0, 40].map((time) => ({ time, distance: [1, 2], values })),
 });
-const row = (name: string) => ({ name, status: "finished", reason: "", warnings: [] });
+const row = (name: string) => ({ name, folder: name, status: "finished" as const, reason: "", warnings: [] });
 const study: Study = {
-  vary: [{ key: "roots.content", values: ["0", "0.5"] }],
+  vary: [{ key: "roots.content", unit: "%", values: ["0", "0.5"] }],
   mode: "one_at_a_time",
   reference: "base",
   columns: [{ name: "roots.content", title: "content", unit: "%", shown: ["0", "0.5", "1"], values: [0, 0.5, 1] }],
@@ -61,7 +62,7 @@ test("a chart by monitor holds every variant, a chart by variant every monitor",
 
 test("the base case is named by its value only where one key is varied", () => {
   expect(nameRow(study, 2)).toBe("content = 1");
-  expect(nameRow({ ...study, vary: [...study.vary, { key: "mesh.size", values: [] }], columns: [
+  expect(nameRow({ ...study, vary: [...study.vary, { key: "mesh.size", unit: "", values: [] }], columns: [
     ...study.columns, { ...study.columns[0]!, name: "mesh.size" }] }, 0)).toBe("base");
 });
 

@@ -5,24 +5,27 @@ import { describe, expect, it } from "vitest";
 import { findSpan, listTicks, makeLines, makePointCsv, makeStops, readLines } from "../../src/charts/laboratory/pointData";
 import type { PointTests } from "../../src/contract";
 
-const test = (name: string, x: number[], y: number[]) => ({
+const test = (name: string) => ({
   name,
   material: "clay",
   kind: "isotropic compression",
   path: "",
   set: "",
+  file: "",
+  steps: 1,
+  turns: [],
   stopped: "",
   peak_q: 0,
   peak_q_strain: 0,
   end: { q: 0, p: 0, volumetric_strain: 0, void_ratio: 0, preconsolidation: 0 },
-  columns: [
-    { name: "p", title: "p", unit: "kPa", values: x },
-    { name: "void_ratio", title: "e", unit: "-", values: y },
-  ],
 });
+const makeColumns = (x: number[], y: number[]) => [
+  { name: "p", title: "p", unit: "kPa", values: x },
+  { name: "void_ratio", title: "e", unit: "-", values: y },
+];
 
-const tests: PointTests = {
-  tests: [test("a", [100, 400, 200, 800], [0.9, 0.8, 0.82, 0.7]), test("b", [50, 60], [0.95, 0.94])],
+const tests = {
+  tests: [test("a"), test("b")],
   groups: [
     {
       id: "compression",
@@ -34,14 +37,15 @@ const tests: PointTests = {
       dash: [0, 2],
     },
   ],
-};
-const lines = makeLines(tests, tests.groups[0]!);
+} as unknown as PointTests;
+const curves = [makeColumns([100, 400, 200, 800], [0.9, 0.8, 0.82, 0.7]), makeColumns([50, 60], [0.95, 0.94])];
+const lines = makeLines(tests, curves, tests.groups[0]!);
 
 describe("element tests", () => {
   it("spans all lines, and a constant still has an axis", () => {
     expect(findSpan(lines, "p", true)).toEqual([50, 800]);
     expect(findSpan(lines, "p")).toEqual([0, 800]);
-    const flat = makeLines({ ...tests, tests: [test("c", [1, 2], [0, 0])] }, { ...tests.groups[0]!, tests: [0] });
+    const flat = makeLines(tests, [makeColumns([1, 2], [0, 0])], { ...tests.groups[0]!, tests: [0] });
     const [low, high] = findSpan(flat, "void_ratio");
     expect(low).toBeLessThan(0);
     expect(high).toBeGreaterThan(0);

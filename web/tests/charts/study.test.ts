@@ -11,7 +11,7 @@ const column = (name: string, values: (number | null)[], shown = values.map((v) 
 const study = {
   mode: "all",
   reference: "",
-  vary: [{ key: "mesh.size", values: [] }, { key: "mesh.algorithm", values: [] }],
+  vary: [{ key: "mesh.size", unit: "", values: [] }, { key: "mesh.algorithm", unit: "", values: [] }],
   columns: [
     column("mesh.size", [0.75, 10, 2, 0.5]),
     column("mesh.algorithm", [null, null, null, null], ["delaunay", "frontal", "delaunay", "frontal"]),
@@ -20,8 +20,8 @@ const study = {
   ],
   rows: ["a", "b", "c", "d"].map((name, i) =>
     i === 1 ?
-      { name, status: "failed", reason: "no, mesh", warnings: [] }
-    : { name, status: "finished", reason: "", warnings: [] },
+      { name, folder: name, status: "failed" as const, reason: "no, mesh", warnings: [] }
+    : { name, folder: name, status: "finished" as const, reason: "", warnings: [] },
   ),
 };
 
@@ -62,14 +62,14 @@ test("one key at a time: from the smallest to the largest value, the longest bar
   const changed = {
     ...study,
     mode: "one_at_a_time",
-    vary: ["cohesion", "k_h", "law"].map((key) => ({ key, values: [] })),
+    vary: ["cohesion", "k_h", "law"].map((key) => ({ key, unit: "", values: [] })),
     columns: [
       column("cohesion", [250, 200, 300, 250, 250]),
       column("k_h", [0.1, 0.1, 0.1, 0.15, 0.05]),
       column("law", [null, null, null, null, null], ["a", "a", "a", "a", "b"]),
       factor,
     ],
-    rows: ["base", "b", "c", "d", "e"].map((name) => ({ name, status: "finished", reason: "", warnings: [] })),
+    rows: ["base", "b", "c", "d", "e"].map((name) => ({ name, folder: name, status: "finished" as const, reason: "", warnings: [] })),
   };
   const { bars, base } = findBars(changed, factor);
   expect(base).toBe(1.165);

@@ -71,7 +71,7 @@ export function Legend({ items, hidden, onToggle, markers }: LegendProps) {
 export function CsvButton({ part, columns, what }: { part: string; columns: () => CsvColumn[]; what?: string }) {
   const save = () => {
     const content = new Blob([writeCsv(columns())], { type: "text/csv;charset=utf-8" });
-    saveFile(content, makeFileName(report.value.project.title, part));
+    saveFile(content, makeFileName(report.value.title, part));
   };
   return (
     <button type="button" class="chart-button" onClick={save}>

@@ -7,7 +7,7 @@ import { ChartTable, numbers } from "../../page/DataTable";
 import { report } from "../../state";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { isMissing, measureDifference } from "./differences";
+import { isMissing, measureDifference, listComparisons } from "./differences";
 import { CsvButton } from "../base/Legend";
 import { formatNumber, isPlain, titleWithUnit } from "../base/numbers";
 
@@ -36,7 +36,7 @@ function Verdict({ comparison }: { comparison: Comparison }) {
 }
 
 export function CompareSection() {
-  const all = report.value.comparisons;
+  const all = listComparisons(report.value);
   if (all.length === 0) return null;
   const percent = (v: number | null) => (v === null ? "–" : `${v > 0 ? "+" : ""}${formatNumber(100 * v, 3)} %`);
   const signed = (v: number | null) => (v !== null && v > 0 ? "+" : "") + formatNumber(v, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** How far a computed value is from the published one. */
-import type { Comparison } from "../../contract";
+import type { Comparison, Report } from "../../contract";
 
 export interface Difference {
   /** computed − published [SI]. */
@@ -10,6 +10,12 @@ export interface Difference {
   /** Over the tolerance: within ±1 passes. Without a tolerance, 0 where both are equal, else infinite. */
   overTolerance: number | null;
 }
+
+/** Of the run and of its element tests; a report of tests alone has theirs as its own. */
+export const listComparisons = ({ kind, result, point_tests: tests }: Report): Comparison[] => [
+  ...result.comparisons,
+  ...(kind === "tests" ? [] : (tests?.comparisons ?? [])),
+];
 
 export function isMissing(comparison: Pick<Comparison, "computed">): boolean {
   return comparison.computed === null;

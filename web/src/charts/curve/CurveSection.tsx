@@ -3,8 +3,8 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Criterion, Curve } from "../../contract";
-import { formatFactor } from "../../page/format";
+import type { Branch, Criterion, CriterionKind, DisplacementCurve } from "../../contract";
+import { formatFactor, roundDown, roundUp } from "../../page/format";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -15,12 +15,16 @@ import { formatNumber, formatQuantity } from "../base/numbers";
 import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
 import { styleOf } from "../base/styles";
 
-const criterionTitles: Record<Criterion, string> = {
+const criterionTitles: Record<CriterionKind, string> = {
   bilinear: "bilinear lines",
   displacement: "displacement limit",
   jump: "jump",
   frozen: "frozen geometry",
 };
+
+/** The interval at frozen geometry is rounded outward, as in the answer. */
+const roundInterval = (c: Criterion): Criterion =>
+  c.name === "frozen" ? { ...c, lower: roundDown(c.lower), upper: roundUp(c.upper) } : c;
 
 const margin = { left: 62, right: 18, bottom: 48 };
 const ink = "var(--ink)";
@@ -31,7 +35,7 @@ const characterWidth = 6.9;
 const titleWidth = 165;
 
 export function CurveSection() {
-  const curve = report.value.curve;
+  const { curve } = report.value.result;
   if (!curve || curve.points.length === 0) return null;
   return (
     <section class="chart-section" aria-labelledby="chart-curve-title">
@@ -44,10 +48,10 @@ export function CurveSection() {
   );
 }
 
-function CurveChart({ curve }: { curve: Curve }) {
+function CurveChart({ curve }: { curve: DisplacementCurve }) {
   const [scale, setScale] = useState<AxisKind>("linear");
   const unit = report.value.units.displacement;
-  const limits = useMemo(() => findRestLimits(report.value.input, report.value.model.slope_height), [report.value]);
+  const limits = useMemo(() => findRestLimits(report.value.result.input, report.value.model.slope_height), [report.value]);
   const log = scale === "log";
   const trials = useMemo(
     () =>
@@ -58,7 +62,7 @@ function CurveChart({ curve }: { curve: Curve }) {
   );
   const visible = log ? trials.filter((t) => t.displacement > 0) : trials;
   const main = report.value.answer.factors.find((f) => f.main)?.by;
-  const criteria = curve.criteria.map((c, i) => ({ ...c, style: styleOf(i), main: c.name === main }));
+  const criteria = curve.criteria.map((c, i) => ({ ...roundInterval(c), style: styleOf(i), main: c.name === main }));
   const found = criteria.filter((c) => c.factor !== null);
 
   const draw = (width: number): Plot.PlotOptions => {
@@ -79,7 +83,7 @@ function CurveChart({ curve }: { curve: Curve }) {
     const reach = found.map((c, i) => at[i]! - (flags.side === "left" ? label(c).length * characterWidth : 0));
     if (reach.some((end) => end < margin.left + titleWidth)) flags.rows = flags.rows.map((row) => row + 1);
     const rows = Math.max(0, ...flags.rows) + 1;
-    const line = (branch: NonNullable<Curve["bilinear"]>["first"]) =>
+    const line = (branch: Branch) =>
       sampleBranch(branch, x[0], x[1], y[0] * unit.si, y[1] * unit.si).map(([f, u]) => [f, u / unit.si]);
     const axis = describeAxis(y[0], y[1], 6);
     const ticks = log ? findLogTicks(y, 6) : 6;
@@ -124,7 +128,7 @@ function CurveChart({ curve }: { curve: Curve }) {
           }),
         ]),
         ...(curve.bilinear ?
-          [curve.bilinear.first, curve.bilinear.last].map((b) =>
+          [curve.bilinear.first, curve.bilinear.second].map((b) =>
             Plot.line(line(b), { stroke: ink, strokeWidth: 1, strokeDasharray: "5 3", strokeOpacity: 0.75 }),
           )
         : []),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** The displacement curve as columns, its fitted lines as points, and the places of the labels of the factors. */
-import type { Branch, Curve } from "../../contract";
+import type { Branch, DisplacementCurve, Trial } from "../../contract";
 import type { CsvColumn } from "../base/csv";
 
 /** All that the curve holds, in SI, as in curve.csv of the results. */
-export function makeCurveColumns(curve: Curve): CsvColumn[] {
-  const take = <K extends keyof Curve["points"][number]>(key: K) => curve.points.map((p) => p[key]);
+export function makeCurveColumns(curve: DisplacementCurve): CsvColumn[] {
+  const take = <K extends keyof Omit<Trial, "setbacks">>(key: K) => curve.points.map((p) => p[key]);
   return [
     { name: "srf", unit: "-", values: take("srf") },
     { name: "largest displacement", unit: "m", values: take("displacement") },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Decides whether a trial of the displacement curve came to rest, by its last state, because it runs its whole window. */
-import type { Curve, InputTable } from "../../contract";
+import type { InputTable, Trial } from "../../contract";
 import { findSetting } from "../../page/methods/settings";
 
 export interface RestLimits {
@@ -25,7 +25,7 @@ export function findRestLimits(input: InputTable, slopeHeight: number): RestLimi
 }
 
 /** State of a trial at its end: by its word where that is given, else by force ratio and nodal speed. */
-export function judgeTrial(point: Curve["points"][number], limits: RestLimits): TrialState {
+export function judgeTrial(point: Pick<Trial, "end" | "force_ratio" | "nodal_speed">, limits: RestLimits): TrialState {
   if (point.end === "rest" || point.end === "failed") return point.end;
   return point.force_ratio < limits.forceRatio && point.nodal_speed < limits.nodalSpeed ? "rest" : "moving";
 }

@@ -40,7 +40,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const single = series.length === 1 ? series[0] : undefined;
   const visible = series.filter((s) => !hidden.has(s.name));
   const times = useMemo(() => panel.x.values.map((t) => t ?? Number.NaN), [panel]);
-  const limits = useMemo(() => findRestLimits(report.value.input, report.value.model.slope_height), [report.value]);
+  const limits = useMemo(() => findRestLimits(report.value.result.input, report.value.model.slope_height), [report.value]);
   const limit =
     panel.kind === "force_ratio" ? limits.forceRatio
     : panel.kind === "nodal_speed" ? limits.nodalSpeed

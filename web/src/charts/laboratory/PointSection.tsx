@@ -63,7 +63,7 @@ function Diagram(props: {
 
 function Group({ tests, group }: { tests: PointTests; group: PointGroup }) {
   const [hidden, toggle] = useSwitches();
-  const lines = useMemo(() => makeLines(tests, group), [tests, group]);
+  const lines = useMemo(() => makeLines(tests, report.value.point_columns ?? [], group), [tests, group]);
   const shown = lines.filter((line) => !hidden.has(line.test.name));
   return (
     <figure class="chart-figure" aria-label={group.title}>
@@ -115,10 +115,10 @@ function ResultTable({ tests }: { tests: PointTest[] }) {
           </td>
           <td class="number">{formatNumber(test.peak_q / stress.si)}</td>
           <td class="number">{formatNumber(test.peak_q_strain * 100, 3)}</td>
-          <td class="number">{formatNumber(test.end.q / stress.si)}</td>
-          <td class="number">{formatNumber(test.end.p / stress.si)}</td>
-          <td class="number">{formatNumber(test.end.volumetric_strain * 100, 3)}</td>
-          <td class="number">{formatNumber(test.end.void_ratio)}</td>
+          <td class="number">{formatNumber((test.end.q ?? 0) / stress.si)}</td>
+          <td class="number">{formatNumber((test.end.p ?? 0) / stress.si)}</td>
+          <td class="number">{formatNumber((test.end.volumetric_strain ?? 0) * 100, 3)}</td>
+          <td class="number">{formatNumber((test.end.void_ratio ?? 0))}</td>
         </tr>
       ))}
     </DataTable>

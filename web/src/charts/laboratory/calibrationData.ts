@@ -29,7 +29,7 @@ export function groupCurves(curves: readonly CalibratedCurve[]): CurveGroup[] {
   }
   for (const group of groups.values()) {
     const [low, high] = findRange(group.lines, 0);
-    group.logX = group.lines[0]!.curve.x.kind !== "strain" && low > 0 && high >= 8 * low;
+    group.logX = !group.lines[0]!.curve.x.name.endsWith("_strain") && low > 0 && high >= 8 * low;
   }
   return [...groups.values()];
 }

@@ -11,15 +11,15 @@ export interface PointLine {
   columns: Map<string, Column>;
 }
 
-export function makeLines(tests: PointTests, group: PointGroup): PointLine[] {
+export function makeLines({ tests }: PointTests, columns: Column[][], group: PointGroup): PointLine[] {
   const coded = group.dash.some((dash) => dash > 0);
   return group.tests.map((number, i) => {
-    const test = tests.tests[number]!;
+    const test = tests[number]!;
     const style = styleOf(group.colour[i]!);
     return {
       test,
       style: coded ? { ...style, dash: dashOf(group.dash[i]!) } : style,
-      columns: new Map(test.columns.map((column) => [column.name, column])),
+      columns: new Map(columns[number]!.map((column) => [column.name, column])),
     };
   });
 }

@@ -41,7 +41,7 @@ export function VerticalSection() {
   const field = sequence.fields.find((f) => f.name === name) ?? sequence.fields[0]!;
   const [times, setTimes] = useState(() => chooseFrames(sequence, frameIndex.peek()));
   const { bounds, mesh, dimension } = report.value.model;
-  const vertical = findVertical(report.value.input);
+  const vertical = findVertical(report.value.result.input);
   // Without a mesh its elements are not known.
   const band = mesh.mean_size || (bounds[1][0]! - bounds[0][0]!) / 50;
   const across = [0, 1, 2].filter((d) => d < dimension && d !== vertical);

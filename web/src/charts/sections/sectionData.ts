@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** Sections of a case as lines of a chart: which field, which times, along which axis. */
-import type { Section, Study } from "../../contract";
+import type { Section } from "../../contract";
 import type { CsvColumn } from "../base/csv";
 import { nameRow } from "../study/motionData";
+import type { Study } from "../study/shownStudy";
 
 /** A section of one run. */
 export interface SectionOfRun {

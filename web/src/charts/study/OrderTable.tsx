@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** When the monitored points of each variant began to move, and in which order. */
-import type { Study } from "../../contract";
 import { ChartTable, numbers } from "../../page/DataTable";
 import { CsvButton } from "../base/Legend";
 import { formatNumber } from "../base/numbers";
+import type { Study } from "./shownStudy";
 
 export function OrderTable({ study }: { study: Study }) {
   const rows = study.rows.filter((r) => r.motion);

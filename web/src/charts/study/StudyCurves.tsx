@@ -3,7 +3,6 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Study } from "../../contract";
 import { report } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -12,6 +11,7 @@ import { AxisChoice, type AxisKind, CsvButton, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
+import type { Study } from "./shownStudy";
 
 export function StudyCurves({ study }: { study: Study }) {
   const unit = report.value.units.displacement;

@@ -2,7 +2,6 @@
 /** Factors of safety over the size that the study extrapolates, and where their lines meet size zero. */
 import * as Plot from "@observablehq/plot";
 
-import type { Study } from "../../contract";
 import { ChartTable, numbers, wrapped } from "../../page/DataTable";
 import { formatFactor } from "../../page/format";
 import { centred } from "../base/axes";
@@ -10,6 +9,7 @@ import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
+import type { Study } from "./shownStudy";
 
 export function StudyExtrapolation({ study }: { study: Study }) {
   const { extrapolation } = study;

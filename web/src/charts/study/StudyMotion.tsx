@@ -4,7 +4,6 @@ import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Study } from "../../contract";
 import { report } from "../../state";
 import { centred, describeAxis, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -13,6 +12,7 @@ import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart } fr
 import { formatNumber, formatQuantity } from "../base/numbers";
 import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
+import type { Study } from "./shownStudy";
 
 /** Times at which the crosshair stops. */
 const stopCount = 201;

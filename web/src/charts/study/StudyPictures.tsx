@@ -2,7 +2,7 @@
 /** Pictures of the variants of a study side by side: one row for each, one column for each time, one scale for all. */
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
-import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
+import type { Sequence, SequenceField } from "../../contract";
 import { load, loadPlaces, report } from "../../state";
 import { Camera } from "../../viewer/camera";
 import { findCells } from "../../viewer/cells";
@@ -18,6 +18,7 @@ import { nameRow } from "./motionData";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { joinScales, listPictures, type PictureRow } from "./pictureData";
 import { nameTime } from "../sections/sectionData";
+import type { Study, StudyRow } from "./shownStudy";
 
 interface PictureProps {
   row: PictureRow;

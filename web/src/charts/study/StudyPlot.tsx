@@ -3,13 +3,13 @@
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";
 
-import type { Study } from "../../contract";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { AxisChoice, type AxisKind, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 import { findNumeric, findVaried, nameGroup } from "./studyData";
+import type { Study } from "./shownStudy";
 
 const byVariant = "";
 

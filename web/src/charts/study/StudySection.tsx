@@ -2,8 +2,6 @@
 /** A study: its table, any of its results over a varied key, and the displacement curves of all variants. */
 import { useState } from "preact/hooks";
 
-import type { Study } from "../../contract";
-import { report } from "../../state";
 import { CsvButton } from "../base/Legend";
 import { TornadoBars } from "../../sampling/TornadoChart";
 import { formatNumber, titleWithUnit } from "../base/numbers";
@@ -16,9 +14,10 @@ import { StudyExtrapolation } from "./StudyExtrapolation";
 import { StudyMotion } from "./StudyMotion";
 import { StudyPictures } from "./StudyPictures";
 import { StudyPlot } from "./StudyPlot";
+import { shownStudy, type Study } from "./shownStudy";
 
 export function StudySection() {
-  const study = report.value.study;
+  const study = shownStudy.value;
   if (!study) return null;
   const sections = [...new Set(study.rows.flatMap((r) => (r.sections ?? []).map((s) => s.name)))];
   const failed = study.rows.filter((r) => r.status !== "finished").length;

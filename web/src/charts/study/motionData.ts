@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The monitors of the variants of a study: one chart for each monitor, or one for each variant. */
-import type { Study, StudyRow } from "../../contract";
 import type { CsvColumn } from "../base/csv";
 import { findVaried } from "./studyData";
+import type { Study, StudyRow } from "./shownStudy";
 
 export interface MotionLine {
   name: string;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Frames of a study that are shown side by side, and their common scale. */
-import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
+import type { Sequence, SequenceField } from "../../contract";
+import type { Study, StudyRow } from "./shownStudy";
 
 export interface PictureRow {
   row: StudyRow;

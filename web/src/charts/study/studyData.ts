@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The table of a study: order of its rows, and what of it can be drawn. */
-import type { Study } from "../../contract";
 import type { CsvColumn } from "../base/csv";
+import type { Study } from "./shownStudy";
 
 type StudyColumn = Study["columns"][number];
 

@@ -10,7 +10,7 @@ const stages =
 const others =
   "; other soils drain and have the pore pressures after drawdown. Every surface of the search went through all stages.";
 
-export const writeRapidDrawdown: Writer = ({ input }) => {
+export const writeRapidDrawdown: Writer = ({ result: { input } }) => {
   const method = findSetting(input, "lem.drawdown.method");
   if (method === "b_bar")
     return [

@@ -3,8 +3,8 @@
 import { quoteNumber } from "./settings";
 import type { Writer } from "./writer";
 
-export const writeFiniteElements: Writer = ({ finite_elements: found }) => {
-  const solid = found?.element === "T10";
+export const writeFiniteElements: Writer = ({ result: { fem } }) => {
+  const solid = fem?.element === "T10";
   return [
     {
       text:
@@ -24,8 +24,8 @@ export const writeFiniteElements: Writer = ({ finite_elements: found }) => {
   ];
 };
 
-export const writeElementReduction: Writer = ({ input, finite_elements: found }) => {
-  const both = (found?.runs.length ?? 0) > 1;
+export const writeElementReduction: Writer = ({ result: { input, fem } }) => {
+  const both = (fem?.runs.length ?? 0) > 1;
   return [
     {
       text:

@@ -21,7 +21,7 @@ export const writeStrengthReduction: Writer = () => [
   },
 ];
 
-export const writeDisplacementCurve: Writer = ({ input }) => {
+export const writeDisplacementCurve: Writer = ({ result: { input } }) => {
   const ratio = quoteNumber(input, "strength_reduction.curve.displacement_ratio", "0.03");
   const window = quoteNumber(input, "strength_reduction.curve.window", "5");
   const smoothing = findSetting(input, "strength_reduction.curve.smoothing");
@@ -51,7 +51,7 @@ export const writeDisplacementCurve: Writer = ({ input }) => {
   ];
 };
 
-export const writeFrozenFactor: Writer = ({ input, model }) => {
+export const writeFrozenFactor: Writer = ({ model, result: { input } }) => {
   const base = "strength_reduction.frozen";
   const force = quoteNumber(input, `${base}.rest.force_ratio`, "$10^{-3}$");
   const speed = quoteNumber(input, `${base}.rest.speed_ratio`, "$10^{-4}$");

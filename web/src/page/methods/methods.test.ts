@@ -4,12 +4,12 @@ import katex from "katex";
 import { describe, expect, it } from "vitest";
 
 import schema from "../../../contract/report.schema.json";
-import type { InputTable, Method, Report } from "../../contract";
+import type { InputTable, MethodParagraph, Report } from "../../contract";
 import { writeMethods } from "./paragraphs";
 import { writePlainFormula, writePlainMethods, writeTexMethods } from "./plainText";
 import { quoteEach } from "./settings";
 
-const allMethods = (schema.definitions.Method as { enum: Method[] }).enum;
+const allMethods = (schema.definitions.MethodParagraph as { enum: MethodParagraph[] }).enum;
 
 const given = (value: unknown) => ({ value, given: true });
 const input: InputTable = {
@@ -21,8 +21,8 @@ const input: InputTable = {
   strength_reduction: { curve: { damping: given(0.05), smoothing: given("none") }, frozen: { enabled: given(false) } },
 };
 
-const make = (methods: Method[], dimension: 2 | 3 = 2) =>
-  writeMethods({ methods, input, model: { dimension } } as unknown as Report);
+const make = (methods: MethodParagraph[], dimension: 2 | 3 = 2) =>
+  writeMethods({ methods, result: { input }, model: { dimension } } as unknown as Report);
 
 describe("writeMethods", () => {
   it("has a paragraph for every method of the contract", () => {
@@ -36,7 +36,7 @@ describe("writeMethods", () => {
   it("describes the extrapolation of the frozen factor and its interval", () => {
     const write = (frozen: InputTable, dimension = 2) => {
       const used = { ...input, strength_reduction: { frozen } };
-      const report = { methods: ["frozen_factor"], input: used, model: { dimension } } as unknown as Report;
+      const report = { methods: ["frozen_factor"], result: { input: used }, model: { dimension } } as unknown as Report;
       const { paragraphs, cited } = writeMethods(report);
       return writePlainMethods(paragraphs, cited);
     };
@@ -90,7 +90,7 @@ describe("writeMethods", () => {
   });
 
   it("gives the formula of volumetric averaging once, whichever smoothing was used", () => {
-    const count = (methods: Method[]) => writePlainMethods(make(methods).paragraphs, []).split("Δε̄_vol,i =").length - 1;
+    const count = (methods: MethodParagraph[]) => writePlainMethods(make(methods).paragraphs, []).split("Δε̄_vol,i =").length - 1;
     expect(count(["strain_smoothing"])).toBe(1);
     expect(count(["stable_smoothing"])).toBe(1);
     expect(count(["strain_smoothing", "stable_smoothing"])).toBe(1);
@@ -110,8 +110,8 @@ describe("methods of wet ground", () => {
     },
     hydraulic: [{ condition: given("rain") }, { condition: given("total_head") }, { condition: given("rain") }],
   };
-  const write = (methods: Method[]) => {
-    const report = { methods, input: wet, model: { dimension: 2 } } as unknown as Report;
+  const write = (methods: MethodParagraph[]) => {
+    const report = { methods, result: { input: wet }, model: { dimension: 2 } } as unknown as Report;
     const { paragraphs, cited } = writeMethods(report);
     return writePlainMethods(paragraphs, cited);
   };
@@ -171,8 +171,8 @@ it("quotes settings by value, and trials only where they are enabled", () => {
 });
 
 describe("methods of rooted ground", () => {
-  const write = (methods: Method[], roots: InputTable[]) => {
-    const rooted = { methods, input: { ...input, roots }, model: { dimension: 2 } } as unknown as Report;
+  const write = (methods: MethodParagraph[], roots: InputTable[]) => {
+    const rooted = { methods, result: { input: { ...input, roots } }, model: { dimension: 2 } } as unknown as Report;
     const { paragraphs, cited } = writeMethods(rooted);
     return writePlainMethods(paragraphs, cited);
   };

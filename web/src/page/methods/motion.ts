@@ -3,7 +3,7 @@
 import { isOnAnywhere, quoteEach } from "./settings";
 import type { Block, Writer } from "./writer";
 
-export const writeMaterialPoints: Writer = ({ model, input, methods }) => {
+export const writeMaterialPoints: Writer = ({ model, methods, result: { input } }) => {
   const phases = methods.includes("two_phase")
     ? "Where the soil holds water this balance is that of soil and water together, and the water has one of its own, " +
       "below"
@@ -92,7 +92,7 @@ const wetStep: Block[] = [
   },
 ];
 
-export const writeTimeStep: Writer = ({ input, model, methods }) => {
+export const writeTimeStep: Writer = ({ model, methods, result: { input } }) => {
   const courant = quoteEach(input, "courant");
   return [
     {
@@ -118,7 +118,7 @@ export const writeTimeStep: Writer = ({ input, model, methods }) => {
   ];
 };
 
-export const writeDamping: Writer = ({ input }) => {
+export const writeDamping: Writer = ({ result: { input } }) => {
   const damping = quoteEach(input, "damping");
   return [
     {
@@ -143,7 +143,7 @@ export const writeDamping: Writer = ({ input }) => {
   ];
 };
 
-export const writeMassScaling: Writer = ({ input }) => {
+export const writeMassScaling: Writer = ({ result: { input } }) => {
   const scaling = quoteEach(input, "mass_scaling");
   return [
     { text: "To settle the soil in fewer steps its inertia, and only that, was multiplied by a factor $\\beta$:" },

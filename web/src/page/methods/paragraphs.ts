@@ -39,9 +39,9 @@ import {
   writeWaterStorage,
 } from "./water";
 import type { Writer } from "./writer";
-import type { Method, Report } from "../../contract";
+import type { MethodParagraph, Report } from "../../contract";
 
-const writers: { method: Method; title: string; write: Writer }[] = [
+const writers: { method: MethodParagraph; title: string; write: Writer }[] = [
   { method: "limit_equilibrium", title: "Methods of slices", write: writeLimitEquilibrium },
   { method: "fellenius", title: "Fellenius", write: writeFellenius },
   { method: "bishop", title: "Bishop", write: writeBishop },
@@ -90,7 +90,7 @@ export type Piece = { kind: "text" | "math" | "cite"; text: string };
 export type NumberedBlock = { pieces: Piece[] } | { tex: string; plain: string; number: number };
 
 export interface Paragraph {
-  method: Method;
+  method: MethodParagraph;
   title: string;
   blocks: NumberedBlock[];
 }

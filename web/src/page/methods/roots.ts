@@ -68,7 +68,7 @@ const fibres: Block[] = [
   },
 ];
 
-export const writeRootCohesion: Writer = ({ input }) => {
+export const writeRootCohesion: Writer = ({ result: { input } }) => {
   const bundles = findWords(input, "roots", "bundle.model");
   return [
     {
@@ -85,7 +85,7 @@ export const writeRootCohesion: Writer = ({ input }) => {
   ];
 };
 
-export const writeExternalModel: Writer = ({ input }) => {
+export const writeExternalModel: Writer = ({ result: { input } }) => {
   const libraries = findWords(input, "materials", "library");
   return [
     {

@@ -2,7 +2,7 @@
 /** Paragraph on uncertain numbers. */
 import type { Writer } from "./writer";
 
-export const writeSampling: Writer = ({ study }) => {
+export const writeSampling: Writer = ({ study_result: study }) => {
   const sampling = study?.sampling;
   if (!sampling) return [];
   const drawn =

@@ -3,10 +3,10 @@
 import { findSetting, quoteNumber } from "./settings";
 import type { Writer } from "./writer";
 
-export const writeLimitEquilibrium: Writer = ({ slices }) => [
+export const writeLimitEquilibrium: Writer = ({ result }) => [
   {
     text:
-      `The mass above a slip surface was cut into ${slices?.slice_count ?? "vertical"} slices, with sides at least at ` +
+      `The mass above a slip surface was cut into ${result.lem?.slices ?? "vertical"} slices, with sides at least at ` +
       "the breaks of the ground and where the surface passes into another soil. On the base of each slice, of length " +
       "$l$ and inclination $\\alpha$, the strength is mobilised by the same share,",
   },
@@ -71,11 +71,11 @@ const inclinations: { [name: string]: string } = {
   modified_swedish: "Modified Swedish: parallel to the face, from the lower end to the crest of the mass",
 };
 
-export const writeForceEquilibrium: Writer = ({ slices }) => [
+export const writeForceEquilibrium: Writer = ({ result }) => [
   {
     text:
       "The forces between slices have given inclinations, and $F$ closes the forces of the last slice; moments are not " +
-      `in balance. ${(slices?.methods ?? []).flatMap((m) => inclinations[m.name] ?? []).join(". ")}.`,
+      `in balance. ${(result.lem?.methods ?? []).flatMap((method) => inclinations[method] ?? []).join(". ")}.`,
   },
 ];
 
@@ -88,8 +88,8 @@ export const writeSpencer: Writer = () => [
   },
 ];
 
-export const writeMorgensternPrice: Writer = ({ slices }) => {
-  const constant = slices?.methods.some((m) => m.name === "morgenstern_price_constant");
+export const writeMorgensternPrice: Writer = ({ result }) => {
+  const constant = result.lem?.methods.includes("morgenstern_price_constant");
   return [
     {
       text:
@@ -105,10 +105,11 @@ const searches: { [kind: string]: string } = {
   grid: "circles about a grid of centres, several radii each",
 };
 
-export const writeSlipSearch: Writer = ({ slices, input }) => {
-  const search = slices?.search;
+export const writeSlipSearch: Writer = ({ result }) => {
+  const { input } = result;
+  const search = result.lem?.search;
   const kind = searches[search?.kind ?? ""] ?? "trial surfaces";
-  const polyline = slices?.surfaces.some((s) => s.kind === "polyline");
+  const polyline = (result.lem?.noncircular ?? []).length > 0;
   return [
     {
       text:
@@ -126,8 +127,10 @@ export const writeSlipSearch: Writer = ({ slices, input }) => {
             text:
               "A surface was refused where $m_\\alpha$ falls below " +
               `${quoteNumber(input, "lem.smallest_m_alpha", "0.2")} ($N$ grows beyond bounds at a steep passive end), ` +
-              "where effective normal forces are tensile over too long a part of the base, or where the line of thrust " +
-              "leaves the mass; how many, and why, is counted.",
+              "where effective normal forces are tensile over more than " +
+              `${quoteNumber(input, "lem.most_tension", "0.2")} of the base, or where the line of thrust leaves the mass ` +
+              `at more than ${quoteNumber(input, "lem.most_thrust_outside", "0.3")} of the sides of the slices; how ` +
+              "many, and why, is counted.",
           },
         ]),
   ];
@@ -141,10 +144,10 @@ export const writeYieldAcceleration: Writer = () => [
   },
 ];
 
-export const writePartialFactors: Writer = ({ method_table: table }) => [
+export const writePartialFactors: Writer = ({ result }) => [
   {
     text:
-      `Strengths, weights and loads are design values${table?.partial_factors?.set ? ` (${table.partial_factors.set})` : ""} ` +
+      `Strengths, weights and loads are design values${result.methods?.partial_factors?.set ? ` (${result.methods.partial_factors.set})` : ""} ` +
       "after Eurocode 7 [@en1997]: characteristic values with the partial factors of the table above. The factor " +
       "of safety that is found with them is the over-design factor; the slope is verified where it is 1 or more.",
   },

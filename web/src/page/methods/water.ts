@@ -11,7 +11,7 @@ function writeWaterDamping(input: InputTable): Block[] {
   return [{ text: `Local damping acts on the water as well, against its motion; its share was ${fraction}.` }];
 }
 
-export const writeTwoPhase: Writer = ({ input }) => {
+export const writeTwoPhase: Writer = ({ result: { input } }) => {
   const explicit = quoteWhere(input, "drag", "explicit");
   const implicit = quoteWhere(input, "drag", "implicit") !== "" || !explicit;
   const differences = [
@@ -63,7 +63,7 @@ export const writeTwoPhase: Writer = ({ input }) => {
   ];
 };
 
-export const writeSeeping: Writer = ({ input, methods }) => {
+export const writeSeeping: Writer = ({ methods, result: { input } }) => {
   const where = methods.includes("two_phase") ? quoteWhere(input, "water", "seeps") : "";
   return [
     {
@@ -162,7 +162,7 @@ const conductivityLaws: { [word: string]: Block[] } = {
   ],
 };
 
-export const writeSoilWater: Writer = ({ input }) => {
+export const writeSoilWater: Writer = ({ result: { input } }) => {
   const pick = (laws: { [word: string]: Block[] }, key: string) =>
     findWords(input, "materials", key).flatMap((word) => laws[word] ?? []);
   const khalili = findWords(input, "materials", "water.chi").includes("khalili_khabbaz");
@@ -226,7 +226,7 @@ const constantPressure: Block[] = [
   },
 ];
 
-export const writeHydraulicConditions: Writer = ({ input, methods }) => {
+export const writeHydraulicConditions: Writer = ({ methods, result: { input } }) => {
   const used = findWords(input, "hydraulic", "condition").flatMap((word) => surfaceLaws[word] ?? []);
   return [
     {
@@ -265,7 +265,7 @@ export const writeSteadySeepage: Writer = () => [
   },
 ];
 
-export const writeHeldPressures: Writer = ({ input, methods }) => {
+export const writeHeldPressures: Writer = ({ methods, result: { input } }) => {
   const where = quoteWhere(input, "water", "held");
   return [
     {

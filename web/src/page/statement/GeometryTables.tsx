@@ -7,6 +7,8 @@ import { selectsMethod } from "../selected";
 import { DataTable, Facts } from "../DataTable";
 import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
 import type { Unit, Water } from "../../contract";
+import { findUsedWater } from "../../drawing/standingWater";
+import { startWater } from "../../water/waterStates";
 
 const second: Unit = { name: "s", si: 1 };
 
@@ -40,8 +42,9 @@ function Points({ points }: { points: number[][] }) {
 }
 
 export function GeometryTables() {
-  const { input, model, units, water: wet } = report.value;
-  const { mesh, polygons, water } = model;
+  const { result, model, units, water: wet } = report.value;
+  const { input } = result;
+  const { mesh, polygons } = model;
   const length = (x: number) => formatQuantity(x, units.length);
   const [low, high] = model.bounds;
   const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
@@ -66,10 +69,10 @@ export function GeometryTables() {
     ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
     ["Box", `${soilSize}, from ${formatPlace(low)} to ${formatPlace(high)}`],
     ["Slope height H", known(model.slope_height, length(model.slope_height))],
-    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
+    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, startWater.value.states.length, wet) : "not known"],
     ...(hasPoints ? ofPoints : []),
   ];
-  const used = water.at(-1);
+  const used = findUsedWater();
   return (
     <>
       <Facts caption={hasPoints ? "Geometry, water and mesh" : "Geometry and water"} rows={rows} />
@@ -86,14 +89,14 @@ export function GeometryTables() {
           ))}
         </DataTable>
       )}
-      {used && used.tables.length > 0 && (
+      {used && used.water_table.length > 0 && (
         <DataTable
           caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}
           head={["Water table", "Points"]}
         >
-          {used.tables.map((points, i) => (
+          {used.water_table.map((points, i) => (
             <tr key={i}>
-              <th scope="row">{used.tables.length > 1 ? `${used.title}, line ${i + 1}` : used.title}</th>
+              <th scope="row">{used.water_table.length > 1 ? `${used.title}, line ${i + 1}` : used.title}</th>
               <td class="prose">
                 <Points points={thin(points)} />
                 {points.length > mostPoints && (

@@ -26,10 +26,10 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 }
 
 export function Statement() {
-  const { assumptions, input, kind, status, study, warnings, water } = report.value;
-  const first = study?.rows[0]?.name;
+  const { assumptions, kind, result, study_result: study, warnings, water } = report.value;
+  const first = study?.variants[0]?.name;
   // LEM is sampled without a run that has its section.
-  const isBare = study?.sampling !== undefined && Object.keys(input).length === 0;
+  const isBare = study?.sampling !== undefined && Object.keys(result.input).length === 0;
   const hasSlope = kind !== "tests" && !isBare;
   const hasPoints = selectsMethod(report.value, "mpm");
   const lead =
@@ -69,7 +69,7 @@ export function Statement() {
         )}
         {water && (
           <Block title={kind === "study" ? "Flow of water in the first variant" : "Flow of water"}>
-            <WaterResults water={water} />
+            <WaterResults />
           </Block>
         )}
         {(hasSlope || isBare) && (
@@ -89,7 +89,7 @@ export function Statement() {
           )}
         </Block>
         <Block title="Warnings">
-          {warnings.length === 0 ? <p>{status === "finished" ? "The calculation gave no warnings." : "No warnings so far."}</p> : <WarningList warnings={warnings} />}
+          {warnings.length === 0 ? <p>{result.status === "finished" ? "The calculation gave no warnings." : "No warnings so far."}</p> : <WarningList warnings={warnings} />}
         </Block>
       </div>
     </Part>

@@ -6,11 +6,11 @@ import { DataTable } from "../DataTable";
 import { formatPlace, formatSentence } from "../format";
 
 export function SupportTables() {
-  const { model, input } = report.value;
+  const { model, result } = report.value;
   const { boundaries, loads, monitors } = model;
   // LEM has no supports; FEM without given supports is fixed at the sides and at the bottom.
   const hasSupports = boundaries.length > 0 || selectsMethod(report.value, "mpm");
-  if (Object.keys(input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
+  if (Object.keys(result.input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
   return (
     <>
       {!hasSupports ? null : boundaries.length === 0 ? (

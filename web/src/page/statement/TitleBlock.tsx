@@ -4,15 +4,16 @@ import { report } from "../../state";
 import { formatDate } from "../format";
 
 export function TitleBlock() {
-  const { project, provenance } = report.value;
+  const { title, result } = report.value;
+  const { project, provenance } = result;
   const cells: [string, string][] = [
-    ["Title", project.title],
+    ["Title", title],
     ["Project", project.project],
     ["Client", project.client],
     ["Author", project.author],
     ["Checked by", project.checked_by],
     ["Revision", project.revision],
-    ["Calculated", project.date && formatDate(project.date)],
+    ["Calculated", provenance.started && formatDate(provenance.started)],
     ["Program", provenance.version && `Talus ${provenance.version}, commit ${provenance.commit || "unknown"}`],
     ["Case file", provenance.case_file],
     ["Input hash", provenance.input_hash],

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** Pore water in numbers: conditions, start, steady seepage, and where the water of the stages went. */
+import { findUsedWater } from "../../drawing/standingWater";
 import { report } from "../../state";
 import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
 import { SeasonTable } from "./SeasonTable";
 import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
-import type { HydraulicCondition, SteadySeepage, Water, WaterBudget, WaterState } from "../../contract";
+import type { HydraulicCondition, Seepage, Water, WaterBudget, WaterState } from "../../contract";
 
 /** Rows of a series that are written out; more are seen in its chart. */
 const mostRows = 8;
@@ -58,7 +59,7 @@ export function describeClosure(error: number): string {
   return size < 1e-12 ? "error: round-off" : `error ${formatNumber(size, 1)} of the water in the model`;
 }
 
-function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 | 3 }) {
+function SeepageTable({ seepage, dimension }: { seepage: Seepage; dimension: 2 | 3 }) {
   const { units } = report.value;
   const rate = units.flow;
   const flow = (value: number) => formatNumber(value / rate.si);
@@ -87,7 +88,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
   return (
     <>
       <DataTable
-        caption={`Steady seepage ${report.value.water?.season ? "before the season" : "at the start"}, ${rate.name}`}
+        caption={`Steady seepage ${report.value.result.season ? "before the season" : "at the start"}, ${rate.name}`}
         head={["Boundary", ...numbers("In", "Out", hasRunoff && "Runs off")]}
       >
         {seepage.discharges.map((d) => (
@@ -190,7 +191,7 @@ function Budget({ budget }: { budget: WaterBudget }) {
         {surfaces.map((s, i) => (
           <tr key={i}>
             <th scope="row">{s.name}</th>
-            <td>{s.condition}</td>
+            <td>{s.condition.replaceAll("_", " ")}</td>
             <td class="number">{volume(s.entered)}</td>
             <td class="number">{volume(s.left)}</td>
             {rains && (
@@ -232,17 +233,18 @@ export function WaterTables({ water }: { water: Water }) {
 }
 
 /** Results on the water: seepage and budget. */
-export function WaterResults({ water }: { water: Water }) {
-  const { dimension, water: states } = report.value.model;
-  const last = states.at(-1);
-  if (!water.seepage && !water.season && !water.budget)
+export function WaterResults() {
+  const { model, result } = report.value;
+  const { water, seepage, season } = result;
+  const last = findUsedWater();
+  if (!seepage && !season && !water)
     return <p>The results hold no water budget: the run has not ended.</p>;
   return (
     <>
-      {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
-      {water.season && <SeasonTable season={water.season} />}
+      {seepage && <SeepageTable seepage={seepage} dimension={model.dimension} />}
+      {season && <SeasonTable season={season} />}
       {last?.flow === "transient" && <Transient state={last} />}
-      {water.budget && <Budget budget={water.budget} />}
+      {water && <Budget budget={water} />}
     </>
   );
 }

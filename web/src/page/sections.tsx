@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+/** The sections of the page in their order: what each is called, when a report has it, and what draws it. */
+import type { ComponentChildren } from "preact";
+
+import { BoundsSection } from "../bounds/BoundsSection";
+import {
+  CalibrationSection,
+  CompareSection,
+  CurveSection,
+  HistorySection,
+  PointSection,
+  ProfileSection,
+  SoilWaterSection,
+  StudySection,
+} from "../charts/Charts";
+import { listComparisons } from "../charts/compare/differences";
+import { MethodsSection } from "../compared/MethodsSection";
+import { findMethods } from "../compared/methodTable";
+import { Overview } from "../compared/Overview";
+import type { Report } from "../contract";
+import { ElementsSection } from "../elements/ElementsSection";
+import { SamplingSection } from "../sampling/SamplingSection";
+import { SlicesSection } from "../slices/SlicesSection";
+import { report } from "../state";
+import { TimelinePane } from "../timeline/TimelinePane";
+import { TimelineSection } from "../timeline/TimelineSection";
+import { Viewer } from "../viewer/Viewer";
+import { WaterSection } from "../water/WaterSection";
+import { Answer } from "./Answer";
+import { InputPart } from "./InputPart";
+import { MethodsPart } from "./methods/MethodsPart";
+import { ProvenancePart } from "./ProvenancePart";
+import { Statement } from "./statement/Statement";
+import { Variants } from "./Variants";
+
+export interface Section {
+  id: string;
+  /** In the contents, short. */
+  label: string;
+  has: (given: Report) => boolean;
+  draw: () => ComponentChildren;
+  /** Of a chart, which is drawn when it comes into sight: its heading, and about what it takes [px]. */
+  chart?: { title: string; height: number };
+}
+
+/** The first figure: the history of a timeline, the motion of material points, or the section. */
+function drawFirstFigure() {
+  if (report.value.timeline) return <TimelinePane />;
+  return report.value.sequences.length > 0 ? <Viewer /> : <Overview />;
+}
+
+/** Of a study the section of its case, without surfaces. */
+function hasSection(given: Report): boolean {
+  const { dimension, polygons } = given.model;
+  const hasSurfaces = (findMethods(given)?.surfaces.length ?? 0) > 0;
+  const hasSoil = given.kind === "study" && polygons.length > 0;
+  return given.sequences.length > 0 || (dimension === 2 && (hasSurfaces || hasSoil));
+}
+
+const hasTable = (given: Report, ...kinds: string[]) => given.tables.some(({ kind }) => kinds.includes(kind));
+const hasVariants = ({ study_result: study }: Report) => (study?.variants.length ?? 0) > 0;
+const always = () => true;
+
+export const sections: Section[] = [
+  { id: "answer", label: "Answer", has: always, draw: () => <Answer /> },
+  { id: "section", label: "Section", has: hasSection, draw: drawFirstFigure },
+  {
+    id: "sampling",
+    label: "Sampling",
+    has: ({ study_result: study }) => study?.sampling !== undefined,
+    draw: () => <SamplingSection />,
+    chart: { title: "Uncertain numbers", height: 1200 },
+  },
+  {
+    id: "study",
+    label: "Study",
+    has: hasVariants,
+    draw: () => <StudySection />,
+    chart: { title: "Study", height: 600 },
+  },
+  { id: "variants", label: "Variants", has: hasVariants, draw: () => <Variants /> },
+  {
+    id: "timeline",
+    label: "Timeline",
+    has: ({ timeline }) => timeline !== undefined,
+    draw: () => <TimelineSection />,
+    chart: { title: "Factor of safety in time", height: 500 },
+  },
+  {
+    id: "compared",
+    label: "Compared",
+    has: (given) => findMethods(given) !== undefined,
+    draw: () => <MethodsSection />,
+    chart: { title: "Methods beside each other", height: 500 },
+  },
+  {
+    id: "slices",
+    label: "Slices",
+    has: ({ result }) => result.lem !== undefined,
+    draw: () => <SlicesSection />,
+    chart: { title: "Slices", height: 1600 },
+  },
+  {
+    id: "elements",
+    label: "Elements",
+    has: ({ result }) => result.fem !== undefined,
+    draw: () => <ElementsSection />,
+    chart: { title: "Finite elements", height: 1400 },
+  },
+  {
+    id: "bounds",
+    label: "Bounds",
+    has: ({ result }) => result.bounds !== undefined,
+    draw: () => <BoundsSection />,
+    chart: { title: "Proven bounds", height: 900 },
+  },
+  {
+    id: "curve",
+    label: "Curve",
+    has: ({ result }) => result.curve !== undefined,
+    draw: () => <CurveSection />,
+    chart: { title: "Displacement over strength reduction factor", height: 560 },
+  },
+  {
+    id: "histories",
+    label: "Histories",
+    has: (given) => hasTable(given, "history", "monitors"),
+    draw: () => <HistorySection />,
+    chart: { title: "Histories", height: 1000 },
+  },
+  {
+    id: "profiles",
+    label: "Profiles",
+    has: (given) =>
+      given.kind !== "study" &&
+      (given.sequences.length > 0 || hasTable(given, "ground") || (given.sections ?? []).length > 0),
+    draw: () => <ProfileSection />,
+    chart: { title: "Profiles", height: 900 },
+  },
+  {
+    id: "pore-water",
+    label: "Pore water",
+    // Without material points the section itself shows it.
+    has: ({ model, sequences }) => model.water_mesh !== undefined && sequences.length > 0,
+    draw: () => <WaterSection />,
+    chart: { title: "Pore water at the start", height: 620 },
+  },
+  {
+    id: "water",
+    label: "Water",
+    has: ({ water, model }) => water !== undefined && model.materials.some((m) => m.water),
+    draw: () => <SoilWaterSection />,
+    chart: { title: "Soil water: retention and conductivity", height: 380 },
+  },
+  {
+    id: "calibration",
+    label: "Calibration",
+    has: ({ calibration }) => calibration !== undefined,
+    draw: () => <CalibrationSection />,
+    chart: { title: "Calibration of the soils", height: 900 },
+  },
+  {
+    id: "tests",
+    label: "Tests",
+    has: ({ point_tests: tests }) => tests !== undefined,
+    draw: () => <PointSection />,
+    chart: { title: "Element tests of the soils", height: 900 },
+  },
+  {
+    id: "comparison",
+    label: "Comparison",
+    has: (given) => listComparisons(given).length > 0,
+    draw: () => <CompareSection />,
+    chart: { title: "Comparison with published values", height: 320 },
+  },
+  { id: "statement", label: "Report", has: always, draw: () => <Statement /> },
+  { id: "methods", label: "Methods", has: ({ methods }) => methods.length > 0, draw: () => <MethodsPart /> },
+  { id: "input", label: "Input", has: always, draw: () => <InputPart /> },
+  { id: "provenance", label: "Provenance", has: always, draw: () => <ProvenancePart /> },
+];
+
+/** The sections that this report has. */
+export const listSections = (given: Report): Section[] => sections.filter(({ has }) => has(given));
