@@ -33,9 +33,9 @@ TITLES = dict(zip(COLUMNS, ["LEM, given surfaces", "critical circles", "critical
 BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-5}
 # Gmsh makes other meshes for these. The intervals of factors must then overlap; other results stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
-ERROR_OF_MESH = {"seepage": 0.02, "timeline": 0.02, "mpm": 0.02}
+ERROR_OF_MESH = {"seepage": 0.05, "timeline": 0.02, "mpm": 0.02}
 WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
-ROUNDING = 1e-12
+ROUNDING, ROUNDING_OF_BOUNDS = 1e-12, 1e-10
 EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside FEM")
 REASONS = {
     "critical circles, 1e-4": "a search ends where a round gains less than that: rounding of the coordinates ends two of them at two places of one flat minimum.",
@@ -45,8 +45,10 @@ REASONS = {
     "soils split, circles, 2e-3": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
                                   "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
-                    "differ, as they do 10 times as large (not 16 times, a power of two). Intervals of factors must overlap; seepage and MPM "
-                    "may differ by 2 %, with four to eight elements over the height.",
+                    "differ, as they do 10 times as large. It has absolute tolerances too: 16 times as large, with every digit the same, the mesh of FEM on "
+                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, and a discharge by 5 %, with four to eight "
+                    "elements over the height: outflow through the face of slope 30 falls by 10 % from elements of H/8 to H/32, where both meshes agree to 1 %.",
+    "outlines turned, limit analysis, 1e-10": "the interior point method amplifies the rounding of one node.",
     "limit analysis, 5e-3": "the lower bound is the largest factor that a program proved, and the search may end at another one between the bounds.",
     "in time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
     "in time and MPM, 1e-5": "steps that are just accepted or rejected, and points that just cross a side of an element, amplify rounding "
@@ -56,7 +58,7 @@ REASONS = {
 
 def find_band(change, column):
     if change in EXACT:
-        return ROUNDING if change == "outlines turned" else 0.0
+        return 0.0 if change != "outlines turned" else ROUNDING_OF_BOUNDS if column == "bounds" else ROUNDING
     if change in OTHER_MESHES and column in ERROR_OF_MESH:
         return ERROR_OF_MESH[column]
     return WIDER.get((change, column), BANDS[column])
@@ -84,7 +86,7 @@ class Judge:
         (values, intervals), (others, other_intervals) = base, other
         if not others:
             return
-        meshed = change in OTHER_MESHES and kind != "lem"
+        meshed = kind != "lem" and (change in OTHER_MESHES or (change, kind) == ("16 times as large", "fem"))
         for name in sorted(set(values) | set(others) if change != "alone" else others):
             if meshed and (name.startswith("displacement[") or kind in intervals):
                 continue  # another point is the nearest; or see the interval
