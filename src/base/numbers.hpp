@@ -3,12 +3,8 @@
 // Conversion between numbers and texts, independent of the locale and its decimal sign: coordinates with all digits,
 // results with the digits that their uncertainty allows.
 
-#include <fmt/format.h>
 #include <locale.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,22 +36,16 @@ const char* parse_number(const char* first, const char* last, double& value);
 std::string write_shortest(double value);
 
 /// Returns the number at the beginning of `text`, after blanks; NaN if there is none.
-inline double read_number(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  double value = std::numeric_limits<double>::quiet_NaN();
-  parse_number(text.data(), text.data() + text.size(), value);
-  return value;
-}
+double read_number(std::string_view text);
 
 /// Returns `value` rounded to `digits` significant digits, which removes conversion errors such as 29.999999999999996°.
-inline double round_to_digits(double value, int digits) {
-  return std::isfinite(value) ? read_number(fmt::format("{:.{}g}", value, digits)) : value;
-}
+double round_to_digits(double value, int digits);
+
+/// Writes `value` with `digits` significant digits: "0.01235", "1.2e+06".
+std::string format_significant(double value, int digits);
 
 /// Writes `x` [m] rounded to 1e-5 m: "12.345", "4000012.5".
-inline std::string format_coordinate(double x) {
-  return fmt::format("{:.15g}", std::round(x * 1e5) / 1e5 + 0.0);
-}
+std::string format_coordinate(double x);
 
 /// Writes two or three coordinates [m]: "(12.345, 4000012.5)".
 template <class Point>
@@ -68,21 +58,6 @@ std::string format_point(const Point& point) {
 /// Writes "1.3 ± 0.4", "130 ± 20" or "1.31 ± 0.12": the uncertainty has one digit, or two if the first is 1, and the
 /// value ends at the same digit. Without an uncertainty the value has two digits; with an uncertainty below 1/1000 of
 /// the value it has three. Numbers below `least` are written as zero, non-finite values as "–".
-inline std::string format_uncertain(double value, std::optional<double> uncertainty) {
-  constexpr double least = 1e-9;
-  const auto round_at = [](double x, double last) {
-    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(last) + 1e-9)));
-    return fmt::format("{:.{}f}", std::round(x / last) * last + 0.0, decimals);
-  };
-  const auto find_first = [](double x) { return std::pow(10, std::floor(std::log10(std::abs(x)))); };
-  if (!std::isfinite(value) || (uncertainty && !std::isfinite(*uncertainty))) return "–";
-  const bool is_zero = std::abs(value) < least, is_exact = uncertainty && *uncertainty < least;
-  if (is_zero && (!uncertainty || is_exact)) return "0";
-  if (!uncertainty) return round_at(value, 0.1 * find_first(value));
-  if (is_exact || *uncertainty < 1e-3 * std::abs(value)) return round_at(value, 0.01 * find_first(value));
-  double last = find_first(*uncertainty);
-  if (*uncertainty < 1.95 * last) last /= 10;
-  return round_at(value, last) + " ± " + round_at(*uncertainty, last);
-}
+std::string format_uncertain(double value, std::optional<double> uncertainty);
 
 }  // namespace talus

@@ -60,7 +60,7 @@ std::string format_point(Point point, const ShownUnit& unit) {
 template <class Point>
 std::string format_place(const Point& point, const ShownUnit& unit) {
   std::string text;
-  for (const double x : point) text += fmt::format("{}{:.4g}", text.empty() ? "(" : ", ", x / unit.si);
+  for (const double x : point) text += (text.empty() ? "(" : ", ") + format_significant(x / unit.si, 4);
   return text + ") " + unit.name;
 }
 

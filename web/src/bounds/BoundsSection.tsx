@@ -146,7 +146,7 @@ export function BoundsSection() {
   if (!bounds) return null;
   return (
     <section class="chart-section" aria-labelledby="chart-bounds-title">
-      <h3 id="chart-bounds-title">Proven bounds</h3>
+      <h3 id="chart-bounds-title">Limit analysis</h3>
       {bounds.error ? (
         <p>
           <span class="chart-bad">No answer:</span> {formatSentence(bounds.error)}

@@ -5,10 +5,10 @@ import type { Factor, Method } from "../contract";
 import { formatFactor, formatInterval } from "./format";
 
 export const methodNames: Record<Method, string> = {
-  mpm: "Material points",
-  lem: "Slices",
-  fem: "Finite elements",
-  bounds: "Proven bounds",
+  mpm: "MPM",
+  lem: "LEM",
+  fem: "FEM",
+  bounds: "Limit analysis",
 };
 
 /** The pore water in the trials of a factor. */

@@ -54,7 +54,7 @@ const writers: { method: MethodParagraph; title: string; write: Writer }[] = [
   { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },
   { method: "finite_elements", title: "Finite elements", write: writeFiniteElements },
   { method: "finite_element_reduction", title: "Strength reduction by finite elements", write: writeElementReduction },
-  { method: "limit_analysis", title: "Proven bounds", write: writeLimitAnalysis },
+  { method: "limit_analysis", title: "Limit analysis", write: writeLimitAnalysis },
   { method: "sampling", title: "Uncertain numbers", write: writeSampling },
   { method: "partial_factors", title: "Partial factors", write: writePartialFactors },
   { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },
