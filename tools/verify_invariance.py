@@ -30,12 +30,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "docs" / "verification_data"
 COLUMNS = ["given surfaces", "circles", "polylines", "seepage", "timeline", "fem", "bounds", "mpm"]
 TITLES = dict(zip(COLUMNS, ["LEM, given surfaces", "critical circles", "critical polylines", "seepage", "in time", "FEM", "limit analysis", "MPM"]))
-BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-5}
+BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-3}
 # Gmsh makes other meshes for these. The intervals of factors must then overlap; other results stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
-ERROR_OF_MESH = {"seepage": 0.05, "timeline": 0.02, "mpm": 0.02}
+ERROR_OF_MESH = {"seepage": 0.05, "timeline": 0.03, "mpm": 0.02}
 WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
-ROUNDING, ROUNDING_OF_BOUNDS = 1e-12, 1e-10
+ROUNDING = collections.defaultdict(lambda: 1e-12, {"bounds": 1e-10, "polylines": 1e-5})
 EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside FEM")
 REASONS = {
     "critical circles, 1e-4": "a search ends where a round gains less than that: rounding of the coordinates ends two of them at two places of one flat minimum.",
@@ -46,19 +46,20 @@ REASONS = {
                                   "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
                     "differ, as they do 10 times as large. It has absolute tolerances too: 16 times as large, with every digit the same, the mesh of FEM on "
-                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, and a discharge by 5 %, with four to eight "
-                    "elements over the height: outflow through the face of slope 30 falls by 10 % from elements of H/8 to H/32, where both meshes agree to 1 %.",
-    "outlines turned, limit analysis, 1e-10": "the interior point method amplifies the rounding of one node.",
+                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, a factor in time by 3 % and a discharge by 5 %, with four to "
+                    "eight elements over the height: outflow through the face of slope 30 falls by 10 % from elements of H/8 to H/32, where both meshes agree to 1 %.",
+    "outlines turned, limit analysis, 1e-10; critical polylines, 1e-5": "the interior point method, and the search of polylines in two soils, amplify rounding.",
     "limit analysis, 5e-3": "the lower bound is the largest factor that a program proved, and the search may end at another one between the bounds.",
     "in time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
-    "in time and MPM, 1e-5": "steps that are just accepted or rejected, and points that just cross a side of an element, amplify rounding "
-                             "(1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
+    "in time, 1e-5": "steps that are just accepted or rejected amplify rounding (1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
+    "MPM, 1e-3": "local damping takes the sign of velocities that are round-off near rest, and points just cross a side of an element or do not: "
+                 "displacements of a damped stage differ by up to 5e-4 of themselves.",
 }
 
 
 def find_band(change, column):
     if change in EXACT:
-        return 0.0 if change != "outlines turned" else ROUNDING_OF_BOUNDS if column == "bounds" else ROUNDING
+        return ROUNDING[column] if change == "outlines turned" else 0.0
     if change in OTHER_MESHES and column in ERROR_OF_MESH:
         return ERROR_OF_MESH[column]
     return WIDER.get((change, column), BANDS[column])

@@ -162,9 +162,11 @@ def read_results(kind, summary, times=1):
             continue
         if name.startswith("timeline.factor["):  # by its number: times differ with the size
             name = f"timeline.factor[{sum(key.startswith('timeline.factor[') for key in values)}]"
-        if name.startswith("seepage.discharge["):  # lines may have other names
-            name = f"seepage.discharge[{sum(key.startswith('seepage.discharge[') for key in values)}]"
         values[name] = result["value"] / (measure_unit(unit, times) if unit else 1)
+    if kind == "seepage":  # by number, since lines may have other names; both flows, since their difference may be small
+        for i, side in enumerate(summary["seepage"]["discharges"]):
+            for flow in ("inflow", "outflow"):
+                values[f"seepage.discharge[{i}].{flow}"] = side[flow] / measure_unit("m3/s/m", times)
     if kind == "bounds" and summary["bounds"].get("lower") and summary["bounds"].get("upper"):
         values["bounds.lower"], values["bounds.upper"] = summary["bounds"]["lower"], summary["bounds"]["upper"]
         intervals["bounds"] = (summary["bounds"]["lower"], summary["bounds"]["upper"])
@@ -175,7 +177,7 @@ def read_results(kind, summary, times=1):
 
 
 def is_compared(kind, name):
-    starts = {"lem": "lem.", "seepage": ("lem.surface", "seepage.discharge"), "timeline": "timeline.factor", "fem": "fem.associated.factor",
+    starts = {"lem": "lem.", "seepage": "lem.surface", "timeline": "timeline.factor", "fem": "fem.associated.factor",
               "mpm": ("displacement", "stage["), "bounds": "bounds."}[kind]
     return name.startswith(starts) and name != "lem.factor" and not name.endswith(".time")
 
