@@ -236,7 +236,7 @@ TEST(Compare, ListsTheResultsOfEachMethod) {
   std::vector<std::string> names;
   for (const results::NamedValue& result : list_result_names(read(slices_alone))) names.push_back(result.name);
   EXPECT_EQ(names.front(), "main_factor");
-  EXPECT_EQ(names.at(3), "lem.bishop");
+  EXPECT_EQ(std::count(names.begin(), names.end(), "lem.bishop"), 1);
   EXPECT_EQ(std::count(names.begin(), names.end(), "mesh.points"), 0) << "there are none";
   EXPECT_EQ(std::count(names.begin(), names.end(), "lem.handed[fem.band].spencer"), 0) << "nobody hands it over";
 }

@@ -90,9 +90,11 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
 results::MethodComparison outline_methods(const Case& data) {
   results::MethodComparison methods;
   for (const auto& [method, line] :
-       {std::pair{Method::fem, results::band_name}, std::pair{Method::bounds, results::mechanism_name},
-        std::pair{Method::mpm, results::slip_line_name}}) {
+       {std::pair{Method::fem, results::band_name}, std::pair{Method::fem, results::associated_band_name},
+        std::pair{Method::bounds, results::mechanism_name}, std::pair{Method::mpm, results::slip_line_name}}) {
     if (!uses(data, Method::lem) || !uses(data, method)) continue;
+    if (line == results::band_name && data.fem.flow == FlowRule::associated) continue;
+    if (line == results::associated_band_name && data.fem.flow == FlowRule::as_given) continue;
     methods.surfaces.emplace_back().name = line;
     methods.surfaces.back().method = method;
     for (const SliceMethod m : list_polyline_methods(data.lem)) methods.handed.push_back({line, to_word(m), "", 1, ""});
