@@ -33,8 +33,8 @@ TITLES = dict(zip(COLUMNS, ["LEM, given surfaces", "critical circles", "critical
 BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-3}
 # Gmsh makes other meshes for these. The intervals of factors must then overlap; other results stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
-ERROR_OF_MESH = {"seepage": 0.05, "timeline": 0.03, "mpm": 0.02}
-WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
+ERROR_OF_MESH = {"seepage": 0.1, "timeline": 0.03, "mpm": 0.02}
+WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 1e-2, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
 ROUNDING = collections.defaultdict(lambda: 1e-12, {"bounds": 1e-10, "polylines": 1e-5})
 EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside FEM")
 REASONS = {
@@ -42,12 +42,12 @@ REASONS = {
     "critical polylines, 1e-2": "the same with 18 variables and a factor with kinks, and a search that is shortened for this campaign (8 vertices, 8 by 8 ends); "
                                 "whole searches scatter by [0.2 %](search.md).",
     "soils split, given surfaces, 1e-3": "sides of slices are at borders of soils, so that one more border moves them.",
-    "soils split, circles, 2e-3": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
-                                  "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
+    "soils split, circles, 1e-2": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
+                                  "by Fellenius' method on slope 37, by Bishop's on 56, by three methods on 86. With the default search all agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
                     "differ, as they do 10 times as large. It has absolute tolerances too: 16 times as large, with every digit the same, the mesh of FEM on "
-                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, a factor in time by 3 % and a discharge by 5 %, with four to "
-                    "eight elements over the height: outflow through the face of slope 30 falls by 10 % from elements of H/8 to H/32, where both meshes agree to 1 %.",
+                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, a factor in time by 3 % and a flow by 10 %, with four to "
+                    "eight elements over the height: flows of slopes 30 and 95 fall by 8 to 10 % from elements of H/8 to H/32, where the meshes agree to 1 %.",
     "outlines turned, limit analysis, 1e-10; critical polylines, 1e-5": "the interior point method, and the search of polylines in two soils, amplify rounding.",
     "limit analysis, 5e-3": "the lower bound is the largest factor that a program proved, and the search may end at another one between the bounds.",
     "in time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
