@@ -57,7 +57,7 @@ function hasSection(given: Report): boolean {
   return given.sequences.length > 0 || (dimension === 2 && (hasSurfaces || hasSoil));
 }
 
-const hasTable = (given: Report, ...kinds: string[]) => given.tables.some(({ kind }) => kinds.includes(kind));
+const hasTableOf = (given: Report, ...kinds: string[]) => given.tables.some(({ kind }) => kinds.includes(kind));
 const hasVariants = ({ study_result: study }: Report) => (study?.variants.length ?? 0) > 0;
 const always = () => true;
 
@@ -124,7 +124,7 @@ export const sections: Section[] = [
   {
     id: "histories",
     label: "Histories",
-    has: (given) => hasTable(given, "history", "monitors"),
+    has: (given) => hasTableOf(given, "history", "monitors"),
     draw: () => <HistorySection />,
     chart: { title: "Histories", height: 1000 },
   },
@@ -133,7 +133,7 @@ export const sections: Section[] = [
     label: "Profiles",
     has: (given) =>
       given.kind !== "study" &&
-      (given.sequences.length > 0 || hasTable(given, "ground") || (given.sections ?? []).length > 0),
+      (given.sequences.length > 0 || hasTableOf(given, "ground") || (given.sections ?? []).length > 0),
     draw: () => <ProfileSection />,
     chart: { title: "Profiles", height: 900 },
   },
