@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shown_units.hpp"
 #include "results/trial.hpp"
 
 namespace talus::run {
