@@ -30,36 +30,46 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "docs" / "verification_data"
 COLUMNS = ["given surfaces", "circles", "polylines", "seepage", "timeline", "fem", "bounds", "mpm"]
 TITLES = dict(zip(COLUMNS, ["LEM, given surfaces", "critical circles", "critical polylines", "seepage", "in time", "FEM", "limit analysis", "MPM"]))
-BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-3}
+BANDS = {"given surfaces": 1e-9, "circles": 1e-4, "polylines": 1e-2, "bounds": 5e-3, "seepage": 1e-6, "fem": 1e-6, "timeline": 1e-5, "mpm": 1e-5}
 # Gmsh makes other meshes for these. The intervals of factors must then overlap; other results stay within the error of such coarse meshes.
 OTHER_MESHES = ("mirrored", "soils split", "points added", "10 times as large")
-ERROR_OF_MESH = {"seepage": 0.1, "timeline": 0.03, "mpm": 0.02}
-WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 1e-2, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
-ROUNDING = collections.defaultdict(lambda: 1e-12, {"bounds": 1e-10, "polylines": 1e-5})
+ERROR_OF_MESH = {"seepage": 0.02, "timeline": 0.02, "mpm": 0.02}
+WIDER = {("soils split", "given surfaces"): 1e-3, ("soils split", "circles"): 2e-3, ("16 times as large", "timeline"): 2e-3, ("x + 500 km, y + 4,000 km", "timeline"): 1e-4}
+ROUNDING = 1e-12
 EXACT = ("outlines turned", "renamed", "2 threads", "4 threads", "alone", "beside FEM")
 REASONS = {
     "critical circles, 1e-4": "a search ends where a round gains less than that: rounding of the coordinates ends two of them at two places of one flat minimum.",
     "critical polylines, 1e-2": "the same with 18 variables and a factor with kinks, and a search that is shortened for this campaign (8 vertices, 8 by 8 ends); "
                                 "whole searches scatter by [0.2 %](search.md).",
     "soils split, given surfaces, 1e-3": "sides of slices are at borders of soils, so that one more border moves them.",
-    "soils split, circles, 1e-2": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
-                                  "by Fellenius' method on slope 37, by Bishop's on 56, by three methods on 86. With the default search all agree to 1e-6.",
+    "soils split, circles, 2e-3": "this moves the end of a search that is shortened for this campaign (8 by 8 ends, 6 depths) to the other of two near minima: "
+                                  "by Fellenius' method on slope 37 and by Bishop's on 56. With the default search both agree to 1e-6.",
     "other meshes": "Gmsh does not mirror its meshes, puts a node on every point of an outline, and makes another mesh where the last digits of coordinates "
-                    "differ, as they do 10 times as large. It has absolute tolerances too: 16 times as large, with every digit the same, the mesh of FEM on "
-                    "slope 20 has 226 elements for 224. Intervals of factors must overlap; MPM may differ by 2 %, a factor in time by 3 % and a flow by 10 %, with four to "
-                    "eight elements over the height: flows of slopes 30 and 95 fall by 8 to 10 % from elements of H/8 to H/32, where the meshes agree to 1 %.",
-    "outlines turned, limit analysis, 1e-10; critical polylines, 1e-5": "the interior point method, and the search of polylines in two soils, amplify rounding.",
+                    "differ, as they do 10 times as large (not 16 times, a power of two). Intervals of factors must overlap; seepage, factors in time and MPM "
+                    "may differ by 2 %, with four to eight elements over the height.",
     "limit analysis, 5e-3": "the lower bound is the largest factor that a program proved, and the search may end at another one between the bounds.",
     "in time, 2e-3 where 16 times as large": "the time steps of seepage follow an error of 1 cm of head, whatever the size of the slope.",
-    "in time, 1e-5": "steps that are just accepted or rejected amplify rounding (1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
-    "MPM, 1e-3": "local damping takes the sign of velocities that are round-off near rest, and points just cross a side of an element or do not: "
-                 "displacements of a damped stage differ by up to 5e-4 of themselves.",
+    "in time and MPM, 1e-5": "steps that are just accepted or rejected, and points that just cross a side of an element, amplify rounding "
+                             "(1e-4 at y + 4,000 km, where elevations are rounded to half a nanometre).",
+}
+# slope → why it leaves a band, as measured; it counts as outside all the same
+OUTSIDE = {
+    20: "flows: 2.6 % on elements of H/8, 0.2 % on H/32. FEM: Gmsh has absolute tolerances, and makes 226 elements for 224 where all lengths are 16 times as "
+        "large, although every digit is the same. Bounds: the interior point method amplifies rounding.",
+    30: "flow through the face: it falls by 10 % from elements of H/8 to H/32 on either mesh, where both agree to 1 %.",
+    50: "the factor during the rain: 2.0 % on elements of H/4, 0.2 % on H/8.",
+    80: "MPM: local damping takes the sign of velocities that are round-off near rest; without damping the same displacements agree to 2e-12. Polylines: the search "
+        "amplifies rounding.",
+    85: "a flow of 3.5 % of the inflow: 5 % on elements of H/8, 2 % on H/32.",
+    86: "the shortened search ends in the other of two near minima; with the default search all methods agree to 1e-6.",
+    95: "flows: they fall by 8 % (27 % where they are 0.4 % of the inflow) from elements of H/8 to H/32, where the meshes agree to 2 %.",
+    100: "as slope 80.",
 }
 
 
 def find_band(change, column):
     if change in EXACT:
-        return ROUNDING[column] if change == "outlines turned" else 0.0
+        return ROUNDING if change == "outlines turned" else 0.0
     if change in OTHER_MESHES and column in ERROR_OF_MESH:
         return ERROR_OF_MESH[column]
     return WIDER.get((change, column), BANDS[column])
@@ -87,7 +97,7 @@ class Judge:
         (values, intervals), (others, other_intervals) = base, other
         if not others:
             return
-        meshed = kind != "lem" and (change in OTHER_MESHES or (change, kind) == ("16 times as large", "fem"))
+        meshed = change in OTHER_MESHES and kind != "lem"
         for name in sorted(set(values) | set(others) if change != "alone" else others):
             if meshed and (name.startswith("displacement[") or kind in intervals):
                 continue  # another point is the nearest; or see the interval
@@ -183,7 +193,7 @@ def write_page(judges, worst, count):
     lines += [f"- *{what}*: {why}" for what, why in REASONS.items()]
     faulty = [j for j in judges if j.faults]
     lines += ["", f"Slopes with a difference outside its band, or with methods out of order: {len(faulty)}."]
-    lines += [f"- slope {j.number} ({describe(draw_slope(j.number))}): {'; '.join(j.faults)}" for j in faulty]
+    lines += [f"- slope {j.number} ({describe(draw_slope(j.number))}): {'; '.join(j.faults)}. *{OUTSIDE.get(j.number, 'Not looked into.')}*" for j in faulty]
     return "\n".join(lines) + "\n"
 
 
