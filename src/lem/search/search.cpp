@@ -194,7 +194,6 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
       continue;
     }
     Critical& critical = result.minima[m].front();
-    critical.yield_acceleration = find_yield_acceleration(slope, critical.cut, method, options.checks);
     const auto hits = find_limit_hits(slope, options, result, circles, critical, best_trials[m]);
     result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
     result.circular.push_back(critical);
@@ -204,7 +203,6 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     for (std::size_t m = 0; m < found.size(); ++m) {
       if (found[m].surface.line.empty()) continue;
       Critical critical = make_critical(slope, options, found[m].surface, options.methods[m]);
-      critical.yield_acceleration = find_yield_acceleration(slope, critical.cut, options.methods[m], options.checks);
       const auto hits = find_limit_hits(slope, options, result, circles, critical, -1);
       result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
       result.noncircular.push_back(std::move(critical));

@@ -130,8 +130,8 @@ struct Critical {
   Solution solution;
   CutSurface cut;  ///< its slices with the forces
   bool circular = true;
-  std::vector<std::string> warnings;  ///< on m_α, tension, the edge of the model, and limits of the search
-  std::optional<double> yield_acceleration;
+  std::vector<std::string> warnings;         ///< on m_α, tension, the edge of the model, and limits of the search
+  std::optional<double> yield_acceleration;  ///< k_y, over g; the search does not compute it
 };
 
 /// A critical surface that lies at a limit of the search.

@@ -208,7 +208,6 @@ void search_cracked_circles(const Slope& slope, const SearchOptions& options, co
         fmt::format("ends in a dry tension crack of {}: without one {} has no solution on the circles around "
                     "Bishop's critical one (factor {:.3f})",
                     format_value(best.surface.crack, slope.section().units.length, 2), get_title(method), lost.bishop));
-    found.yield_acceleration = find_yield_acceleration(slope, found.cut, method, options.checks);
     result.minima[m].insert(result.minima[m].begin(), found);
     if (own != nullptr)
       result.circular[static_cast<std::size_t>(own - result.circular.data())] = std::move(found);

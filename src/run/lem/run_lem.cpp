@@ -249,7 +249,8 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
   if (data.lem.search != input::SurfaceSearch::none) {
     lem::SearchResult found = lem::search(slope, options);
     const auto take = [&](lem::Critical& c, std::vector<results::CriticalSurface>& list) {
-      if (!data.lem.yield_acceleration) c.yield_acceleration.reset();  // the search computes it anyway
+      if (data.lem.yield_acceleration)
+        c.yield_acceleration = lem::find_yield_acceleration(slope, c.cut, c.method, options.checks);
       list.push_back(make_critical_result(slope, c));
     };
     for (lem::Critical& c : found.circular) take(c, result.critical);
