@@ -8,7 +8,7 @@ export const methodNames: Record<Method, string> = {
   mpm: "MPM",
   lem: "LEM",
   fem: "FEM",
-  bounds: "Limit analysis",
+  bounds: "Lower and upper bound",
 };
 
 /** The pore water in the trials of a factor. */
