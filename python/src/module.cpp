@@ -12,6 +12,7 @@
 #include "base/units.hpp"
 #include "base/version.hpp"
 #include "bind.hpp"
+#include "results/about.hpp"
 
 namespace talus::python {
 
@@ -29,6 +30,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("version") = version;
   module.attr("commit") = commit;
   module.attr("level") = instruction_level;
+  module.attr("result_format") = results::result_format;
   module.def("default_threads", &default_threads);
   module.def("get_si_factor", &units::get_si_factor);
   python::bind_errors(module);

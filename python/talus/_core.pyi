@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 version: str
 commit: str
 level: str
+result_format: int
 
 def default_threads() -> int: ...
 def get_si_factor(unit: str) -> float: ...

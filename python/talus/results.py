@@ -35,6 +35,20 @@ _CURVE_TYPE = np.dtype(
 )
 
 
+def read_summary(path: Path) -> dict[str, Any]:
+    """Reads summary.json or study.json. Raises InputError where it is damaged or of another format."""
+    try:
+        summary = dict(json.loads(path.read_text(encoding="utf-8")))
+    except ValueError as error:
+        raise InputError(f"cannot read '{path}': {error}") from error
+    if summary.get("format", 1) != _core.result_format:
+        raise InputError(
+            f"'{path}' was written by another version of Talus (result format {summary.get('format', 1)}, this is "
+            f"{_core.result_format}): run the case again"
+        )
+    return summary
+
+
 class Trials(dict[float, "Results"]):
     """The trials of a curve by their factor; rounding errors of the factor do not matter."""
 
@@ -69,14 +83,13 @@ class Results:
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """summary.json, or trial.json of a trial; empty when there is neither yet."""
-        for name in ("summary.json", "trial.json"):
-            path = self.folder / name
-            if path.exists():
-                try:
-                    return dict(json.loads(path.read_text(encoding="utf-8")))
-                except ValueError as error:
-                    raise InputError(f"cannot read '{path}': {error}") from error
-        return {}
+        if (self.folder / "summary.json").exists():
+            return read_summary(self.folder / "summary.json")
+        path = self.folder / "trial.json"
+        try:
+            return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else {}
+        except ValueError as error:
+            raise InputError(f"cannot read '{path}': {error}") from error
 
     @property
     def status(self) -> str:

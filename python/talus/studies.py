@@ -6,7 +6,6 @@ from __future__ import annotations
 import csv
 import functools
 import html
-import json
 import os
 from pathlib import Path
 from typing import Any, Iterator, Optional, Union
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 
 from .errors import InputError
 from .fields import Fields
-from .results import Results
+from .results import Results, read_summary
 
 
 class Table(Fields):
@@ -37,10 +36,7 @@ class Study:
         path = self.folder / "study.json"
         if not path.is_file():
             raise InputError(f"there is no study in '{self.folder}': it has no study.json")
-        try:
-            self.summary: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))  #: study.json
-        except ValueError as error:
-            raise InputError(f"cannot read '{path}': {error}") from error
+        self.summary: dict[str, Any] = read_summary(path)  #: study.json
 
     @property
     def title(self) -> str:

@@ -313,3 +313,13 @@ def test_runs_without_methods_have_no_surfaces(slope, tmp_path):
     assert results.methods == [] and results.surfaces == {}
     with pytest.raises(talus.InputError, match="there are no slip surfaces"):
         talus.plot.plot_surfaces(results)
+
+
+@pytest.mark.parametrize("text", ['{"title": "old"}', '{"format": 1}', '{"format": 99}'])
+def test_results_of_another_format_are_refused(tmp_path, text):
+    (tmp_path / "summary.json").write_text(text)
+    with pytest.raises(talus.InputError, match="run the case again"):
+        _ = talus.Results(tmp_path).summary
+    (tmp_path / "study.json").write_text(text)
+    with pytest.raises(talus.InputError, match="run the case again"):
+        talus.Study(tmp_path)
