@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Time series in files.
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -19,7 +21,8 @@ class SeriesFromFile : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() /
-              ("talus_series_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+              ("talus_series_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+               std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -3,6 +3,7 @@
 // discarded part are removed.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -65,7 +66,7 @@ TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
 }
 
 TEST(Retry, HistoriesHoldNothingOfWhatWasLost) {
-  const fs::path folder = fs::path(testing::TempDir()) / "talus_setback";
+  const fs::path folder = fs::path(testing::TempDir()) / ("talus_setback_" + std::to_string(getpid()));
   fs::remove_all(folder);
   input::Case data = support::make_box_case<2>(support::make_elastic(10e6));
   data.output.history_interval = 0.002;

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -33,7 +34,7 @@ class ReplacedFile : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / "talus_replaced_file";
+  const fs::path folder = fs::path(testing::TempDir()) / ("talus_replaced_file_" + std::to_string(getpid()));
   const fs::path other = folder / "precious.txt", file = folder / "summary.json";
 };
 
