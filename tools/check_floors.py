@@ -24,11 +24,11 @@ ALLOWED = {
     "lem": ["base", "mesh"],
     "bounds": ["base"],
     "output": ["base", "results", "input"],
-    "ground": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
-    "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "bounds", "output", "ground"],
-    "laboratory": ["base", "material", "results", "input", "output", "ground", "run"],
+    "site": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
+    "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "bounds", "output", "site"],
+    "laboratory": ["base", "material", "results", "input", "output", "site", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],
-    "report": ["base", "material", "mesh", "results", "input", "output", "ground", "run"],
+    "report": ["base", "material", "mesh", "results", "input", "output", "site", "run"],
     "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.

@@ -85,11 +85,11 @@ def run_self_test():
                            'auto t = join_name(folder, v.name);\nauto u = length / unit.si;\n',
         "src/input/b.cpp": 'std::ifstream file(path);\nconst int f = ::open(path.c_str(), 0);\nhistory.open();\n',
         "src/app/c.cpp": 'fmt::print("{}", run.title);\nprint(stdout, run.title);\nstd::fputs(x, stderr);\n',
-        "src/ground/d.cpp": 'const double x = std::strtod(text.c_str(), nullptr);\nconst double y = read_number(text);\nc = std::tolower(c);\n',
+        "src/site/d.cpp": 'const double x = std::strtod(text.c_str(), nullptr);\nconst double y = read_number(text);\nc = std::tolower(c);\n',
         "src/base/user_file.cpp": 'file_ = ::open(path.c_str(), O_RDONLY);\n',
     }
     expected = {"src/study/a.cpp:1", "src/study/a.cpp:3", "src/study/a.cpp:4", "src/study/a.cpp:5", "src/input/b.cpp:1",
-                "src/input/b.cpp:2", "src/app/c.cpp:1", "src/app/c.cpp:3", "src/ground/d.cpp:1", "src/ground/d.cpp:3"}
+                "src/input/b.cpp:2", "src/app/c.cpp:1", "src/app/c.cpp:3", "src/site/d.cpp:1", "src/site/d.cpp:3"}
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():

@@ -6,7 +6,7 @@ Usage: tools/verify_storm_hillside.py PROGRAM [--sizes M …] [--stepped WORDS=P
 
 The case is tests/data/storm_hillside.toml. For each size of the elements: the factor after 0, 1, 2 and 3 days, the time of failure, and the factor on one
 surface, that which governs after 3 days in elements of 1.5 m, so that searches play no part. The step of the water has no key: --stepped gives programs built with
-another tolerance (`head_tolerance` of src/ground/season.hpp) or another first step, and what to call them; they run in elements of 1.5 m. --write stores the tables
+another tolerance (`head_tolerance` of src/site/season.hpp) or another first step, and what to call them; they run in elements of 1.5 m. --write stores the tables
 in docs/verification_data/storm_hillside.md. --out keeps cases and results, and finished runs found there are taken. A quarter of an hour on two cores.
 Ends with 1 where a factor of the finest mesh differs from that of 1.5 m by more than 1 %.
 """

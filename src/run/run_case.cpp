@@ -14,9 +14,6 @@
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/user_file.hpp"
-#include "ground/design_values.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
 #include "input/echo.hpp"
 #include "mesh/generate.hpp"
 #include "results/governing.hpp"
@@ -38,6 +35,9 @@
 #include "run/mpm/stepper.hpp"
 #include "run/run_folder.hpp"
 #include "run/timeline/timeline_run.hpp"
+#include "site/design_values.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
 
 namespace talus::run {
 namespace {
@@ -56,10 +56,10 @@ bool asks_for_elements(const input::Case& data) {
 
 /// Returns warnings of faults of ground and water that affect every method.
 std::vector<std::string> list_ground_warnings(const input::Case& data) {
-  std::vector<std::string> sentences = ground::find_odd_water(data);
-  for (const ground::SteepFace& face : ground::find_steep_faces(data))
-    sentences.push_back(ground::describe(face, data.units().length));
-  if (std::string quake = ground::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
+  std::vector<std::string> sentences = site::find_odd_water(data);
+  for (const site::SteepFace& face : site::find_steep_faces(data))
+    sentences.push_back(site::describe(face, data.units().length));
+  if (std::string quake = site::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
   return sentences;
 }
 
@@ -67,7 +67,7 @@ std::vector<std::string> list_ground_warnings(const input::Case& data) {
 template <int D>
 class CaseRun {
  public:
-  CaseRun(const input::LoadedCase& loaded, ground::DesignValues design, const RunOptions& options, std::string hash,
+  CaseRun(const input::LoadedCase& loaded, site::DesignValues design, const RunOptions& options, std::string hash,
           FolderLock& lock)
       : loaded_(loaded), design_(std::move(design)), options_(options), hash_(std::move(hash)), lock_(lock) {}
 
@@ -124,7 +124,7 @@ class CaseRun {
       points_.emplace(loaded_, *point_case_, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
-      run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
+      run_.slope_height = site::find_slope_height(data.mesh, site::find_ground(data.mesh));
     }
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
     if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();
@@ -373,11 +373,11 @@ class CaseRun {
     run_.warnings.insert(run_.warnings.begin(), run_.methods->warnings.begin(), run_.methods->warnings.end());
     run_.methods->partial_factors = design_.statement;
     if (const auto factor = results::find_main_factor(run_); factor && design_.statement)
-      ground::state_over_design(*run_.methods->partial_factors, design_.resistance, *factor);
+      site::state_over_design(*run_.methods->partial_factors, design_.resistance, *factor);
   }
 
   const input::LoadedCase& loaded_;
-  const ground::DesignValues design_;
+  const site::DesignValues design_;
   const RunOptions& options_;
   const std::string hash_;
   const Clock::time_point start_ = Clock::now();
@@ -420,7 +420,7 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
   std::vector<std::string> lines;
   for (const Diagnostic& warning : loaded.warnings) lines.push_back(input::write_warning(warning));
   if (!loaded.is_whole) return lines;
-  const ground::DesignValues design = ground::apply_partial_factors(loaded.data);
+  const site::DesignValues design = site::apply_partial_factors(loaded.data);
   for (const std::string& sentence : list_ground_warnings(design.data)) lines.push_back("warning: " + sentence);
   return lines;
 }
@@ -444,17 +444,17 @@ void check_methods(const input::Case& data) {
   // Levels before and after a drawdown are compared in the section; its steady seepage takes seconds.
   const bool is_meshed = is_meshed_in_a_moment(data.mesh);
   const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
-  if (input::uses(data, Method::lem) && (compares_levels || !ground::needs_seepage(data))) prepare_slope(data);
+  if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(data);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
   // This makes a coarse mesh and checks its loads.
-  if (is_meshed && !ground::needs_seepage(data)) make_bounds_problem(data);
+  if (is_meshed && !site::needs_seepage(data)) make_bounds_problem(data);
 }
 
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = input::hash_input(loaded.echo);
-  ground::DesignValues design = ground::apply_partial_factors(loaded.data);
+  site::DesignValues design = site::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
   const ChosenDevice device(design.data, options);
   check_folder(loaded, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Partial factors: exact factors of safety, and the set of parameters that are divided.
 
-#include "ground/design_values.hpp"
+#include "site/design_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "run/lem/run_lem.hpp"
 #include "support/slopes.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 /// The dry homogeneous slope of the source: 10 m at 2:1, c = 2 kPa, φ = 30°.
@@ -179,4 +179,4 @@ TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/ground_load.hpp"
-#include "ground/initial_water.hpp"
 #include "mesh/generate.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
+#include "site/ground_line.hpp"
+#include "site/ground_load.hpp"
+#include "site/initial_water.hpp"
 
 namespace talus {
 namespace {
@@ -120,15 +120,15 @@ name = "plane"
 TEST(MethodsGround, UpperLimitOfPolygonsThatCrossAndHaveSteps) {
   mesh::Plan plan;
   plan.polygons = {{"a", {{0, 0}, {10, 0}, {10, 2}, {0, 6}}}, {"b", {{2, 0}, {8, 0}, {8, 7}, {2, 1}}}};
-  const auto ground = ground::find_ground(plan);
+  const auto ground = site::find_ground(plan);
   for (double x = 0.05; x < 10; x += 0.1) {
     double top = 6 - 0.4 * x;
     if (x > 2 && x < 8) top = std::max(top, 1 + (x - 2));
-    EXPECT_NEAR(ground::find_level(ground, x), top, 1e-9) << x;
+    EXPECT_NEAR(site::find_level(ground, x), top, 1e-9) << x;
   }
   EXPECT_EQ(ground.front()[0], 0);
   EXPECT_EQ(ground.back()[0], 10);
-  EXPECT_DOUBLE_EQ(ground::find_slope_height(plan, ground), 7 - 2);
+  EXPECT_DOUBLE_EQ(site::find_slope_height(plan, ground), 7 - 2);
 }
 
 TEST(MethodsGround, APondWithoutAShoreIsNoted) {
@@ -138,8 +138,8 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
                                         "[[hydraulic]]\non = \"toe\"\ncondition = \"total_head\"\nhead = 7\n"
                                         "[materials.sand.water]\nretention = \"saturated\"\nconductivity = 1e-5\n");
     const input::Case data = read(text, {{"geometry.line.toe.points", points}});
-    const auto ground = ground::find_ground(data.mesh);
-    return ground::find_open_ends(ground::find_ponds(data, ground, 0), ground, data.units().length);
+    const auto ground = site::find_ground(data.mesh);
+    return site::find_open_ends(site::find_ponds(data, ground, 0), ground, data.units().length);
   };
   ASSERT_EQ(find_notes("[[32, 5], [44, 5]]").size(), 1u);
   EXPECT_NE(find_notes("[[32, 5], [44, 5]]").front().find("x = 32 m"), std::string::npos);
@@ -151,7 +151,7 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
   const input::Case data =
       read(write_case("\"fem\"", "[[surcharge]]\nname = \"load\"\nx = [3.3, 10.1]\nload = [\"20 kPa\", \"5 kPa\"]\n"));
   const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-  const auto loads = ground::make_surface_loads<2>(data, mesh, {}, {}, ground::find_ground(data.mesh));
+  const auto loads = site::make_surface_loads<2>(data, mesh, {}, {}, site::find_ground(data.mesh));
   ASSERT_EQ(loads.size(), 1u);
   double force = 0, moment = 0;
   for (std::size_t s = 0; s < loads[0].sides.size(); ++s) {
@@ -168,12 +168,12 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
 
 /// Largest pull on a side, and the largest difference of `pressure` from what its ends bear [Pa].
 std::pair<double, double> measure_loads(const input::Case& data, const std::function<double(const Vec<2>&)>& pressure) {
-  const mesh::Plan plan = ground::conform_to_loads(data, data.mesh);
+  const mesh::Plan plan = site::conform_to_loads(data, data.mesh);
   const mesh::Mesh<2> mesh = mesh::generate<2>(plan);
-  const auto ground = ground::find_ground(data.mesh);
+  const auto ground = site::find_ground(data.mesh);
   double pull = 0, off = 0;
-  for (const auto& load : ground::make_surface_loads<2>(data, mesh, ground::find_ponds(data, ground, 0),
-                                                        data.initial.water.water_table, ground))
+  for (const auto& load : site::make_surface_loads<2>(data, mesh, site::find_ponds(data, ground, 0),
+                                                      data.initial.water.water_table, ground))
     for (std::size_t s = 0; s < load.sides.size(); ++s)
       for (std::size_t k = 0; k < 2; ++k) {
         const Vec<2>&at = mesh.nodes[load.sides[s][k]], &other = mesh.nodes[load.sides[s][1 - k]];
@@ -212,7 +212,7 @@ TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {
   circle.to = arcs.front()[1];
   const double factor = run::solve_surface(*prepared.slope, circle, lem::Method::spencer, options).solution.factor;
   // Points along the arc that stop short of the ground, from right to left, with noise of a millimetre.
-  ground::Polyline line;
+  site::Polyline line;
   for (int i = 1; i < 60; ++i) {
     const double x = circle.to - (circle.to - circle.from) * i / 60;
     line.push_back({x, 35 - std::sqrt(900 - (x - 30) * (x - 30)) + 1e-3 * (i % 2)});

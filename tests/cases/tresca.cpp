@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "cases/methods_slope.hpp"
-#include "ground/design_values.hpp"
 #include "material/tresca.hpp"
+#include "site/design_values.hpp"
 
 namespace talus {
 namespace {
@@ -114,7 +114,7 @@ TEST_F(TrescaTest, PartialFactorsDivideTheUndrainedStrengthAndItsGrowth) {
                                        "[partial_factors]\nset = \"by_hand\"\nundrained = 1.4\nfriction = 1.25\n"),
                             "slope.toml")
           .data;
-  const ground::DesignValues design = ground::apply_partial_factors(data);
+  const site::DesignValues design = site::apply_partial_factors(data);
   const material::TrescaInput& soil = design.data.materials.at("sand");
   EXPECT_NEAR(soil.undrained_strength, 25e3 / 1.4, 1e-6);
   EXPECT_NEAR(soil.undrained_gradient, 1.5e3 / 1.4, 1e-6);

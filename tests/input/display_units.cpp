@@ -3,8 +3,6 @@
 
 #include <regex>
 
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
 #include "mesh/plan.hpp"
 #include "methods_slope.hpp"
 #include "results/governing.hpp"
@@ -13,6 +11,8 @@
 #include "run/mpm/reduction/criteria.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
 #include "run/mpm/stage_warnings.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
 
 namespace talus::input {
 namespace {
@@ -63,14 +63,14 @@ depth = "40 ft"
 limit = false
 )"),
                          pounds);
-  EXPECT_EQ(check(ground::find_odd_water(data)), 2u) << "it slopes above the ground and floods the toe";
+  EXPECT_EQ(check(site::find_odd_water(data)), 2u) << "it slopes above the ground and floods the toe";
   EXPECT_EQ(check(run::prepare_slope(data).notes), 2u) << "uplift and crack";
-  for (const ground::SteepFace& face : ground::find_steep_faces(data))
-    EXPECT_NE(ground::describe(face, data.units().length).find("between (90, 20) and (60, 50)"), std::string::npos);
-  const ground::Polyline level{{0, 0}, {30, 0}};
-  for (const ground::Polyline& table : {ground::Polyline{{40, -1}, {50, -1}}, {{0, 200}}, {{0, -9}}})
-    EXPECT_GT(check(ground::find_odd_water(table, level, -3, data.units().length, "The water table")), 0u);
-  EXPECT_EQ(check(ground::find_open_ends({{{10, 0}, {20, 0}, 5, 5}}, level, data.units().length)), 2u);
+  for (const site::SteepFace& face : site::find_steep_faces(data))
+    EXPECT_NE(site::describe(face, data.units().length).find("between (90, 20) and (60, 50)"), std::string::npos);
+  const site::Polyline level{{0, 0}, {30, 0}};
+  for (const site::Polyline& table : {site::Polyline{{40, -1}, {50, -1}}, {{0, 200}}, {{0, -9}}})
+    EXPECT_GT(check(site::find_odd_water(table, level, -3, data.units().length, "The water table")), 0u);
+  EXPECT_EQ(check(site::find_open_ends({{{10, 0}, {20, 0}, 5, 5}}, level, data.units().length)), 2u);
 }
 
 TEST(DisplayUnits, StandInTheWarningsOfASearch) {

@@ -8,11 +8,11 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/roots.hpp"
 #include "run/mpm/point_results.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/water_record.hpp"
+#include "site/initial_water.hpp"
+#include "site/roots.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -87,8 +87,8 @@ void expect_to_dry_as_in_seepage(const input::StepSettings& settings, double clo
   EXPECT_LT(std::abs(run::make_water_result(data, body, before).error), 1e-11) << "65 000 steps";
 
   mesh::Mesh<2> wet;
-  auto model = ground::make_seepage_model<2>(data, mesh, wet);
-  model.sinks = ground::make_root_sinks<2>(data, wet);
+  auto model = site::make_seepage_model<2>(data, mesh, wet);
+  model.sinks = site::make_root_sinks<2>(data, wet);
   fem::SeepageSchedule schedule;
   schedule.outputs = {duration};
   schedule.first_step = 1e-3;
@@ -203,7 +203,7 @@ TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
   const auto mesh = make_box_mesh<2>({8, 8}, {2, 2}, {"soil"}, [](const Vec<2>&) { return 0; });
   data.roots = {make_plants("top", 0.6, 1e-8, {0, 0, 1e5, 2e5})};
   const auto find_sums = [&](const input::Roots& roots) {
-    const auto d = ground::find_root_distribution<2>(data, roots, mesh);
+    const auto d = site::find_root_distribution<2>(data, roots, mesh);
     std::array<double, 3> sums{};  // all, its moment about the ground, what is right of the middle
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -229,11 +229,11 @@ TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
   EXPECT_NEAR(part[0], 1, 0.01);
   EXPECT_GT(part[2], 0.8 * part[0]);
   other.ground = "nowhere";
-  EXPECT_THROW(ground::find_root_distribution<2>(data, other, mesh), Error);
+  EXPECT_THROW(site::find_root_distribution<2>(data, other, mesh), Error);
   other.ground = "left";
-  EXPECT_THROW(ground::find_root_distribution<2>(data, other, mesh), Error) << "a wall has no horizontal extent";
+  EXPECT_THROW(site::find_root_distribution<2>(data, other, mesh), Error) << "a wall has no horizontal extent";
   data.roots[0].transpiration->suctions = {0, 0, 2e5, 1e5};
-  EXPECT_THROW(ground::make_root_sinks<2>(data, mesh), Error) << "suctions that fall";
+  EXPECT_THROW(site::make_root_sinks<2>(data, mesh), Error) << "suctions that fall";
 }
 
 TEST(RootSink, SlopeAndCrestDrinkAlikePerHorizontalMetre) {
@@ -244,7 +244,7 @@ TEST(RootSink, SlopeAndCrestDrinkAlikePerHorizontalMetre) {
   mesh::finish(mesh, mesh::Order::as_given);
   input::Case data = make_planted_case<2>(1e-8, -9);
   data.roots = {make_plants("top", 0.3, 1e-8, {0, 0, 1e5, 2e5})};
-  const auto d = ground::find_root_distribution<2>(data, data.roots[0], mesh);
+  const auto d = site::find_root_distribution<2>(data, data.roots[0], mesh);
   EXPECT_NEAR(d.covered, 4, 1e-12);
   double crest = 0, slope = 0, others = 0;  // away from the bend and the ends
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

@@ -8,31 +8,31 @@
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/season.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/timeline/times.hpp"
+#include "site/initial_water.hpp"
+#include "site/season.hpp"
 
 namespace talus::support {
 
 class WaterInTime {
  public:
   explicit WaterInTime(const std::string& text, const std::vector<input::Override>& overrides = {})
-      : data_(ground::close_sides(input::read_case_text(text, "water.toml", overrides).data)) {
+      : data_(site::close_sides(input::read_case_text(text, "water.toml", overrides).data)) {
     mesh_ = mesh::generate<2>(data_.mesh);
     mesh::Mesh<2> wet_mesh;
-    const auto model = ground::make_seepage_model<2>(data_, mesh_, wet_mesh);
-    pressures_.push_back(ground::find_nodal_pressure<2>(data_, mesh_));
+    const auto model = site::make_seepage_model<2>(data_, mesh_, wet_mesh);
+    pressures_.push_back(site::find_nodal_pressure<2>(data_, mesh_));
     if (!data_.timeline) return;
     std::vector<double> heads;
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
       heads.push_back(mesh_.nodes[i][1] - pressures_[0][i] / model.unit_weight);
     fem::SeepageSchedule schedule;
     schedule.outputs = run::list_times(data_);
-    schedule.head_tolerance = ground::head_tolerance;
-    const auto flow = ground::follow_flow<2>(data_, model, heads, schedule, "[timeline]");
+    schedule.head_tolerance = site::head_tolerance;
+    const auto flow = site::follow_flow<2>(data_, model, heads, schedule, "[timeline]");
     for (const auto& state : flow.history.states) pressures_.push_back(state.pressure);
   }
 

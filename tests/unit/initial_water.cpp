@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/pore_water.hpp"
+#include "site/initial_water.hpp"
+#include "site/pore_water.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Transfer of the FEM stress to material points: a linear field is reproduced on any mesh.
 
-#include "ground/known_state.hpp"
+#include "site/known_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,11 +40,11 @@ input::KnownStress make_known(double size) {
 }
 
 void expect_field(const input::KnownStress& known, const mesh::Mesh<2>& mesh) {
-  ground::StressReader reader(known, mesh);
+  site::StressReader reader(known, mesh);
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (mesh.element_region[e] == mesh::empty_region) continue;
     for (const Vec<2>& xi : mesh::point_positions<2>(6)) {
-      const ground::StressAt here = reader.read(e, xi);
+      const site::StressAt here = reader.read(e, xi);
       const auto expected = find_field(mesh::to_global(mesh, e, xi));
       for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(here.stress[k], expected[k], 1e-6);
     }
@@ -63,7 +63,7 @@ TEST(KnownStress, ALinearFieldIsTheSameOnAnotherMesh) {
 
 TEST(KnownStress, ThePlasticStrainIsThatOfTheNearestIntegrationPoint) {
   const input::KnownStress known = make_known(1);
-  ground::StressReader reader(known, known.mesh);
+  site::StressReader reader(known, known.mesh);
   int e = 0;
   while (known.mesh.element_region[e] == mesh::empty_region) ++e;
   EXPECT_EQ(reader.read(e, {0.1, 0.1}).plastic_strain, 10 * e);

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "ground/mesh_sides.hpp"
+#include "site/mesh_sides.hpp"
 #include "support/draw.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 template <int D>
@@ -81,4 +81,4 @@ TEST(NearestSide, OfManyIsTheSameAsByLookingAtAll) {
 }
 
 }  // namespace
-}  // namespace talus::ground
+}  // namespace talus::site

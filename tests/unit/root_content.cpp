@@ -7,17 +7,17 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/roots.hpp"
+#include "site/roots.hpp"
 
 namespace talus {
 namespace {
 
-using ground::find_age_share;
-using ground::find_depths;
-using ground::find_ground_cohesion;
-using ground::find_root_share;
-using ground::find_roots;
 using input::Roots;
+using site::find_age_share;
+using site::find_depths;
+using site::find_ground_cohesion;
+using site::find_root_share;
+using site::find_roots;
 
 /// Ground of the vegetated slope: crest at y = 5 to x = 3, face down to (7, 1), foot to x = 11; sides of 0.25 m.
 mesh::Mesh<2> make_ground() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Detection of faces of cohesionless soil that are steeper than its friction angle.
 
-#include "ground/ground_line.hpp"
+#include "site/ground_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "input/read.hpp"
 #include "support/slopes.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 std::vector<SteepFace> find(const std::vector<std::string>& changes) {
@@ -35,4 +35,4 @@ TEST(SteepFaces, AreThoseOfSoilWithoutCohesionAboveItsFrictionAngle) {
 }
 
 }  // namespace
-}  // namespace talus::ground
+}  // namespace talus::site

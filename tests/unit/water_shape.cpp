@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Warnings on water tables that are physically impossible or end inside the section, and none on plausible ones.
 
-#include "ground/ground_line.hpp"
+#include "site/ground_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 const Polyline slope{{0, 15}, {16, 15}, {34, 5}, {50, 5}};
@@ -69,4 +69,4 @@ TEST(OddWater, FarAboveOrOutside) {
 }
 
 }  // namespace
-}  // namespace talus::ground
+}  // namespace talus::site

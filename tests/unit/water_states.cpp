@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "ground/seepage_results.hpp"
 #include "input/read.hpp"
+#include "site/seepage_results.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 /// A slope 2:1 from (10, 10) down to (22, 4), under a level table.
@@ -116,4 +116,4 @@ TEST(WaterStates, DryGroundHasNone) {
 }
 
 }  // namespace
-}  // namespace talus::ground
+}  // namespace talus::site

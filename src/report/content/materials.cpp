@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
-#include "ground/roots.hpp"
 #include "report/content/water.hpp"
 #include "report/words/numbers.hpp"
+#include "site/roots.hpp"
 
 namespace talus::report {
 
@@ -94,8 +94,8 @@ void Properties::add_roots(const std::vector<input::Roots>& blocks, const input:
   };
   std::vector<Worth> worths;
   for (const input::Roots& block : blocks)
-    if (const auto grown = takes_content ? block.content : ground::find_ground_cohesion(block))
-      worths.push_back({block.ground, *grown * ground::find_age_share(block)});
+    if (const auto grown = takes_content ? block.content : site::find_ground_cohesion(block))
+      worths.push_back({block.ground, *grown * site::find_age_share(block)});
   const auto add_one = [&](const std::string& key, const std::string& title, double value) {
     if (takes_content)
       add(key, title, "mr", {"%", 1}, value);
@@ -235,7 +235,7 @@ std::string describe_profile(const input::Roots& roots, const ShownUnit& length)
 /// transpire.
 std::string describe_worth(const input::Roots& roots, const ShownUnits& units) {
   if (roots.content) return fmt::format("{} % of the dry mass at the ground", show_number(*roots.content));
-  const auto cohesion = ground::find_ground_cohesion(roots);
+  const auto cohesion = site::find_ground_cohesion(roots);
   if (!cohesion) return "";
   return fmt::format("a cohesion of {} at the ground{}", show(*cohesion, units.stress),
                      roots.cohesion ? "" : " (" + describe_bundle(*roots.bundle) + ")");
@@ -247,7 +247,7 @@ std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
   std::vector<std::string> sentences;
   const ShownUnits units = read_units(folder.run);
   for (const input::Roots& roots : folder.data.roots) {
-    const double age_share = ground::find_age_share(roots);
+    const double age_share = site::find_age_share(roots);
     if (const std::string worth = describe_worth(roots, units); !worth.empty())
       sentences.push_back(fmt::format(
           "Roots under '{}': {}, {}.{}", roots.ground, worth, describe_profile(roots, units.length),

@@ -280,7 +280,7 @@ void BoundsRun::write_result(results::RunResult& run) const {
   run.bounds = result;
   for (const std::string& warning : result.warnings)
     run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", bounds_title, warning));
-  ground::give(water_, run);
+  site::give(water_, run);
 }
 
 }  // namespace talus::run

@@ -45,7 +45,7 @@ class BoundsRun {
   std::string hash_;
   bool alone_;
   std::optional<ProblemOfCase> made_;
-  ground::WaterResult water_;
+  site::WaterResult water_;
   results::BoundsFile file_;
   bool is_known_ = false;  ///< of an interrupted run
   std::chrono::duration<double> spent_{0};

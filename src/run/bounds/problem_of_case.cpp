@@ -11,14 +11,14 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "bounds/problem.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/ground_load.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/roots.hpp"
 #include "mesh/generate.hpp"
 #include "run/forecast/forecast.hpp"
+#include "site/ground_line.hpp"
+#include "site/ground_load.hpp"
+#include "site/initial_water.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
+#include "site/roots.hpp"
 
 namespace talus::run {
 
@@ -69,15 +69,14 @@ class ProblemBuilder {
   ProblemBuilder(const input::Case& data, Supports supports)
       : data_(data),
         supports_(supports),
-        mesh_(
-            mesh::generate<2>(ground::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {
+        mesh_(mesh::generate<2>(site::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {
   }
 
   ProblemOfCase build() {
     if (!data_.mesh.polygons.empty()) {
-      ground_ = ground::find_ground(data_.mesh);
-      ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
-      for (std::string& note : ground::find_open_ends(ponds_, ground_, data_.units().length))
+      ground_ = site::find_ground(data_.mesh);
+      ponds_ = site::find_ponds(data_, ground_, site::find_first_time(data_));
+      for (std::string& note : site::find_open_ends(ponds_, ground_, data_.units().length))
         made_.notes.push_back(std::move(note));
     }
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
@@ -95,9 +94,9 @@ class ProblemBuilder {
 
   /// Adds the triangles with soil, with nodes numbered anew.
   void add_triangles() {
-    const ground::HeldWater<2> water = ground::find_held_water<2>(data_, mesh_, &made_.water);
+    const site::HeldWater<2> water = site::find_held_water<2>(data_, mesh_, &made_.water);
     Vec<2> direction{data_.gravity.direction[0], data_.gravity.direction[1]};
-    const Vec<2> quake = ground::find_earthquake<2>(data_, ground_);
+    const Vec<2> quake = site::find_earthquake<2>(data_, ground_);
     for (std::size_t d = 0; d < 2; ++d) direction[d] += quake[d];
     number_.assign(mesh_.nodes.size(), -1);
     bounds::Problem& p = made_.problem;
@@ -128,7 +127,7 @@ class ProblemBuilder {
         places.push_back(p.nodes[static_cast<std::size_t>(node)]);
         soils.push_back(&get_soil(e));
       }
-    const std::vector<ground::RootsAt> roots = ground::find_roots<2>(data_, mesh_, places, soils);
+    const std::vector<site::RootsAt> roots = site::find_roots<2>(data_, mesh_, places, soils);
     p.strength.resize(p.size());
     for (std::size_t i = 0; i < places.size(); ++i)
       p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i][1], roots[i].cohesion);
@@ -165,11 +164,11 @@ class ProblemBuilder {
     for (const input::Boundary& b : data_.boundaries) {
       if (supports_ == Supports::below_soil) break;
       check_boundary(b);
-      for (const auto& named : ground::find_sides(mesh_, b.on))
+      for (const auto& named : site::find_sides(mesh_, b.on))
         if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
     }
     std::map<bounds::EdgeKey, bounds::Side> named = border;  // tractions on named sides
-    for (const auto& load : ground::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_)) {
+    for (const auto& load : site::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_)) {
       const bool is_named = std::any_of(data_.tractions.begin(), data_.tractions.end(),
                                         [&](const input::Traction& t) { return t.on == load.name; });
       add_load(load, is_named ? named : border);
@@ -241,8 +240,8 @@ class ProblemBuilder {
   Supports supports_;
   const mesh::Mesh<2> mesh_;
   std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
-  ground::Polyline ground_, table_;
-  std::vector<ground::Pond> ponds_;
+  site::Polyline ground_, table_;
+  std::vector<site::Pond> ponds_;
   ProblemOfCase made_;
 };
 
@@ -278,7 +277,7 @@ double interpolate(const std::vector<double>& xs, const std::vector<double>& ys,
 
 class GivenLoads {
  public:
-  GivenLoads(const input::Case& data, const std::vector<ground::Pond>& ponds, const ground::Polyline& table)
+  GivenLoads(const input::Case& data, const std::vector<site::Pond>& ponds, const site::Polyline& table)
       : data_(data), ponds_(ponds), weight_(data.water.density * data.gravity.acceleration) {
     for (const auto& x : table) table_x_.push_back(x[0]), table_y_.push_back(x[1]);
   }
@@ -289,7 +288,7 @@ class GivenLoads {
     for (const input::Surcharge& s : data_.surcharges)
       if (x[0] > s.x.front() && x[0] < s.x.back()) surcharge += interpolate(s.x, s.load, x[0]);
     double depth = 0;
-    for (const ground::Pond& p : ponds_)
+    for (const site::Pond& p : ponds_)
       if (x[0] > p.from[0] && x[0] < p.to[0])
         depth = std::max(depth, interpolate({p.from[0], p.to[0]}, {p.level_from, p.level_to}, x[0]) - x[1]);
     if (!table_x_.empty()) depth = std::max(depth, interpolate(table_x_, table_y_, x[0]) - x[1]);
@@ -298,15 +297,15 @@ class GivenLoads {
 
  private:
   const input::Case& data_;
-  const std::vector<ground::Pond>& ponds_;
+  const std::vector<site::Pond>& ponds_;
   double weight_;
   std::vector<double> table_x_, table_y_;
 };
 
 }  // namespace
 
-std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<ground::Pond>& ponds,
-                                           const ground::Polyline& table, const std::vector<LoadedSide>& sides) {
+std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<site::Pond>& ponds,
+                                           const site::Polyline& table, const std::vector<LoadedSide>& sides) {
   const GivenLoads given(data, ponds, table);
   double largest = 0, most = 0, left = std::numeric_limits<double>::infinity(), right = -left;
   Vec<2> where{};

@@ -10,15 +10,15 @@
 
 #include "base/vec.hpp"
 #include "bounds/problem.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
+#include "site/initial_water.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 
 struct ProblemOfCase {
   bounds::Problem problem;
-  ground::WaterResult water;       ///< origin of the pore pressures
+  site::WaterResult water;         ///< origin of the pore pressures
   std::vector<std::string> notes;  ///< sentences on what limit analysis does not take from the case as it is
 };
 
@@ -47,7 +47,7 @@ struct LoadedSide {
 
 /// Evaluates surcharges and water of the case at places of each side, independently of the mesh. Returns a sentence
 /// with the place of the largest difference in traction; nullopt if the differences are rounding errors.
-std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<ground::Pond>& ponds,
-                                           const ground::Polyline& table, const std::vector<LoadedSide>& sides);
+std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<site::Pond>& ponds,
+                                           const site::Polyline& table, const std::vector<LoadedSide>& sides);
 
 }  // namespace talus::run

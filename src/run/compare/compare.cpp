@@ -184,7 +184,7 @@ class Comparison {
     std::size_t first = sides[0].points == line.points ? 0 : 1;
     const auto governing = run_.slices ? results::find_governing_surface(*run_.slices, nullptr) : std::nullopt;
     if (governing && governing->found->surface.points.size() > 1) {
-      const ground::Polyline& own = governing->found->surface.points;
+      const site::Polyline& own = governing->found->surface.points;
       first = find_mean_distance(own, sides[0].points) <= find_mean_distance(own, sides[1].points) ? 0 : 1;
     }
     for (const std::size_t i : {first, 1 - first}) {

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <map>
 
-#include "ground/ground_line.hpp"
 #include "results/governing.hpp"
 #include "run/compare/compare.hpp"
 #include "run/compare/reading.hpp"
 #include "run/head.hpp"
+#include "site/ground_line.hpp"
 
 namespace talus::run {
 

@@ -383,7 +383,7 @@ class Reading {
   /// Describes whether the methods find one mechanism, and the LEM factors on the surfaces of the others.
   void read_surfaces() {
     if (surface_ == nullptr || !(height_ > 0)) return;
-    const ground::Polyline& own = surface_->surface.points;
+    const site::Polyline& own = surface_->surface.points;
     if (own.size() < 2) return;
     for (const results::MethodSurface& s : methods_.surfaces) {
       if (s.method == Method::lem || s.beside || s.points.size() < 2) continue;
@@ -413,7 +413,7 @@ class Reading {
   }
 
   /// Describes another local minimum of the LEM search that is this mechanism.
-  std::string describe_near_minimum(const ground::Polyline& line, double size) const {
+  std::string describe_near_minimum(const site::Polyline& line, double size) const {
     const auto minima = run_.slices->minima.find(results::to_word(surface_->surface.method));
     if (minima == run_.slices->minima.end()) return "";
     double nearest = std::max(same_surface * height_, size);

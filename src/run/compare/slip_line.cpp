@@ -28,8 +28,7 @@ constexpr int compared_points = 60;
 constexpr double flattest_end = 0.2;
 
 /// Douglas–Peucker simplification.
-void simplify(const ground::Polyline& line, std::size_t from, std::size_t to, double tolerance,
-              std::vector<bool>& kept) {
+void simplify(const site::Polyline& line, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& kept) {
   std::size_t farthest = from;
   double distance = tolerance;
   for (std::size_t i = from + 1; i < to; ++i) {
@@ -43,11 +42,11 @@ void simplify(const ground::Polyline& line, std::size_t from, std::size_t to, do
 }
 
 /// Returns `count` evenly spaced points along the line.
-ground::Polyline resample(const ground::Polyline& line, int count) {
+site::Polyline resample(const site::Polyline& line, int count) {
   std::vector<double> along(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
     along[i] = along[i - 1] + std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
-  ground::Polyline places;
+  site::Polyline places;
   std::size_t i = 1;
   for (int k = 0; k < count; ++k) {
     const double s = along.back() * (k + 0.5) / count;
@@ -59,9 +58,9 @@ ground::Polyline resample(const ground::Polyline& line, int count) {
   return places;
 }
 
-std::vector<double> list_distances(const ground::Polyline& a, const ground::Polyline& b) {
+std::vector<double> list_distances(const site::Polyline& a, const site::Polyline& b) {
   std::vector<double> distances;
-  for (const ground::Point& x : resample(a, compared_points)) distances.push_back(mesh::compute_distance(x, b));
+  for (const site::Point& x : resample(a, compared_points)) distances.push_back(mesh::compute_distance(x, b));
   return distances;
 }
 
@@ -142,14 +141,14 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const results::Run
   return result;
 }
 
-std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::Polyline& given) {
+std::optional<lem::Surface> make_surface(const lem::Slope& slope, const site::Polyline& given) {
   const double width = slope.right() - slope.left(), least = 1e-6 * width;
-  ground::Polyline line = given;
+  site::Polyline line = given;
   if (line.size() < 2) return std::nullopt;
   if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
   // Keeps points inside the soil that continue to the right.
-  ground::Polyline inside;
-  for (const ground::Point& x : line) {
+  site::Polyline inside;
+  for (const site::Point& x : line) {
     if (x[0] <= slope.left() + least || x[0] >= slope.right() - least) continue;
     if (x[1] >= slope.ground(x[0]) - least) continue;
     if (!inside.empty() && x[0] <= inside.back()[0] + least) continue;
@@ -159,11 +158,11 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   std::vector<bool> kept(inside.size(), false);
   kept.front() = kept.back() = true;
   simplify(inside, 0, inside.size() - 1, simplified * (inside.back()[0] - inside.front()[0]), kept);
-  ground::Polyline body;
+  site::Polyline body;
   for (std::size_t i = 0; i < inside.size(); ++i)
     if (kept[i]) body.push_back(inside[i]);
   // The ends are extended in their direction to the ground.
-  const auto lead_on = [&](const ground::Point& end, const ground::Point& before) -> std::optional<ground::Point> {
+  const auto lead_on = [&](const site::Point& end, const site::Point& before) -> std::optional<site::Point> {
     const double dx = end[0] - before[0], dy = end[1] - before[1], sign = dx > 0 ? 1 : -1;
     const double slope_out = std::max(dy / std::abs(dx), flattest_end);
     const double step = width / 2000;
@@ -177,7 +176,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
         const double middle = (in + out) / 2;
         (end[1] + slope_out * std::abs(middle - end[0]) < slope.ground(middle) ? in : out) = middle;
       }
-      return ground::Point{out, slope.ground(out)};
+      return site::Point{out, slope.ground(out)};
     }
     return std::nullopt;
   };
@@ -185,7 +184,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   if (!left || !right) return std::nullopt;
   lem::Surface surface;
   surface.line.push_back(*left);
-  for (const ground::Point& x : body)
+  for (const site::Point& x : body)
     if (x[0] > surface.line.back()[0] + least && x[0] < (*right)[0] - least) surface.line.push_back(x);
   surface.line.push_back(*right);
   surface.from = surface.line.front()[0];
@@ -193,12 +192,12 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   return surface;
 }
 
-double find_distance(const ground::Polyline& a, const ground::Polyline& b) {
+double find_distance(const site::Polyline& a, const site::Polyline& b) {
   const auto there = list_distances(a, b), back = list_distances(b, a);
   return std::max(*std::max_element(there.begin(), there.end()), *std::max_element(back.begin(), back.end()));
 }
 
-double find_mean_distance(const ground::Polyline& a, const ground::Polyline& b) {
+double find_mean_distance(const site::Polyline& a, const site::Polyline& b) {
   const auto mean = [](const std::vector<double>& d) {
     return std::accumulate(d.begin(), d.end(), 0.0) / static_cast<double>(d.size());
   };

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "ground/ground_line.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/surface/surface.hpp"
 #include "results/run.hpp"
+#include "site/ground_line.hpp"
 
 namespace talus::run {
 
 /// The slip line of an MPM run, and its origin.
 struct PointsSlipLine {
-  ground::Polyline line;                 ///< empty: none
+  site::Polyline line;                   ///< empty: none
   std::vector<results::SideLine> sides;  ///< lines of both sides; empty: the soil moves to one side
   double factor = 0;                     ///< strength reduction factor
   std::string source;
@@ -31,11 +31,11 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const results::Run
 
 /// Converts a line into a surface: from left to right without turning back, with its ends extended to the ground, and
 /// few vertices. Returns nullopt if it does not enclose soil.
-std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::Polyline& line);
+std::optional<lem::Surface> make_surface(const lem::Slope& slope, const site::Polyline& line);
 
 /// Largest distance of a point of `a` from the line `b`, or of `b` from `a` [m].
-double find_distance(const ground::Polyline& a, const ground::Polyline& b);
+double find_distance(const site::Polyline& a, const site::Polyline& b);
 /// Mean distance of two lines [m]: the larger of the means over the points of `a` and over those of `b`.
-double find_mean_distance(const ground::Polyline& a, const ground::Polyline& b);
+double find_mean_distance(const site::Polyline& a, const site::Polyline& b);
 
 }  // namespace talus::run

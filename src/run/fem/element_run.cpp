@@ -398,7 +398,7 @@ void ElementRun<D>::write_result(results::RunResult& run) const {
     for (const std::string& warning : r.warnings)
       run.warnings.push_back(fmt::format("{}, {}: {}", element_title,
                                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
-  ground::give(water_, run);
+  site::give(water_, run);
 }
 
 template <int D>

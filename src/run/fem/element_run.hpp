@@ -100,7 +100,7 @@ class ElementRun {
   bool alone_;
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
-  ground::WaterResult water_;
+  site::WaterResult water_;
   results::ElementFile file_;
   bool is_told_ = false;  ///< the file has results
   std::chrono::duration<double> spent_{0};

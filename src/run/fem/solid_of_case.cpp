@@ -7,15 +7,15 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/ground_load.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/roots.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/fem/element_run.hpp"
+#include "site/ground_line.hpp"
+#include "site/ground_load.hpp"
+#include "site/initial_water.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
+#include "site/roots.hpp"
 
 namespace talus::run {
 
@@ -76,7 +76,7 @@ fem::Support<D> make_support(const input::Boundary& b, const mesh::Mesh<D>& mesh
   check_boundary(b);
   fem::Support<D> support;
   support.name = b.on;
-  support.sides = ground::find_sides(mesh, b.on);
+  support.sides = site::find_sides(mesh, b.on);
   support.along_normal = b.fix == input::Fix::normal;
   for (std::size_t d = 0; d < D; ++d)
     support.fixed[d] = b.fix == input::Fix::full || (b.fix == input::Fix::plane && std::abs(b.normal[d]) > along_axis);
@@ -98,7 +98,7 @@ class SolidBuilder {
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
     set_water();
     add_earthquake();
-    model.loads = ground::make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
+    model.loads = site::make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
     if (data_.initial.stress != input::InitialStress::none) set_k0_stress();
     set_start();
   }
@@ -109,16 +109,16 @@ class SolidBuilder {
 
   void find_plane() {
     if (data_.mesh.polygons.empty()) return;  // a mesh from a file: only its sides carry loads
-    ground_ = ground::find_ground(data_.mesh);
-    ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
-    for (std::string& note : ground::find_open_ends(ponds_, ground_, data_.units().length))
+    ground_ = site::find_ground(data_.mesh);
+    ponds_ = site::find_ponds(data_, ground_, site::find_first_time(data_));
+    for (std::string& note : site::find_open_ends(ponds_, ground_, data_.units().length))
       solid_.notes.push_back(std::move(note));
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
   }
 
   /// Sets unit weights, χp and saturation.
   void set_water() {
-    ground::HeldWater<D> water = ground::find_held_water<D>(data_, mesh_, &solid_.water);
+    site::HeldWater<D> water = site::find_held_water<D>(data_, mesh_, &solid_.water);
     fem::SolidModel<D>& model = solid_.model;
     model.unit_weight = std::move(water.unit_weight);
     model.saturation.assign(mesh_.elements.size(), 1.0);
@@ -135,7 +135,7 @@ class SolidBuilder {
   void add_earthquake() {
     const input::Earthquake& quake = data_.earthquake;
     if (quake.horizontal == 0 && quake.vertical == 0) return;
-    const Vec<D> added = ground::find_earthquake<D>(data_, ground_);
+    const Vec<D> added = site::find_earthquake<D>(data_, ground_);
     for (std::size_t d = 0; d < D; ++d) solid_.model.direction[d] += added[d];
   }
 
@@ -155,10 +155,10 @@ class SolidBuilder {
       const Vec<D> x = mesh::to_global(mesh_, e, middle);
       double above = overburden[i], pore = 0;
       if (!ground_.empty()) {
-        above += ground::find_surcharge(data_, x[0]);
-        const double level = ground::find_level(ground_, x[0]);
-        if (const auto water = ground::find_standing_level(ponds_, table_, ground_, x[0]))
-          above += ground::find_water_weight(data_) * std::max(0.0, *water - level);
+        above += site::find_surcharge(data_, x[0]);
+        const double level = site::find_level(ground_, x[0]);
+        if (const auto water = site::find_standing_level(ponds_, table_, ground_, x[0]))
+          above += site::find_water_weight(data_) * std::max(0.0, *water - level);
       }
       for (const double p : pore_[e]) pore += p / (D + 1);
       const double k0 = data_.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio)), vertical = -above - pore,
@@ -186,7 +186,7 @@ class SolidBuilder {
       const input::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
       const material::StateStart start{
           .stress = nullptr,
-          .root_cohesion = ground::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion,
+          .root_cohesion = site::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion,
           .level = x[1]};
       material::set_initial_state(laws[region], soil.material, start, state);
     };
@@ -196,8 +196,8 @@ class SolidBuilder {
   SolidOfCase<D>& solid_;
   const mesh::Mesh<D>& mesh_;
   std::vector<RegionSoil> soils_;
-  ground::Polyline ground_, table_;
-  std::vector<ground::Pond> ponds_;
+  site::Polyline ground_, table_;
+  std::vector<site::Pond> ponds_;
   std::vector<std::array<double, D + 1>> pore_;
 };
 
@@ -215,7 +215,7 @@ void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
 
 mesh::Plan make_fem_plan(const input::Case& data, double share) {
   if (!data.mesh.file.empty()) return data.mesh;
-  mesh::Plan plan = ground::conform_to_loads(data, data.mesh);
+  mesh::Plan plan = site::conform_to_loads(data, data.mesh);
   plan.algorithm = data.fem.algorithm;
   if (!data.fem.size && share == 1) return plan;
   const double size = share * data.fem.size.value_or(plan.size);

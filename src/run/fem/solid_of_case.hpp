@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fem/solid/solid.hpp"
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 
@@ -17,7 +17,7 @@ template <int D>
 struct SolidOfCase {
   std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< referenced by the model
   fem::SolidModel<D> model;                   ///< with the given dilatancy angles
-  ground::WaterResult water;                  ///< origin of the pore pressures
+  site::WaterResult water;                    ///< origin of the pore pressures
   std::vector<std::string> notes;             ///< sentences on what FEM does not take from the case
 };
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "lem/search/search.hpp"
 #include "results/slices.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 
@@ -18,7 +18,7 @@ namespace talus::run {
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
   std::vector<std::string> notes;  ///< of make_section()
-  ground::WaterResult water;       ///< of make_section()
+  site::WaterResult water;         ///< of make_section()
 };
 /// Throws what make_section() and lem::Slope throw.
 PreparedSlope prepare_slope(const input::Case& data);

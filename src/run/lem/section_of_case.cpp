@@ -10,13 +10,13 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/roots.hpp"
-#include "ground/weights.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
+#include "site/pore_water.hpp"
+#include "site/roots.hpp"
+#include "site/weights.hpp"
 
 namespace talus::run {
 namespace {
@@ -32,7 +32,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   const input::Material& m = data.materials.at(name);
   lem::Soil soil;
   soil.name = name;
-  soil.saturated_unit_weight = ground::find_saturated_weight(data, m);
+  soil.saturated_unit_weight = site::find_saturated_weight(data, m);
   soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
   soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
   if (!m.traits().serves_slices)
@@ -63,9 +63,9 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   if (soil.suction == lem::Suction::saturation) {
     // χ of the soil, by either law.
     soil.saturation = [m](double suction) {
-      return suction > 0 ? ground::find_suction_stress(m, suction) / suction : 1.0;
+      return suction > 0 ? site::find_suction_stress(m, suction) / suction : 1.0;
     };
-    if (m.slices.suction_strength == input::SuctionStrength::saturation && !ground::uses_saturation(m))
+    if (m.slices.suction_strength == input::SuctionStrength::saturation && !site::uses_saturation(m))
       notes.push_back(fmt::format("material '{}' has no retention curve: its suction adds no strength", name));
   }
   soil.phi_b = m.slices.phi_b;
@@ -105,38 +105,38 @@ void add_regions(const input::Case& data, lem::Section& section, std::vector<std
 /// Sets the unit weight above the water table, if it follows from the water content: the mean over the unsaturated
 /// soil of the polygons.
 void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
-  const double weight = ground::find_water_weight(data);
+  const double weight = site::find_water_weight(data);
   const bool has_table = !section.water_table.empty();
   std::vector<double> sum(section.soils.size(), 0.0), area(section.soils.size(), 0.0);
-  const auto find_soil = [&](const ground::Point& x) {
+  const auto find_soil = [&](const site::Point& x) {
     for (auto r = section.regions.rbegin(); r != section.regions.rend(); ++r)
       if (mesh::is_inside(x, r->polygon)) return r->soil;
     return -1;
   };
-  const auto add = [&](const ground::Point& x, double pressure, double share) {
+  const auto add = [&](const site::Point& x, double pressure, double share) {
     const int soil = pressure > 0 ? find_soil(x) : -1;
     if (soil < 0) return;
     const auto s = static_cast<std::size_t>(soil);
-    sum[s] += share * ground::find_unit_weight(data, data.materials.at(section.soils[s].name), pressure);
+    sum[s] += share * site::find_unit_weight(data, data.materials.at(section.soils[s].name), pressure);
     area[s] += share;
   };
   if (grid != nullptr) {
     for (const auto& t : grid->triangles) {
-      const ground::Point &a = grid->nodes[t[0]], &b = grid->nodes[t[1]], &c = grid->nodes[t[2]];
+      const site::Point &a = grid->nodes[t[0]], &b = grid->nodes[t[1]], &c = grid->nodes[t[2]];
       add({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3},
           -(grid->pressure[t[0]] + grid->pressure[t[1]] + grid->pressure[t[2]]) / 3,
           std::abs(mesh::compute_area({a, b, c})));
     }
   } else if (has_table) {
     for (const lem::Region& region : section.regions) {
-      ground::Point low = region.polygon.front(), high = low;
-      for (const ground::Point& x : region.polygon)
+      site::Point low = region.polygon.front(), high = low;
+      for (const site::Point& x : region.polygon)
         for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
       for (int i = 0; i < weight_samples * weight_samples; ++i) {
         const int row = i / weight_samples, column = i % weight_samples;
-        const ground::Point x{low[0] + (high[0] - low[0]) * (column + 0.5) / weight_samples,
-                              low[1] + (high[1] - low[1]) * (row + 0.5) / weight_samples};
-        const double suction = weight * (x[1] - ground::find_water_table(section.water_table, x[0]));
+        const site::Point x{low[0] + (high[0] - low[0]) * (column + 0.5) / weight_samples,
+                            low[1] + (high[1] - low[1]) * (row + 0.5) / weight_samples};
+        const double suction = weight * (x[1] - site::find_water_table(section.water_table, x[0]));
         if (mesh::is_inside(x, region.polygon))
           add(x, std::min(suction, data.initial.water.largest_suction), (high[0] - low[0]) * (high[1] - low[1]));
       }
@@ -149,33 +149,33 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
     if (area[s] > 0)
       section.soils[s].unit_weight = sum[s] / area[s];
     else if (is_dry || has_table)
-      section.soils[s].unit_weight = ground::find_unit_weight(data, m, 1e-3);
+      section.soils[s].unit_weight = site::find_unit_weight(data, m, 1e-3);
     if (is_dry) section.soils[s].saturated_unit_weight = section.soils[s].unit_weight;
   }
 }
 
-void add_water(const input::Case& data, lem::Section& section, ground::WaterResult& out) {
-  section.water_unit_weight = ground::find_water_weight(data);
-  if (ground::needs_seepage(data)) {
+void add_water(const input::Case& data, lem::Section& section, site::WaterResult& out) {
+  section.water_unit_weight = site::find_water_weight(data);
+  if (site::needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-    set_pressures(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &out),
-                  ground::find_first_time(data), section);
+    set_pressures(data, mesh, site::find_nodal_pressure<2>(site::close_sides(data), mesh, &out),
+                  site::find_first_time(data), section);
     return;
   }
   if (data.initial.water.pressure == input::InitialPressure::water_table) {
-    ground::check_upright(data, "a water table");
+    site::check_upright(data, "a water table");
     section.water_table = data.initial.water.water_table;
-    out = ground::make_water_table_result(data);
-    const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground, ground::find_first_time(data));
-    if (!ponds.empty()) section.water_table = ground::add_ponds(section.water_table, ponds, section.ground);
+    out = site::make_water_table_result(data);
+    const std::vector<site::Pond> ponds = site::find_ponds(data, section.ground, site::find_first_time(data));
+    if (!ponds.empty()) section.water_table = site::add_ponds(section.water_table, ponds, section.ground);
   }
   weigh_moist_soil(data, nullptr, section);
 }
 
 /// Returns true if a vertical step of the ground at x contains the stretch from `low` to `high`.
-bool lies_on_step(const ground::Polyline& ground, double x, double low, double high, double near) {
+bool lies_on_step(const site::Polyline& ground, double x, double low, double high, double near) {
   for (std::size_t i = 1; i < ground.size(); ++i) {
-    const ground::Point &a = ground[i - 1], &b = ground[i];
+    const site::Point &a = ground[i - 1], &b = ground[i];
     if (std::abs(a[0] - x) > near || std::abs(b[0] - x) > near) continue;
     if (low >= std::min(a[1], b[1]) - near && high <= std::max(a[1], b[1]) + near) return true;
   }
@@ -192,14 +192,14 @@ void add_tractions(const input::Case& data, lem::Section& section, std::vector<s
     const double share = t.factor.at(0);
     if (line != data.mesh.lines.end()) {
       for (std::size_t i = 1; i < line->points.size(); ++i) {
-        ground::Point a = line->points[i - 1], b = line->points[i];
+        site::Point a = line->points[i - 1], b = line->points[i];
         if (a[0] > b[0]) std::swap(a, b);
         if (b[0] - a[0] <= near) {
           const auto [low, high] = std::minmax(a[1], b[1]);
           if (!lies_on_step(section.ground, a[0], low, high, near)) continue;
           section.face_loads.push_back({a[0], low, high, {share * t.traction[0], share * t.traction[1]}});
         } else {
-          if (std::abs(ground::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
+          if (std::abs(site::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
           // Tractions become loads per horizontal metre.
           const double along = share * std::hypot(b[0] - a[0], b[1] - a[1]) / (b[0] - a[0]);
           const double down = -along * t.traction[1], right = along * t.traction[0];
@@ -224,16 +224,16 @@ void add_surcharges(const input::Case& data, lem::Section& section) {
 void add_roots(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   bool has_blocks = false;
   for (const input::Roots& block : data.roots) {
-    const auto cohesion = ground::find_ground_cohesion(block);
+    const auto cohesion = site::find_ground_cohesion(block);
     if (!cohesion) continue;
     has_blocks = true;
     double from = section.ground.front()[0], to = section.ground.back()[0];
     for (const mesh::Line& line : data.mesh.lines) {
       if (line.name != block.ground) continue;
       from = to = line.points.front()[0];
-      for (const ground::Point& x : line.points) from = std::min(from, x[0]), to = std::max(to, x[0]);
+      for (const site::Point& x : line.points) from = std::min(from, x[0]), to = std::max(to, x[0]);
     }
-    const double full = *cohesion * ground::find_age_share(block);
+    const double full = *cohesion * site::find_age_share(block);
     const int parts = block.along.empty() ? 1 : root_parts;
     for (int p = 0; p < parts; ++p) {
       lem::RootCohesion roots;
@@ -242,7 +242,7 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
       const double x = (roots.from + roots.to) / 2;
       for (int i = 0; i <= root_depths; ++i) {
         const double depth = block.depth * i / root_depths;
-        roots.profile.push_back({depth, full * ground::find_root_share(block, depth, x)});
+        roots.profile.push_back({depth, full * site::find_root_share(block, depth, x)});
       }
       section.roots.push_back(std::move(roots));
     }
@@ -264,7 +264,7 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
   const double near = noticeable * (after.ground.back()[0] - after.ground.front()[0]);
   const ShownUnit& length = after.units.length;
   const auto level = [](const lem::Section& s, double x) {
-    return s.water_table.empty() ? s.base : ground::find_water_table(s.water_table, x);
+    return s.water_table.empty() ? s.base : site::find_water_table(s.water_table, x);
   };
   for (std::size_t i = 1; i < after.ground.size(); ++i) {
     // Banks of pools are steps at corners of the ground.
@@ -297,9 +297,9 @@ lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown,
 void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section) {
   for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
-  section.pressure_grid = ground::make_pressure_grid(data, mesh, pressure);
-  section.water_table = ground::trace_water_table(
-      *section.pressure_grid, ground::find_ponds(data, section.ground, time), section.ground, section.base);
+  section.pressure_grid = site::make_pressure_grid(data, mesh, pressure);
+  section.water_table = site::trace_water_table(*section.pressure_grid, site::find_ponds(data, section.ground, time),
+                                                section.ground, section.base);
   weigh_moist_soil(data, &*section.pressure_grid, section);
 }
 
@@ -314,13 +314,13 @@ SectionOfCase make_section(const input::Case& data) {
   SectionOfCase result;
   lem::Section& section = result.section;
   section.units = data.units();
-  section.ground = ground::find_ground(data.mesh);
-  section.base = ground::find_base(data.mesh);
+  section.ground = site::find_ground(data.mesh);
+  section.base = site::find_base(data.mesh);
   add_regions(data, section, result.notes);
   add_water(data, section, result.water);
-  const double first = ground::find_first_time(data);
+  const double first = site::find_first_time(data);
   for (std::string& note :
-       ground::find_open_ends(ground::find_ponds(data, section.ground, first), section.ground, section.units.length))
+       site::find_open_ends(site::find_ponds(data, section.ground, first), section.ground, section.units.length))
     result.notes.push_back(std::move(note));
   add_surcharges(data, section);
   add_tractions(data, section, result.notes);
@@ -334,7 +334,7 @@ SectionOfCase make_section(const input::Case& data) {
     section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water, data.lem.crack.limit};
   if (data.lem.drawdown) {
     section = draw_down(data, *data.lem.drawdown, std::move(section));
-    ground::add_lowered_state(data, data.lem.drawdown->water_table, result.water);
+    site::add_lowered_state(data, data.lem.drawdown->water_table, result.water);
   }
   return result;
 }

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 
 struct SectionOfCase {
   lem::Section section;
   std::vector<std::string> notes;  ///< sentences on what LEM does not take from the case
-  ground::WaterResult water;       ///< origin of the pore pressures
+  site::WaterResult water;         ///< origin of the pore pressures
 };
 
 /// Makes ground, soils, water and loads of a plane case. Pore pressures of steady seepage are computed on the mesh of

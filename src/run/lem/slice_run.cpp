@@ -189,7 +189,7 @@ void SliceRun::write_result(results::RunResult& run) const {
   run.slices = outcome_.result;
   for (const std::string& warning : outcome_.result.warnings)
     run.warnings.push_back(outcome_.result.error ? warning : fmt::format("{}: {}", slice_title, warning));
-  ground::give(prepared_.water, run);
+  site::give(prepared_.water, run);
 }
 
 }  // namespace talus::run

@@ -12,8 +12,6 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/memory.hpp"
-#include "ground/roots.hpp"
-#include "ground/seepage_results.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/solver/observe.hpp"
@@ -29,6 +27,8 @@
 #include "run/mpm/stage_warnings.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "run/mpm/stepper.hpp"
+#include "site/roots.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 namespace {
@@ -96,9 +96,9 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   slope_height_ = find_slope_height(body_, data_.gravity);
   run.mesh = make_mesh_result(body_);
   run.slope_height = slope_height_;
-  water_ = ground::make_water_result<D>(data_, body_.mesh(), seepage, season_);
+  water_ = site::make_water_result<D>(data_, body_.mesh(), seepage, season_);
   if (origin_) water_.states.reset(), water_.fields.reset();  // the water of the result replaces them
-  ground::give(water_, run);
+  site::give(water_, run);
   if (seepage && seepage->undecided > 0)
     warnings_.push_back(
         fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
@@ -126,7 +126,7 @@ void PointRun<D>::open() {
   output::ArchiveWriter archive;
   put_mesh(archive, body_.mesh());
   archive.write(options_.folder / "mesh.h5");
-  if (season_) ground::write_season(options_.folder / "season.csv", *season_);
+  if (season_) site::write_season(options_.folder / "season.csv", *season_);
 }
 
 template <int D>
@@ -348,7 +348,7 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
 /// Sets the results of the stages alone, and writes the end state from which another case can start.
 template <int D>
 void PointRun<D>::end_stages(results::RunResult& run) {
-  save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
+  save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, site::write_root_input(data_));
   run.budgets = make_budgets_result<D>(body_, find_gravity<D>(data_.gravity), work_before_);
   if (body_.water.is_wet()) run.water = make_water_result<D>(data_, body_, initial_water_);
 }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/ranks.hpp"
-#include "ground/seepage_results.hpp"
 #include "input/read.hpp"
 #include "mpm/solver/step.hpp"
 #include "results/run.hpp"
@@ -17,6 +16,7 @@
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_folder.hpp"
+#include "site/seepage_results.hpp"
 
 namespace talus::run {
 
@@ -80,8 +80,8 @@ class PointRun {
   std::unique_ptr<output::ArchiveReader> checkpoint_;
   mpm::Work work_before_;
   mpm::Body<D> body_;
-  std::optional<ground::SeasonRecord> season_;
-  ground::WaterResult water_;
+  std::optional<site::SeasonRecord> season_;
+  site::WaterResult water_;
   double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
   mpm::Timing trial_timing_;
   std::mutex adding_;

@@ -5,11 +5,11 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "ground/initial_water.hpp"
 #include "lem/surface/surface.hpp"
 #include "results/governing.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"
+#include "site/initial_water.hpp"
 
 namespace talus::run {
 
@@ -23,7 +23,7 @@ void shift(input::TimeTable& table, double time) {
 
 input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water) {
   // Water, pools and weather are those before a jump of a series at this time.
-  const double before = time + ground::find_first_time(data);
+  const double before = time + site::find_first_time(data);
   for (input::Hydraulic& h : data.hydraulics)
     for (input::TimeTable* table : {&h.head, &h.pressure, &h.rate}) shift(*table, before);
   for (input::Roots& roots : data.roots)

@@ -15,10 +15,6 @@
 #include "base/progress.hpp"
 #include "base/units.hpp"
 #include "fem/seepage/seepage.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/season.hpp"
 #include "mesh/generate.hpp"
 #include "results/json.hpp"
 #include "run/bounds/referee.hpp"
@@ -27,6 +23,10 @@
 #include "run/lem/section_of_case.hpp"
 #include "run/timeline/moment.hpp"
 #include "run/timeline/times.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
+#include "site/pore_water.hpp"
+#include "site/season.hpp"
 
 namespace talus::run {
 namespace {
@@ -43,13 +43,9 @@ double count_seconds(Clock::time_point since) {
 
 struct TimelineRun::Parts {
   Parts(const input::Case& d, const RunOptions& o, std::string h)
-      : given(d),
-        data(ground::close_sides(d)),
-        options(o),
-        hash(std::move(h)),
-        search(make_search_options(data.lem, 1)) {
+      : given(d), data(site::close_sides(d)), options(o), hash(std::move(h)), search(make_search_options(data.lem, 1)) {
     mesh = mesh::generate<2>(data.mesh);
-    model = ground::make_seepage_model<2>(data, mesh, wet_mesh);
+    model = site::make_seepage_model<2>(data, mesh, wet_mesh);
     summary.pool_loading = data.timeline->pool_loading;
     fem::check_storage(model);
   }
@@ -63,13 +59,13 @@ struct TimelineRun::Parts {
   fem::SeepageModel<2> model;
   lem::Section section;                ///< at time 0
   std::vector<double> first_pressure;  ///< at the nodes, positive in tension [Pa]
-  ground::FlowInTime<2> flow;
+  site::FlowInTime<2> flow;
   std::vector<double> times;  ///< including 0
   std::vector<Moment> moments;
   std::vector<std::size_t> searched;  ///< indices of the times of the moments
   results::TimelineFile kept{hash, {}};
   std::vector<std::optional<double>> guide;  ///< least factor at every time of the surfaces that govern at some time
-  ground::WaterResult water;
+  site::WaterResult water;
   results::Timeline summary;
   std::optional<results::WaterFields> fields;
 
@@ -85,11 +81,11 @@ struct TimelineRun::Parts {
     }
     fem::SeepageSchedule schedule;
     schedule.outputs = list_times(data);
-    schedule.head_tolerance = ground::head_tolerance;
-    flow = ground::follow_flow<2>(data, model, heads, schedule, "[timeline]");
+    schedule.head_tolerance = site::head_tolerance;
+    flow = site::follow_flow<2>(data, model, heads, schedule, "[timeline]");
     times = {0};
     times.insert(times.end(), schedule.outputs.begin(), schedule.outputs.end());
-    summary.weather = ground::make_season_result(flow.record);
+    summary.weather = site::make_season_result(flow.record);
     summary.step_error = flow.history.largest_error;
     summary.seepage_seconds = count_seconds(start);
   }
@@ -103,7 +99,7 @@ struct TimelineRun::Parts {
     Moment moment;
     moment.time = times[number];
     lem::Section now = section;
-    set_pressures(data, mesh, pressure(number), moment.time + ground::find_first_time(data), now);
+    set_pressures(data, mesh, pressure(number), moment.time + site::find_first_time(data), now);
     moment.slope = std::make_unique<lem::Slope>(std::move(now));
     return moment;
   }
@@ -370,7 +366,7 @@ struct TimelineRun::Parts {
     input::Case alone = data;
     alone.hydraulics = {condition};
     alone.hydraulics.front().head = {{0}, {level}};
-    return !ground::find_ponds(alone, ground::find_ground(data.mesh), 0).empty();
+    return !site::find_ponds(alone, site::find_ground(data.mesh), 0).empty();
   }
 
   /// Notes pools that change suddenly: the pore pressures just after depend on whether the weight of the water counts.
@@ -409,7 +405,7 @@ struct TimelineRun::Parts {
   /// Stores the water levels and pressures at the times of the factors.
   void keep_water() {
     if (!water.states || water.states->empty()) return;
-    fields = ground::begin_fields(data, wet_mesh);
+    fields = site::begin_fields(data, wet_mesh);
     for (const Moment& moment : moments) {
       if (moment.time == 0) {
         summary.states.push_back(water.states->back());
@@ -418,10 +414,10 @@ struct TimelineRun::Parts {
       }
       const auto at = std::find(times.begin(), times.end(), moment.time);
       const auto& state = flow.history.states[static_cast<std::size_t>(at - times.begin()) - 1];
-      summary.states.push_back(ground::make_state_result<2>(data, state, results::WaterFlow::transient, moment.time));
+      summary.states.push_back(site::make_state_result<2>(data, state, results::WaterFlow::transient, moment.time));
       if (fields)
         fields->states.push_back(
-            ground::make_field_result<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
+            site::make_field_result<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
     }
   }
 };

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/seepage_model.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/seepage_model.hpp"
 
 namespace talus::run {
 
@@ -38,7 +38,7 @@ template <int D>
 void hold(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& normal,
           const std::type_identity_t<Vec<D>>& velocity) {
   const int before = c.fixed_count;
-  ground::add_direction<D>(c.fixed, c.fixed_count, normal);
+  site::add_direction<D>(c.fixed, c.fixed_count, normal);
   if (c.fixed_count == before) return;
   const Vec<D>& rest = c.fixed[before];  // component of the normal orthogonal to the earlier directions
   const double speed = (dot(velocity, normal) - dot(c.drive, normal)) / dot(rest, normal);
@@ -78,11 +78,11 @@ void move_along(mpm::Constraint<D>& c, const input::Boundary& boundary, int fact
 
 template <int D>
 void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
-  const auto& sides = ground::find_sides(body.mesh(), boundary.on);
+  const auto& sides = site::find_sides(body.mesh(), boundary.on);
   mpm::Conditions<D>& conditions = body.conditions;
   const Vec<D> velocity = truncate<D>(boundary.velocity);
   const int factor = boundary.fix == input::Fix::velocity ? add_factor(conditions, boundary.factor) : -1;
-  for (const auto& [node, normals] : ground::find_node_normals(body, sides, gravity)) {
+  for (const auto& [node, normals] : site::find_node_normals(body, sides, gravity)) {
     mpm::Constraint<D>& c = get_constraint(conditions, node);
     switch (boundary.fix) {
       case input::Fix::full:
@@ -117,16 +117,16 @@ void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
   load.on_points = traction.carrier == input::Carrier::points;
   load.factor = traction.factor;
   const Vec<D> t = truncate<D>(traction.traction);
-  for (const auto& [side, elements] : ground::map_sides<D>(mesh, ground::find_sides(mesh, traction.on))) {
+  for (const auto& [side, elements] : site::map_sides<D>(mesh, site::find_sides(mesh, traction.on))) {
     if (elements.empty()) continue;
-    const double area = ground::find_outward_normal(mesh, elements.front().element, elements.front().opposite).second;
+    const double area = site::find_outward_normal(mesh, elements.front().element, elements.front().opposite).second;
     Vec<D> force;
     if (!load.on_points) {
       for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area / D;
       for (int node : side) load.entries.push_back({node, force});
       continue;
     }
-    for (const ground::SideElement& s : elements) {
+    for (const site::SideElement& s : elements) {
       if (body.points.count[s.element] == 0) continue;
       for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area;
       load_nearest_points(body, s, force, load);
@@ -139,7 +139,7 @@ void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
 }  // namespace
 
 template <int D>
-void load_nearest_points(const mpm::Body<D>& body, const ground::SideElement& side,
+void load_nearest_points(const mpm::Body<D>& body, const site::SideElement& side,
                          const std::type_identity_t<Vec<D>>& force, mpm::Load<D>& load) {
   // The points nearest to the side have the smallest shape function of the opposite node.
   std::vector<std::pair<double, int>> near;
@@ -174,8 +174,8 @@ void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
 
 template void resolve_conditions<2>(mpm::Body<2>&, const input::Case&);
 template void resolve_conditions<3>(mpm::Body<3>&, const input::Case&);
-template void load_nearest_points<2>(const mpm::Body<2>&, const ground::SideElement&, const Vec<2>&, mpm::Load<2>&);
-template void load_nearest_points<3>(const mpm::Body<3>&, const ground::SideElement&, const Vec<3>&, mpm::Load<3>&);
+template void load_nearest_points<2>(const mpm::Body<2>&, const site::SideElement&, const Vec<2>&, mpm::Load<2>&);
+template void load_nearest_points<3>(const mpm::Body<3>&, const site::SideElement&, const Vec<3>&, mpm::Load<3>&);
 
 namespace {
 
@@ -215,13 +215,13 @@ std::vector<Vec<D>> join_opposite(const std::vector<Vec<D>>& normals) {
 /// Returns the nodes at which impermeable sides form a bend. Their fixed direction is the mean of the normals, which
 /// is neither normal.
 template <int D>
-std::set<int> find_kinks(const mpm::Body<D>& body, const ground::WaterSides<D>& sides, const Vec<D>& gravity) {
+std::set<int> find_kinks(const mpm::Body<D>& body, const site::WaterSides<D>& sides, const Vec<D>& gravity) {
   constexpr double straight = 1e-9;
   std::set<int> kinks;
   for (const auto& held : sides.held) {
-    for (const auto& [side, elements] : ground::map_sides<D>(body.mesh(), held)) {
+    for (const auto& [side, elements] : site::map_sides<D>(body.mesh(), held)) {
       if (elements.empty()) continue;
-      const Vec<D> normal = ground::find_wall_normal(body, elements, gravity);
+      const Vec<D> normal = site::find_wall_normal(body, elements, gravity);
       for (int node : side) {
         const mpm::WaterConstraint<D>& c = body.water.constraints[body.water.constraint_of_node[node]];
         Vec<D> rest = normal;
@@ -240,7 +240,7 @@ std::set<int> find_kinks(const mpm::Body<D>& body, const ground::WaterSides<D>& 
 template <int D>
 class NodeConditions {
  public:
-  NodeConditions(const mesh::Mesh<D>& mesh, const ground::WaterSides<D>& sides)
+  NodeConditions(const mesh::Mesh<D>& mesh, const site::WaterSides<D>& sides)
       : mesh_(mesh), sides_(sides), free_(collect_free()) {
     tolerance_ = on_side * *std::min_element(mesh.altitudes.begin(), mesh.altitudes.end());
   }
@@ -251,18 +251,18 @@ class NodeConditions {
     std::vector<int> condition(mesh_.nodes.size(), 0);
     std::vector<std::vector<int>> at_wall(mesh_.nodes.size());
     for (const auto& [node, number] : sides_.reserved) at_wall[node].push_back(number);
-    for (const ground::WaterSide<D>& s : sides_.open) {
+    for (const site::WaterSide<D>& s : sides_.open) {
       if (!s.is_wall) continue;
       for (int node : s.nodes) at_wall[node].push_back(s.condition);
     }
     // The inner node of an element at a wall may also get a part of the surface.
-    std::vector<std::vector<const ground::WaterSide<D>*>> behind_wall(mesh_.nodes.size());
-    for (const ground::WaterSide<D>& s : sides_.open) {
+    std::vector<std::vector<const site::WaterSide<D>*>> behind_wall(mesh_.nodes.size());
+    for (const site::WaterSide<D>& s : sides_.open) {
       if (s.is_wall) behind_wall[s.opposite].push_back(&s);
     }
     std::size_t guess = 0;
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-      ground::NearestSides nearest{-1, {}};
+      site::NearestSides nearest{-1, {}};
       if (!free_.is_empty()) nearest = free_.find_nearest(mesh_.nodes[i], tolerance_, guess);
       if (!at_wall[i].empty()) {
         if (free_.is_empty() || nearest.distance > tolerance_) nearest.labels.clear();
@@ -270,8 +270,8 @@ class NodeConditions {
       } else if (skins.contains(static_cast<int>(i)) && !(nearest.distance >= 0 && nearest.distance <= tolerance_)) {
         nearest.labels = {static_cast<int>(sides_.surfaces.size()) - 1};
       } else {
-        for (const ground::WaterSide<D>* s : behind_wall[i]) {
-          const double distance = ground::find_distance<D>(get_corners(*s), mesh_.nodes[i]);
+        for (const site::WaterSide<D>* s : behind_wall[i]) {
+          const double distance = site::find_distance<D>(get_corners(*s), mesh_.nodes[i]);
           if (nearest.distance >= 0 && distance >= nearest.distance) continue;
           nearest = {distance, {s->condition}};
         }
@@ -282,29 +282,29 @@ class NodeConditions {
   }
 
  private:
-  ground::SideSet<D> collect_free() const {
-    std::vector<ground::LabelledSide<D>> free;
-    for (const ground::WaterSide<D>& s : sides_.open) {
-      if (!s.is_wall) free.push_back(ground::make_labelled_side<D>(get_corners(s), s.condition));
+  site::SideSet<D> collect_free() const {
+    std::vector<site::LabelledSide<D>> free;
+    for (const site::WaterSide<D>& s : sides_.open) {
+      if (!s.is_wall) free.push_back(site::make_labelled_side<D>(get_corners(s), s.condition));
     }
-    return ground::SideSet<D>(std::move(free));
+    return site::SideSet<D>(std::move(free));
   }
-  std::array<Vec<D>, D> get_corners(const ground::WaterSide<D>& s) const {
+  std::array<Vec<D>, D> get_corners(const site::WaterSide<D>& s) const {
     std::array<Vec<D>, D> corners;
     for (std::size_t c = 0; c < D; ++c) corners[c] = mesh_.nodes[s.nodes[c]];
     return corners;
   }
   /// Returns the condition of highest rank; 0 if there is none.
   int choose(const std::vector<int>& numbers, double y) const {
-    const auto rank = [&](int n) { return std::pair(ground::find_rank(sides_.surfaces[n], y, n > 0), n); };
+    const auto rank = [&](int n) { return std::pair(site::find_rank(sides_.surfaces[n], y, n > 0), n); };
     const auto first =
         std::min_element(numbers.begin(), numbers.end(), [&](int a, int b) { return rank(a) < rank(b); });
     return first == numbers.end() ? 0 : *first;
   }
 
   const mesh::Mesh<D>& mesh_;
-  const ground::WaterSides<D>& sides_;
-  ground::SideSet<D> free_;
+  const site::WaterSides<D>& sides_;
+  site::SideSet<D> free_;
   double tolerance_ = 0;
 };
 
@@ -314,14 +314,14 @@ template <int D>
 void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data) {
   mpm::Water<D>& water = body.water;
   if (!water.is_wet()) return;
-  ground::WaterSides<D> sides = ground::find_water_sides<D>(body.mesh(), data);
+  site::WaterSides<D> sides = site::find_water_sides<D>(body.mesh(), data);
   water.constraint_of_node.assign(body.mesh().nodes.size(), -1);
   water.constraints.clear();
   const Vec<D> gravity = find_gravity<D>(data.gravity);
   for (const auto& held : sides.held) {
-    for (const auto& [node, normals] : ground::find_node_normals<D>(body, held, gravity)) {
+    for (const auto& [node, normals] : site::find_node_normals<D>(body, held, gravity)) {
       mpm::WaterConstraint<D>& c = get_constraint(water, node);
-      for (const Vec<D>& n : join_opposite<D>(normals)) ground::add_direction<D>(c.fixed, c.fixed_count, n);
+      for (const Vec<D>& n : join_opposite<D>(normals)) site::add_direction<D>(c.fixed, c.fixed_count, n);
     }
   }
   // Elements at a bend count as open, so a no-flow condition closes them.

@@ -3,9 +3,9 @@
 // Boundary conditions and tractions of a case, and its hydraulic conditions ([[hydraulic]] and [[boundary]]), resolved
 // on the mesh of a body.
 
-#include "ground/mesh_sides.hpp"
 #include "input/case/case.hpp"
 #include "mpm/state/body.hpp"
+#include "site/mesh_sides.hpp"
 
 namespace talus::run {
 
@@ -17,7 +17,7 @@ void resolve_conditions(mpm::Body<D>& body, const input::Case& data);
 
 /// Distributes `force` [N] equally among the points of the element nearest to one of its sides (2.32).
 template <int D>
-void load_nearest_points(const mpm::Body<D>& body, const ground::SideElement& side,
+void load_nearest_points(const mpm::Body<D>& body, const site::SideElement& side,
                          const std::type_identity_t<Vec<D>>& force, mpm::Load<D>& load);
 
 /// Fills the conditions of body.water; has no effect on a dry body.

@@ -10,13 +10,13 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "ground/roots.hpp"
 #include "input/echo.hpp"
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/recorder.hpp"
+#include "site/roots.hpp"
 
 namespace talus::run {
 namespace {
@@ -143,7 +143,7 @@ std::vector<input::MaterialModel> EndState::list_models() const {
 }
 
 bool EndState::has_roots_of(const input::Case& data) const {
-  return archive_.has("roots") && archive_.text("roots") == ground::write_root_input(data);
+  return archive_.has("roots") && archive_.text("roots") == site::write_root_input(data);
 }
 
 template <int D>

@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/ground_load.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/conditions.hpp"
+#include "site/ground_line.hpp"
+#include "site/ground_load.hpp"
+#include "site/initial_water.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
 
 namespace talus::run {
 namespace {
@@ -32,7 +32,7 @@ bool has_pressure_on_top(const input::Case& data) {
 
 /// Standing water above the ground, by the water table.
 struct Standing {
-  ground::Polyline ground, table;  ///< both empty: no standing water
+  site::Polyline ground, table;  ///< both empty: no standing water
 };
 
 Standing find_standing(const input::Case& data) {
@@ -40,8 +40,8 @@ Standing find_standing(const input::Case& data) {
       data.initial.water.pressure != input::InitialPressure::water_table || has_pressure_on_top(data))
     return {};
   try {
-    Standing standing{ground::find_ground(data.mesh), data.initial.water.water_table};
-    if (!ground::find_ponds(data, standing.ground, ground::find_first_time(data)).empty()) return {};
+    Standing standing{site::find_ground(data.mesh), data.initial.water.water_table};
+    if (!site::find_ponds(data, standing.ground, site::find_first_time(data)).empty()) return {};
     return standing;
   } catch (const Error&) {
     return {};  // an overhang: the ground has no unique level
@@ -77,15 +77,15 @@ template <int D>
 mpm::Load<D> make_side_load(const mpm::Body<D>& body, const fem::SurfaceLoad<D>& surface, bool on_points) {
   mpm::Load<D> load;
   load.on_points = on_points;
-  const auto elements_of = ground::map_sides<D>(body.mesh(), surface.sides);
+  const auto elements_of = site::map_sides<D>(body.mesh(), surface.sides);
   for (std::size_t s = 0; s < surface.sides.size(); ++s) {
     std::array<int, D> key = surface.sides[s];
     std::sort(key.begin(), key.end());
     const auto& elements = elements_of.at(key);
     const auto soil = std::find_if(elements.begin(), elements.end(),
-                                   [&](const ground::SideElement& e) { return body.points.count[e.element] > 0; });
+                                   [&](const site::SideElement& e) { return body.points.count[e.element] > 0; });
     if (soil == elements.end()) continue;
-    const double area = ground::find_outward_normal(body.mesh(), soil->element, soil->opposite).second;
+    const double area = site::find_outward_normal(body.mesh(), soil->element, soil->opposite).second;
     const std::array<Vec<D>, D> force = integrate<D>(surface.traction[s], area);
     if (!on_points) {
       for (std::size_t c = 0; c < D; ++c) load.entries.push_back({surface.sides[s][c], force[c]});
@@ -121,17 +121,17 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& body, const std::vector<std::arr
 }  // namespace
 
 template <int D>
-ground::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
+site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
   if (data.gravity.acceleration == 0) return {};
-  if (!ground::has_water(data)) {
+  if (!site::has_water(data)) {
     const bool has_table = data.initial.water.pressure == input::InitialPressure::water_table;
     if (!has_table && !has_ratio(data)) return {};
-    return ground::find_held_water<D>(data, mesh);
+    return site::find_held_water<D>(data, mesh);
   }
   if (!has_ratio(data)) return {};
-  ground::HeldWater<D> held = ground::find_held_water<D>(data, mesh);
+  site::HeldWater<D> held = site::find_held_water<D>(data, mesh);
   held.pore.assign(mesh.elements.size(), {});
-  held.acts = ground::add_pressure_ratio<D>(data, mesh, held.unit_weight, held.pore);
+  held.acts = site::add_pressure_ratio<D>(data, mesh, held.unit_weight, held.pore);
   held.unit_weight.clear();
   return held;
 }
@@ -142,16 +142,16 @@ std::vector<double> find_ground_load(const input::Case& data, const std::vector<
   const Standing standing = find_standing(data);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double x = places[i][0];
-    if (!data.surcharges.empty()) load[i] += ground::find_surcharge(data, x);
+    if (!data.surcharges.empty()) load[i] += site::find_surcharge(data, x);
     if (standing.ground.empty()) continue;
-    if (const auto level = ground::find_standing_level({}, standing.table, standing.ground, x))
-      load[i] += ground::find_water_weight(data) * std::max(0.0, *level - ground::find_level(standing.ground, x));
+    if (const auto level = site::find_standing_level({}, standing.table, standing.ground, x))
+      load[i] += site::find_water_weight(data) * std::max(0.0, *level - site::find_level(standing.ground, x));
   }
   return load;
 }
 
 template <int D>
-void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const ground::HeldWater<D>& held) {
+void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const site::HeldWater<D>& held) {
   const auto add = [&](mpm::Load<D> load) {
     if (load.entries.empty()) return;
     load.factor = make_growth(data);
@@ -162,16 +162,16 @@ void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const ground:
     input::Case alone = data;
     alone.tractions.clear();
     for (const fem::SurfaceLoad<D>& surface :
-         ground::make_surface_loads<D>(alone, body.mesh(), {}, standing.table, standing.ground))
+         site::make_surface_loads<D>(alone, body.mesh(), {}, standing.table, standing.ground))
       add(make_side_load<D>(body, surface, moves(data)));
   }
   if (held.acts) add(make_pore_load<D>(body, held.pore));
 }
 
 #define TALUS_INSTANTIATE(D)                                                                        \
-  template ground::HeldWater<D> find_carried_water<D>(const input::Case&, const mesh::Mesh<D>&);    \
+  template site::HeldWater<D> find_carried_water<D>(const input::Case&, const mesh::Mesh<D>&);      \
   template std::vector<double> find_ground_load<D>(const input::Case&, const std::vector<Vec<D>>&); \
-  template void add_ground_loads<D>(mpm::Body<D>&, const input::Case&, const ground::HeldWater<D>&);
+  template void add_ground_loads<D>(mpm::Body<D>&, const input::Case&, const site::HeldWater<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -4,16 +4,16 @@
 
 #include <vector>
 
-#include "ground/pore_water.hpp"
 #include "input/case/case.hpp"
 #include "mpm/state/body.hpp"
+#include "site/pore_water.hpp"
 
 namespace talus::run {
 
 /// Returns the pore pressures and weights of water that is no phase of the engine; empty lists if there are none. In a
 /// case with a phase of water only r_u contributes, and the weights are those of the engine.
 template <int D>
-ground::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh);
+site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 
 /// Surcharge and standing water above each place [Pa]. Water above a [[hydraulic]] is left out, as the engine applies
 /// it.
@@ -24,6 +24,6 @@ std::vector<double> find_ground_load(const input::Case& data, const std::vector<
 /// filled. They grow with the weight of the first stage. If a stage moves the soil through the mesh, the points carry
 /// the loads on the ground; at frozen geometry the sides of the mesh carry them, which is exact.
 template <int D>
-void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const ground::HeldWater<D>& held);
+void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const site::HeldWater<D>& held);
 
 }  // namespace talus::run

@@ -8,11 +8,6 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/known_state.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/roots.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/points.hpp"
 #include "mpm/kernels/pore_state.hpp"
@@ -21,6 +16,11 @@
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/ground_loads.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
+#include "site/known_state.hpp"
+#include "site/pore_water.hpp"
+#include "site/roots.hpp"
 
 namespace talus::run {
 
@@ -113,7 +113,7 @@ void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const
     soils.push_back(by_number[static_cast<std::size_t>(p.material)]);
     places.push_back(mesh::to_global(mesh, p.element, p.xi));
   }
-  const std::vector<ground::RootsAt> roots = ground::find_roots<D>(data, mesh, places, soils);
+  const std::vector<site::RootsAt> roots = site::find_roots<D>(data, mesh, places, soils);
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto& p = points[i];
     const auto number = static_cast<std::size_t>(p.material);
@@ -213,8 +213,8 @@ std::vector<int> assign_materials(const input::Case& data, const mesh::Mesh<D>& 
 /// Sets the vertical effective stress of the overburden of soil and water, and K0 times it horizontally.
 template <int D>
 void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
-                   const std::vector<mpm::WaterLaw>& laws, const ground::InitialWater<D>& water,
-                   const ground::HeldWater<D>& held, std::vector<mpm::InitialPoint<D>>& points) {
+                   const std::vector<mpm::WaterLaw>& laws, const site::InitialWater<D>& water,
+                   const site::HeldWater<D>& held, std::vector<mpm::InitialPoint<D>>& points) {
   std::vector<double> unit_weight(mesh.elements.size(), 0.0), bishop(mesh.elements.size(), 0.0);
   for (const mpm::InitialPoint<D>& p : points) {
     const input::Material& m = data.materials.at(names[p.material]);
@@ -239,7 +239,7 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
   for (const auto& p : points) places.push_back({p.element, p.xi});
   std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
   if (!laws.empty()) {
-    const std::vector<double> ponded = ground::find_ponded_load<D>(data, mesh, points);
+    const std::vector<double> ponded = site::find_ponded_load<D>(data, mesh, points);
     for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
   }
   std::vector<Vec<D>> at;
@@ -265,12 +265,12 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
 
 /// Returns stress and plastic strain of FEM at the points; empty if none was computed.
 template <int D>
-std::vector<ground::StressAt> find_known_stress(const input::Initial& initial, const mesh::Mesh<D>& mesh,
-                                                const std::vector<mpm::InitialPoint<D>>& points) {
-  std::vector<ground::StressAt> known;
+std::vector<site::StressAt> find_known_stress(const input::Initial& initial, const mesh::Mesh<D>& mesh,
+                                              const std::vector<mpm::InitialPoint<D>>& points) {
+  std::vector<site::StressAt> known;
   if constexpr (D == 2) {
     if (!initial.known_stress) return known;
-    ground::StressReader reader(*initial.known_stress, mesh);
+    site::StressReader reader(*initial.known_stress, mesh);
     for (const mpm::InitialPoint<D>& p : points) known.push_back(reader.read(p.element, p.xi));
   }
   return known;
@@ -279,14 +279,14 @@ std::vector<ground::StressAt> find_known_stress(const input::Initial& initial, c
 /// Fills the mesh of a case with material points.
 template <int D>
 mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
-                       std::optional<fem::SeepageResult<D>>* seepage, std::optional<ground::SeasonRecord>* season) {
+                       std::optional<fem::SeepageResult<D>>* seepage, std::optional<site::SeasonRecord>* season) {
   const std::vector<std::string> names = list_materials(data);
   if (names.size() > 32)
     throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
   const std::vector<int> material_of_region = assign_materials(data, mesh, names);
-  const std::vector<mpm::WaterLaw> water_laws = ground::make_water_laws(data);
-  ground::InitialWater<D> water = ground::find_initial_water<D>(data, mesh);
-  const ground::HeldWater<D> held = find_carried_water<D>(data, mesh);
+  const std::vector<mpm::WaterLaw> water_laws = site::make_water_laws(data);
+  site::InitialWater<D> water = site::find_initial_water<D>(data, mesh);
+  const site::HeldWater<D> held = find_carried_water<D>(data, mesh);
   const auto positions = mesh::point_positions<D>(points_per_element);
   std::vector<mpm::InitialPoint<D>> points;
   std::vector<int> in_element(mesh.elements.size(), 0);
@@ -315,7 +315,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
     throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
   if (data.initial.stress != input::InitialStress::none)
     set_k0_stress<D>(data, mesh, names, water_laws, water, held, points);
-  const std::vector<ground::StressAt> known = find_known_stress<D>(data.initial, mesh, points);
+  const std::vector<site::StressAt> known = find_known_stress<D>(data.initial, mesh, points);
   for (std::size_t i = 0; i < known.size(); ++i)
     std::copy_n(known[i].stress.begin(), points[i].stress.size(), points[i].stress.begin());
 
@@ -328,9 +328,9 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   resolve_conditions(body, data);
   add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
-  ground::resolve_root_uptakes(body, data);
+  site::resolve_root_uptakes(body, data);
   if (data.softening_length) mpm::set_softening_length(body, *data.softening_length);
-  body.water.darcy.pressure = ground::find_nodal_pressures<D>(data, body.mesh(), water);
+  body.water.darcy.pressure = site::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
   if (season != nullptr) *season = std::move(water.season);
   return body;
@@ -362,16 +362,16 @@ template <int D>
 Vec<D> find_acceleration(const input::Case& data) {
   Vec<D> g = find_gravity<D>(data.gravity);
   if (data.earthquake.horizontal == 0 && data.earthquake.vertical == 0) return g;
-  ground::Polyline ground;
-  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) ground = ground::find_ground(data.mesh);
-  const Vec<D> added = ground::find_earthquake<D>(data, ground);
+  site::Polyline ground;
+  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) ground = site::find_ground(data.mesh);
+  const Vec<D> added = site::find_earthquake<D>(data, ground);
   for (std::size_t d = 0; d < D; ++d) g[d] += data.gravity.acceleration * added[d];
   return g;
 }
 
 template <int D>
 mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks,
-                     std::optional<fem::SeepageResult<D>>* seepage, std::optional<ground::SeasonRecord>* season) {
+                     std::optional<fem::SeepageResult<D>>* seepage, std::optional<site::SeasonRecord>* season) {
   if (data.initial.result.empty())
     return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage, season);
   // Conditions belong to the nodes and points of the filled mesh, and move with the soil from there.
@@ -407,7 +407,7 @@ double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity)
   template Vec<D> find_gravity<D>(const input::Gravity&);                                                         \
   template Vec<D> find_acceleration<D>(const input::Case&);                                                       \
   template mpm::Body<D> prepare<D>(const input::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*, \
-                                   std::optional<ground::SeasonRecord>*);                                         \
+                                   std::optional<site::SeasonRecord>*);                                           \
   template double find_soil_height<D>(const mpm::Body<D>&, const input::Gravity&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
-#include "ground/season.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/build.hpp"
 #include "results/trial.hpp"
+#include "site/season.hpp"
 
 namespace talus::run {
 
@@ -54,7 +54,7 @@ void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<dou
 template <int D>
 mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks = 0,
                      std::optional<fem::SeepageResult<D>>* seepage = nullptr,
-                     std::optional<ground::SeasonRecord>* season = nullptr);
+                     std::optional<site::SeasonRecord>* season = nullptr);
 
 /// Soil height H [m]: extent against gravity of the elements that hold points.
 template <int D>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Root content and cohesion at points, and the integration of the distribution of water uptake over the elements.
-#include "ground/roots.hpp"
+#include "site/roots.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
 #include "material/rooted_mohr_coulomb.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -363,4 +363,4 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -11,7 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "mpm/state/water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// A side of a wet element behind which there is no wet soil.
 template <int D>
@@ -45,4 +45,4 @@ WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& dat
 /// pressure, flux, rain, seepage face, no flow. Above its level a head is a seepage face.
 int find_rank(const mpm::SurfaceCondition& surface, double y, bool is_named);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -11,7 +11,7 @@
 #include "input/case/case.hpp"
 #include "results/water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Record of a season in 100 equal intervals. Volumes [m³] (2D: per metre of thickness) count from its start.
 struct SeasonRecord {
@@ -71,4 +71,4 @@ results::Season make_season_result(const SeasonRecord& record);
 /// Writes season.csv, the rows of the record. Throws Error (cannot_write).
 void write_season(const std::filesystem::path& path, const SeasonRecord& record);
 
-}  // namespace talus::ground
+}  // namespace talus::site

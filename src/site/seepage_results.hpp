@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/season.hpp"
 #include "input/case/case.hpp"
 #include "results/water.hpp"
+#include "site/ground_line.hpp"
+#include "site/season.hpp"
 
 namespace talus::results {
 struct RunResult;
 }
 
-namespace talus::ground {
+namespace talus::site {
 
 /// The results on the pore water before the first stage or trial.
 struct WaterResult {
@@ -58,4 +58,4 @@ template <int D>
 results::WaterField make_field_result(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& seepage,
                                       results::WaterFlow flow, double time);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pore pressures at the start from a water table, seepage, a known state or a season; ponds and water tables for
 // LEM.
-#include "ground/initial_water.hpp"
+#include "site/initial_water.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 #include <limits>
 
 #include "base/numbers.hpp"
-#include "ground/known_state.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/seepage_model.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "site/known_state.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
+#include "site/seepage_model.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -456,4 +456,4 @@ Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const 
 template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, WaterResult*);
 template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, WaterResult*);
 
-}  // namespace talus::ground
+}  // namespace talus::site

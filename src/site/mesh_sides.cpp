@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elements and normals at named sides, and the search of the nearest side by bounding balls.
-#include "ground/mesh_sides.hpp"
+#include "site/mesh_sides.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -251,4 +251,4 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
-}  // namespace talus::ground
+}  // namespace talus::site

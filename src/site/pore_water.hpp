@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/state/water.hpp"
+#include "site/seepage_results.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Returns true if some soil that fills a region has pore water.
 bool has_water(const input::Case& data);
@@ -58,4 +58,4 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
 template <int D>
 Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -11,7 +11,7 @@
 #include "base/vec.hpp"
 #include "mpm/state/body.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Returns the sides of that name. Throws Error (wrong_input), with the names that exist, if there are none.
 template <int D>
@@ -96,4 +96,4 @@ class SideSet {
   std::vector<Ball<D>> groups_;  ///< bounding balls of `group_size` sides each
 };
 
-}  // namespace talus::ground
+}  // namespace talus::site

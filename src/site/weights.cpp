@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Saturation, unit weight and suction stress of soil, and the weight of pools on a mesh.
-#include "ground/weights.hpp"
+#include "site/weights.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/pore_water.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
+#include "site/pore_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::function<std::vector<double>(double time)> make_pool_weight(const input::Ca
   };
 }
 
-}  // namespace talus::ground
+}  // namespace talus::site

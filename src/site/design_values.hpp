@@ -8,7 +8,7 @@
 #include "input/case/case.hpp"
 #include "results/comparison.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 struct DesignValues {
   input::Case data;                                   ///< with design values; the given case if it has no factors
@@ -29,4 +29,4 @@ std::string describe_factored_quake(const input::Case& data);
 /// its text.
 void state_over_design(results::DesignStatement& statement, double resistance, double factor);
 
-}  // namespace talus::ground
+}  // namespace talus::site

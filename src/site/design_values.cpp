@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Application of partial factors to soils, loads and weights, and the statement of the over-design factor.
-#include "ground/design_values.hpp"
+#include "site/design_values.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "input/case/partial_factors.hpp"
 #include "results/bounds.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 constexpr double kilo = 1e3, degree = std::numbers::pi / 180;
@@ -150,4 +150,4 @@ void state_over_design(results::DesignStatement& statement, double resistance, d
       over_design >= 1 ? "which is at least 1 as required" : "below the 1 that is required");
 }
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -8,7 +8,7 @@
 #include "base/vec.hpp"
 #include "input/case/start.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 struct StressAt {
   std::array<double, 6> stress{};  ///< effective, positive in tension [Pa]
@@ -46,4 +46,4 @@ struct MappedWater {
 /// water the numbers are unchanged.
 MappedWater map_water(const input::KnownWater& known, const mesh::Mesh<2>& mesh);
 
-}  // namespace talus::ground
+}  // namespace talus::site

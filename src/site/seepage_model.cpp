@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sides of the wet soil with their hydraulic conditions, and the model of seepage of a case.
-#include "ground/seepage_model.hpp"
+#include "site/seepage_model.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,14 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
-#include "ground/weights.hpp"
 #include "input/case/soil_water_law.hpp"
 #include "results/water.hpp"
+#include "site/initial_water.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
+#include "site/weights.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -368,4 +368,4 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
 template fem::SeepageModel<2> make_seepage_model<2>(const input::Case&, const mesh::Mesh<2>&, mesh::Mesh<2>&);
 template fem::SeepageModel<3> make_seepage_model<3>(const input::Case&, const mesh::Mesh<3>&, mesh::Mesh<3>&);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transient seepage over the season, and its record by layers under the ground.
-#include "ground/season.hpp"
+#include "site/season.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "ground/roots.hpp"
-#include "ground/seepage_results.hpp"
 #include "output/files/history.hpp"
+#include "site/roots.hpp"
+#include "site/seepage_results.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 namespace {
 
 constexpr int intervals = 100;
@@ -243,4 +243,4 @@ TALUS_INSTANTIATE(3)
 template Season<2> run_season<2>(const input::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);
 template Season<3> run_season<3>(const input::Case&, const fem::SeepageModel<3>&, const std::vector<double>&);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ground line as the upper limit of the polygons, steep faces of cohesionless soil, and implausible water tables.
-#include "ground/ground_line.hpp"
+#include "site/ground_line.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "ground/initial_water.hpp"
 #include "mesh/planar.hpp"
+#include "site/initial_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -404,4 +404,4 @@ std::vector<std::string> find_odd_water(const input::Case& data) {
   return sentences;
 }
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "fem/solid/solid.hpp"
-#include "ground/initial_water.hpp"
 #include "input/case/case.hpp"
 #include "mesh/plan.hpp"
+#include "site/initial_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// A side of the soil that faces upwards and has no soil behind it.
 template <int D>
@@ -38,4 +38,4 @@ double find_surcharge(const input::Case& data, double x);
 /// traction linear on each side of the mesh then equals the load. A ready mesh and a plan in 3D are returned unchanged.
 mesh::Plan conform_to_loads(const input::Case& data, mesh::Plan plan);
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Integration of loads over the sides of the ground, and the corners by which a mesh conforms to them.
-#include "ground/ground_load.hpp"
+#include "site/ground_load.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "ground/ground_line.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/mesh_sides.hpp"
-#include "ground/pore_water.hpp"
+#include "site/ground_line.hpp"
+#include "site/initial_water.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/pore_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -337,4 +337,4 @@ mesh::Plan conform_to_loads(const input::Case& data, mesh::Plan plan) {
   return plan;
 }
 
-}  // namespace talus::ground
+}  // namespace talus::site

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of the stress and the pore water of an earlier result.
-#include "ground/known_state.hpp"
+#include "site/known_state.hpp"
 
 #include <algorithm>
 
 #include "mesh/locate.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 StressReader::StressReader(const input::KnownStress& known, const mesh::Mesh<2>& mesh)
     : known_(known), mesh_(mesh), same_mesh_(mesh.nodes == known.mesh.nodes && mesh.elements == known.mesh.elements) {}
@@ -82,4 +82,4 @@ MappedWater map_water(const input::KnownWater& known, const mesh::Mesh<2>& mesh)
   return water;
 }
 
-}  // namespace talus::ground
+}  // namespace talus::site

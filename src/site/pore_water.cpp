@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Water laws of the soils, and constant pore pressures and unit weights per element.
-#include "ground/pore_water.hpp"
+#include "site/pore_water.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/weights.hpp"
 #include "input/case/soil_water_law.hpp"
 #include "mesh/locate.hpp"
+#include "site/initial_water.hpp"
+#include "site/weights.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 bool has_water(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
@@ -177,4 +177,4 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
-}  // namespace talus::ground
+}  // namespace talus::site

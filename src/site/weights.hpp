@@ -8,7 +8,7 @@
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Returns γ [N/m³] at a pore pressure `p`, positive in tension [Pa]: the given one above or below the water table, or
 /// that of the grains and the water retained at that suction.
@@ -31,4 +31,4 @@ bool uses_saturation(const input::Material& soil);
 /// as find_ground().
 std::function<std::vector<double>(double time)> make_pool_weight(const input::Case& data, const mesh::Mesh<2>& mesh);
 
-}  // namespace talus::ground
+}  // namespace talus::site

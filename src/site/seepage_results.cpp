@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Discharges, water tables, ponds and fields of seepage, season and water at rest, rounded for the results files.
-#include "ground/seepage_results.hpp"
+#include "site/seepage_results.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ground/initial_water.hpp"
-#include "ground/pore_water.hpp"
 #include "results/run.hpp"
+#include "site/initial_water.hpp"
+#include "site/pore_water.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 namespace {
 
@@ -309,4 +309,4 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
-}  // namespace talus::ground
+}  // namespace talus::site

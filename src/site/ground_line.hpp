@@ -10,7 +10,7 @@
 #include "input/case/case.hpp"
 #include "mesh/plan.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
@@ -58,4 +58,4 @@ std::vector<std::string> find_odd_water(const input::Case& data);
 std::vector<std::string> find_odd_water(const Polyline& table, const Polyline& ground, double base,
                                         const ShownUnit& length, const std::string& name);
 
-}  // namespace talus::ground
+}  // namespace talus::site

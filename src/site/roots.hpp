@@ -12,7 +12,7 @@
 #include "mesh/mesh.hpp"
 #include "mpm/state/body.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Returns the depths of points normal to the ground [m]: the shortest distance from the named line, in 3D from the
 /// surface. Throws Error (wrong_input) if the mesh has no such line.
@@ -73,4 +73,4 @@ std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::
 template <int D>
 void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data);
 
-}  // namespace talus::ground
+}  // namespace talus::site

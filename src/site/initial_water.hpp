@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
-#include "ground/ground_line.hpp"
-#include "ground/season.hpp"
-#include "ground/seepage_results.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/build.hpp"
+#include "site/ground_line.hpp"
+#include "site/season.hpp"
+#include "site/seepage_results.hpp"
 
-namespace talus::ground {
+namespace talus::site {
 
 /// Pore water at the start, per element; zero where there is none.
 template <int D>
@@ -107,4 +107,4 @@ Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond
 /// Returns a water table with the levels of the ponds where there are any.
 Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground);
 
-}  // namespace talus::ground
+}  // namespace talus::site
