@@ -36,8 +36,8 @@
 #include "run/run_folder.hpp"
 #include "run/timeline/timeline_run.hpp"
 #include "site/design_values.hpp"
-#include "site/ground_line.hpp"
 #include "site/initial_water.hpp"
+#include "site/site.hpp"
 
 namespace talus::run {
 namespace {
@@ -124,7 +124,7 @@ class CaseRun {
       points_.emplace(loaded_, *point_case_, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
-      run_.slope_height = site::find_slope_height(data.mesh, site::find_ground(data.mesh));
+      run_.slope_height = site::Site(data).find_slope_height();
     }
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
     if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();

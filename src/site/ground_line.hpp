@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The ground of a plane section, the upper limit of all soil polygons, and warnings on steep faces and water tables.
+// The ground of a plane section, the upper limit of all soil polygons, and its steep faces.
 
 #include <array>
 #include <string>
@@ -11,6 +11,8 @@
 #include "mesh/plan.hpp"
 
 namespace talus::site {
+
+class Site;
 
 using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
@@ -43,19 +45,9 @@ struct SteepFace {
 
 /// Returns the faces of a plane section from left to right; none for a section with overhangs. Soil with suction or
 /// roots is left out, as these stabilise it.
-std::vector<SteepFace> find_steep_faces(const input::Case& data);
+std::vector<SteepFace> find_steep_faces(const Site& site);
 
 /// Returns the text of a warning: "The ground between (…) and (…) rises at 51.8°, …".
 std::string describe(const SteepFace& face, const ShownUnit& length);
-
-// Water tables that are physically implausible.
-
-/// Returns warnings on the water tables of a plane case, before and after a drawdown: free water that slopes, ends
-/// inside the section that flood lower ground, water far above the crest, and lines outside the section.
-std::vector<std::string> find_odd_water(const input::Case& data);
-
-/// Returns the warnings on one line; `name` begins the sentences: "The water table".
-std::vector<std::string> find_odd_water(const Polyline& table, const Polyline& ground, double base,
-                                        const ShownUnit& length, const std::string& name);
 
 }  // namespace talus::site

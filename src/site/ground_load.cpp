@@ -7,10 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "site/ground_line.hpp"
-#include "site/initial_water.hpp"
 #include "site/mesh_sides.hpp"
-#include "site/pore_water.hpp"
 
 namespace talus::site {
 
@@ -121,7 +118,6 @@ constexpr double steepest = 1e-6;
 template <int D>
 std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline& ground) {
   std::vector<GroundSide<D>> steps;
-  if (ground.empty()) return steps;
   const double least = same_place * (ground.back()[0] - ground.front()[0]);
   visit_faces(mesh, [&](const GroundSide<D>& side) {
     const double x = mesh.nodes[side.nodes[0]][0];
@@ -132,11 +128,13 @@ std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline&
 }
 
 /// Returns the x between which all loads on the ground are linear [m], except where a water level meets the ground.
-std::vector<double> list_breaks(const input::Case& data, const std::vector<Pond>& ponds, const Polyline& table) {
+std::vector<double> list_breaks(const Site& site, bool has_water) {
   std::vector<double> breaks;
-  for (const input::Surcharge& s : data.surcharges) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
-  for (const Pond& p : ponds) breaks.push_back(p.from[0]), breaks.push_back(p.to[0]);
-  for (const Point& x : table) breaks.push_back(x[0]);
+  for (const input::Surcharge& s : site.data().surcharges) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
+  if (has_water) {
+    for (const Pond& p : site.ponds()) breaks.push_back(p.from[0]), breaks.push_back(p.to[0]);
+    for (const Point& x : site.water_table()) breaks.push_back(x[0]);
+  }
   std::sort(breaks.begin(), breaks.end());
   return breaks;
 }
@@ -174,24 +172,15 @@ std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
   return ground;
 }
 
-double find_surcharge(const input::Case& data, double x) {
-  double sum = 0;
-  for (const input::Surcharge& s : data.surcharges) {
-    for (std::size_t i = 1; i < s.x.size(); ++i) {
-      if (x < s.x[i - 1] || x >= s.x[i]) continue;
-      sum += s.load[i - 1] + (s.load[i] - s.load[i - 1]) * (x - s.x[i - 1]) / (s.x[i] - s.x[i - 1]);
-    }
-  }
-  return sum;
-}
-
 template <int D>
-std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                                    const std::vector<Pond>& ponds, const Polyline& table,
-                                                    const Polyline& ground) {
+std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh::Mesh<D>& mesh,
+                                                    const ActingLoads& acting) {
   std::vector<fem::SurfaceLoad<D>> loads;
+  const input::Case& data = site.data();
   std::vector<GroundSide<D>> sides = find_ground_sides(mesh);
-  const std::vector<double> breaks = list_breaks(data, ponds, table);
+  const bool has_water =
+      acting.standing_water && site.has_ground() && !(site.ponds().empty() && site.water_table().empty());
+  const std::vector<double> breaks = list_breaks(site, has_water);
   using Depth = std::function<double(const GroundSide<D>&, const Vec<D>&)>;
   const auto add = [&](const char* name, const std::function<Vec<D>(const GroundSide<D>&, const Vec<D>&)>& find,
                        const Depth& find_depth) {
@@ -220,18 +209,18 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
     add("surcharges",
         [&](const GroundSide<D>& side, const Vec<D>& x) {
           Vec<D> t{};
-          t[1] = -find_surcharge(data, x[0]) * side.normal[1];
+          t[1] = -site.find_surcharge(x[0]) * side.normal[1];
           return t;
         },
         {});
-  if (!ponds.empty() || !table.empty()) {
-    const double weight = find_water_weight(data),
-                 beside = ground.empty() ? 0 : same_place * (ground.back()[0] - ground.front()[0]);
+  if (has_water) {
+    const Polyline& ground = site.ground();
+    const double weight = site.water_weight(), beside = same_place * (ground.back()[0] - ground.front()[0]);
     for (const GroundSide<D>& step : list_steps(mesh, ground)) sides.push_back(step);
     // A step is loaded by the water beside it.
     const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
       const bool is_step = side.normal[1] <= steepest;
-      const auto level = find_standing_level(ponds, table, ground, x[0] + (is_step ? beside * side.normal[0] : 0));
+      const auto level = site.find_standing_level(x[0] + (is_step ? beside * side.normal[0] : 0));
       return level ? *level - x[1] : -1.0;
     };
     add(
@@ -244,6 +233,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
         },
         find_depth);
   }
+  if (!acting.tractions) return loads;
   for (const input::Traction& traction : data.tractions) {
     fem::SurfaceLoad<D> load;
     load.name = traction.on;
@@ -259,10 +249,10 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
   return loads;
 }
 
-#define TALUS_INSTANTIATE(D)                                                      \
-  template std::vector<GroundSide<D>> find_ground_sides<D>(const mesh::Mesh<D>&); \
-  template std::vector<fem::SurfaceLoad<D>> make_surface_loads<D>(                \
-      const input::Case&, const mesh::Mesh<D>&, const std::vector<Pond>&, const Polyline&, const Polyline&);
+#define TALUS_INSTANTIATE(D)                                                                         \
+  template std::vector<GroundSide<D>> find_ground_sides<D>(const mesh::Mesh<D>&);                    \
+  template std::vector<fem::SurfaceLoad<D>> make_surface_loads<D>(const Site&, const mesh::Mesh<D>&, \
+                                                                  const ActingLoads&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
@@ -291,13 +281,12 @@ void add_table(const Polyline& table, const Polyline& ground, std::vector<double
   }
 }
 
-std::vector<Point> list_places(const input::Case& data, const Polyline& ground) {
+std::vector<Point> list_places(const Site& site) {
+  const Polyline& ground = site.ground();
   std::vector<double> places;
-  for (const input::Surcharge& s : data.surcharges) places.insert(places.end(), s.x.begin(), s.x.end());
-  for (const Pond& p : find_ponds(data, ground, find_first_time(data)))
-    places.push_back(p.from[0]), places.push_back(p.to[0]);
-  if (data.initial.water.pressure == input::InitialPressure::water_table && !data.initial.water.water_table.empty())
-    add_table(data.initial.water.water_table, ground, places);
+  for (const input::Surcharge& s : site.data().surcharges) places.insert(places.end(), s.x.begin(), s.x.end());
+  for (const Pond& p : site.ponds()) places.push_back(p.from[0]), places.push_back(p.to[0]);
+  if (!site.water_table().empty()) add_table(site.water_table(), ground, places);
   std::vector<Point> on_ground;
   for (const double x : places)
     if (x > ground.front()[0] && x < ground.back()[0]) on_ground.push_back({x, find_level(ground, x)});
@@ -327,12 +316,11 @@ Polyline add_corners(const Polyline& corners, const std::vector<Point>& places, 
 
 }  // namespace
 
-mesh::Plan conform_to_loads(const input::Case& data, mesh::Plan plan) {
+mesh::Plan conform_to_loads(const Site& site, mesh::Plan plan) {
   if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;
-  const Polyline ground = find_ground(plan);
-  const std::vector<Point> places = list_places(data, ground);
+  const std::vector<Point> places = list_places(site);
   if (places.empty()) return plan;
-  const double least = same_corner * (ground.back()[0] - ground.front()[0]);
+  const double least = same_corner * (site.ground().back()[0] - site.ground().front()[0]);
   for (mesh::Polygon& polygon : plan.polygons) polygon.points = add_corners(polygon.points, places, least);
   return plan;
 }

@@ -8,7 +8,7 @@
 #include "fem/solid/solid.hpp"
 #include "input/case/case.hpp"
 #include "mesh/plan.hpp"
-#include "site/initial_water.hpp"
+#include "site/site.hpp"
 
 namespace talus::site {
 
@@ -21,21 +21,24 @@ struct GroundSide {
 template <int D>
 std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh);
 
-/// Returns the loads on the ground and on named sides as tractions linear on each side, with the force and the moment
-/// of the load. `table`: water table, may be empty; standing water is that of find_standing_level().
-template <int D>
-std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                                    const std::vector<Pond>& ponds, const Polyline& table,
-                                                    const Polyline& ground);
+/// Loads that a method takes from the site beside the surcharges.
+struct ActingLoads {
+  bool standing_water = true;  ///< ponds and the water table above the ground
+  bool tractions = true;       ///< on named sides
+};
 
-/// Returns the sum of all surcharges at x [Pa per horizontal metre].
-double find_surcharge(const input::Case& data, double x);
+/// Returns the loads on the ground and on named sides as tractions linear on each side, with the force and the moment
+/// of the load.
+template <int D>
+std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh::Mesh<D>& mesh,
+                                                    const ActingLoads& acting = {});
 
 // A plan whose mesh has nodes wherever a load on the ground begins, ends or changes its gradient.
 
 /// Returns `plan` with additional corners in its polygons: on the ground at the ends and breaks of surcharges, at the
 /// ends of ponds, under the vertices of a water table above the ground, and where that table meets the ground. A
 /// traction linear on each side of the mesh then equals the load. A ready mesh and a plan in 3D are returned unchanged.
-mesh::Plan conform_to_loads(const input::Case& data, mesh::Plan plan);
+/// Throws as Site::ground().
+mesh::Plan conform_to_loads(const Site& site, mesh::Plan plan);
 
 }  // namespace talus::site

@@ -114,15 +114,6 @@ std::optional<double> find_level(const std::array<Vec<D>, D>& c, const Vec<D>& x
 
 }  // namespace
 
-double find_water_table(const std::vector<std::array<double, 2>>& table, double x) {
-  if (x <= table.front()[0]) return table.front()[1];
-  for (std::size_t i = 1; i < table.size(); ++i) {
-    const auto &a = table[i - 1], &b = table[i];
-    if (x <= b[0]) return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
-  }
-  return table.back()[1];
-}
-
 template <int D>
 InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
   InitialWater<D> water;
@@ -225,103 +216,6 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
-namespace {
-
-/// Columns in which the water table is traced.
-constexpr int columns = 400;
-/// Time before the start, over the duration of what follows, at which a series that jumps at the start has its earlier
-/// value.
-constexpr double just_before = 1e-9;
-
-/// Returns the line of that name, or the top of the box, which soil may reach. Other sides of the box bear no pond.
-std::optional<mesh::Line> find_line(const mesh::Plan& plan, const std::string& name) {
-  for (const mesh::Line& line : plan.lines)
-    if (line.name == name) return line;
-  if (name != "top") return std::nullopt;
-  return mesh::Line{.name = name, .points = {{plan.box_min[0], plan.box_max[1]}, plan.box_max}};
-}
-
-double find_width(const Polyline& ground) {
-  return ground.back()[0] - ground.front()[0];
-}
-
-}  // namespace
-
-double find_first_time(const input::Case& data) {
-  return data.timeline ? -just_before * data.timeline->duration : 0;
-}
-
-double find_weather_start(const input::Case& data) {
-  const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
-  return has_season ? -(1 + just_before) * data.initial.water.season : find_first_time(data);
-}
-
-std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time) {
-  std::vector<Pond> ponds;
-  const double weight = find_water_weight(data), near = 1e-6 * find_width(ground);
-  for (const input::Hydraulic& h : data.hydraulics) {
-    const bool is_head = h.condition == input::WaterCondition::total_head;
-    if (!is_head && h.condition != input::WaterCondition::pressure) continue;
-    const std::optional<mesh::Line> line = find_line(data.mesh, h.on);
-    if (!line) continue;
-    const double value = h.values().at(time);
-    for (std::size_t i = 1; i < line->points.size(); ++i) {
-      Point a = line->points[i - 1], b = line->points[i];
-      if (a[0] > b[0]) std::swap(a, b);
-      if (b[0] - a[0] <= near || std::abs(find_level(ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
-      const auto find = [&](const Point& x) { return is_head ? value : x[1] + value / weight; };
-      // Only the part of the ground that is under water.
-      double over_a = find(a) - a[1], over_b = find(b) - b[1];
-      if (over_a <= 0 && over_b <= 0) continue;
-      if (over_a * over_b < 0) {
-        const double share = over_a / (over_a - over_b);
-        const Point cut{a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
-        (over_a < 0 ? a : b) = cut;
-      }
-      ponds.push_back({a, b, find(a), find(b)});
-    }
-  }
-  std::sort(ponds.begin(), ponds.end(), [](const Pond& a, const Pond& b) { return a.from[0] < b.from[0]; });
-  return ponds;
-}
-
-std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground,
-                                        const ShownUnit& length) {
-  constexpr double noticeable = 1e-3;
-  const double step = 1e-6 * find_width(ground);
-  std::vector<std::string> notes;
-  const auto look = [&](const Point& end, double level, double side) {
-    const double x = end[0] + side * step;
-    if (x <= ground.front()[0] || x >= ground.back()[0] || find_standing_level(ponds, {}, ground, x)) return;
-    if (level - find_level(ground, x) < noticeable * find_width(ground)) return;
-    notes.push_back(
-        fmt::format("the standing water with its level at y = {} has no bank at x = {}, where the ground "
-                    "is at {}: extend its line to the bank",
-                    format_coordinate(level, length), format_coordinate(end[0], length),
-                    format_coordinate(find_level(ground, x), length)));
-  };
-  for (const Pond& p : ponds) {
-    look(p.from, p.level_from, -1);
-    look(p.to, p.level_to, 1);
-  }
-  return notes;
-}
-
-std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const Polyline& table, const Polyline& ground,
-                                          double x) {
-  std::optional<double> level;
-  for (const Pond& p : ponds) {
-    if (x < p.from[0] || x > p.to[0]) continue;
-    const double here = p.level_from + (p.level_to - p.level_from) * (x - p.from[0]) / (p.to[0] - p.from[0]);
-    level = std::max(level.value_or(here), here);
-  }
-  if (!table.empty()) {
-    const double here = find_water_table(table, x);
-    if (here > find_level(ground, x)) level = std::max(level.value_or(here), here);
-  }
-  return level;
-}
-
 bool needs_seepage(const input::Case& data) {
   return has_water(data) && (data.initial.water.pressure == input::InitialPressure::seepage ||
                              data.initial.water.season > 0 || data.initial.water.known || data.timeline);
@@ -381,76 +275,6 @@ lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2
     grid.triangles.push_back(nodes);
   }
   return grid;
-}
-
-Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond>& ponds, const Polyline& ground,
-                           double base) {
-  const double left = ground.front()[0], width = find_width(ground), dry = base - width;
-  std::vector<double> wet_top(columns + 1, dry);
-  const auto x_of = [&](int c) { return left + width * c / columns; };
-  for (const auto& t : grid.triangles) {
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (const int i : t) low = std::min(low, grid.nodes[i][0]), high = std::max(high, grid.nodes[i][0]);
-    const int first = std::max(0, static_cast<int>(std::ceil((low - left) / width * columns - 1e-9))),
-              last = std::min(columns, static_cast<int>(std::floor((high - left) / width * columns + 1e-9)));
-    for (int c = first; c <= last; ++c) {
-      // The intersections of the column with the sides of the triangle.
-      double y[2] = {0, 0}, u[2] = {0, 0};
-      int met = 0;
-      for (int k = 0; k < 3; ++k) {
-        const int i = t[k], j = t[(k + 1) % 3];
-        const Point &a = grid.nodes[i], &b = grid.nodes[j];
-        if (std::abs(b[0] - a[0]) <= 1e-12 * width) continue;
-        const double share = (x_of(c) - a[0]) / (b[0] - a[0]);
-        if (share < -1e-9 || share > 1 + 1e-9) continue;
-        const double here = a[1] + share * (b[1] - a[1]),
-                     pressure = grid.pressure[i] + share * (grid.pressure[j] - grid.pressure[i]);
-        if (met == 0) {
-          y[0] = y[1] = here;
-          u[0] = u[1] = pressure;
-          met = 1;
-        } else if (here < y[0]) {
-          y[0] = here, u[0] = pressure;
-        } else if (here > y[1]) {
-          y[1] = here, u[1] = pressure;
-        }
-      }
-      if (met == 0) continue;
-      if (u[0] >= 0) wet_top[c] = std::max(wet_top[c], u[1] >= 0 ? y[1] : y[0] + (y[1] - y[0]) * u[0] / (u[0] - u[1]));
-    }
-  }
-  Polyline table;
-  const auto add = [&](double x, double y) {
-    if (table.empty() || x > table.back()[0]) table.push_back({x, y});
-  };
-  const double step = 1e-7 * width;
-  for (int c = 0; c <= columns; ++c) {
-    const double x = x_of(c), next = x_of(c + 1), level_here = std::min(wet_top[c], find_level(ground, x));
-    const auto standing = find_standing_level(ponds, {}, ground, x);
-    add(x, standing.value_or(level_here));
-    const auto beside = [&](double bank) { return find_standing_level(ponds, {}, ground, bank).value_or(level_here); };
-    for (const Pond& p : ponds) {  // banks of ponds are steps, unless the next pond begins there
-      if (p.from[0] > x && p.from[0] < next)
-        add(p.from[0] - step, beside(p.from[0] - step)), add(p.from[0], p.level_from);
-      if (p.to[0] > x && p.to[0] < next) add(p.to[0], p.level_to), add(p.to[0] + step, beside(p.to[0] + step));
-    }
-  }
-  return table;
-}
-
-Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground) {
-  const double step = 1e-7 * find_width(ground);
-  std::vector<double> breaks{ground.front()[0], ground.back()[0]};
-  for (const Point& x : table) breaks.push_back(x[0]);
-  for (const Pond& p : ponds)
-    for (const double x : {p.from[0] - step, p.from[0], p.to[0], p.to[0] + step}) breaks.push_back(x);
-  std::sort(breaks.begin(), breaks.end());
-  Polyline line;
-  for (const double x : breaks) {
-    if (!line.empty() && x <= line.back()[0]) continue;
-    line.push_back({x, find_standing_level(ponds, {}, ground, x).value_or(find_water_table(table, x))});
-  }
-  return line;
 }
 
 template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, WaterResult*);

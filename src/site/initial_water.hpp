@@ -12,9 +12,9 @@
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/build.hpp"
-#include "site/ground_line.hpp"
 #include "site/season.hpp"
 #include "site/seepage_results.hpp"
+#include "site/site.hpp"
 
 namespace talus::site {
 
@@ -38,9 +38,6 @@ template <int D>
 std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Mesh<D>& mesh,
                                          const InitialWater<D>& water);
 
-/// Returns the level of the water table at x [m]: linear between its points, horizontal beyond its ends.
-double find_water_table(const std::vector<std::array<double, 2>>& table, double x);
-
 /// Returns the model of steady seepage: materials by region, [[hydraulic]] by boundary; regions without pore water take
 /// no part. `wet_mesh` receives the mesh with those regions empty, and must outlive the model.
 template <int D>
@@ -51,33 +48,6 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
 template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points);
-
-// Pore water at the start for LEM and FEM: pressures at the nodes of a mesh, or a water table, and the water standing
-// on the ground.
-
-/// Water over a stretch of the ground, from a total head or a pressure on a named line.
-struct Pond {
-  Point from{}, to{};                   ///< ends on the ground, from left to right [m]
-  double level_from = 0, level_to = 0;  ///< level of the water there [m]
-};
-/// Returns the time at which the methods start [s]: 0, or just before it if a timeline follows, whose series may jump
-/// at 0.
-double find_first_time(const input::Case& data);
-
-/// Returns the time at which the weather starts [s]: just before the season if there is one, else find_first_time().
-double find_weather_start(const input::Case& data);
-
-/// Returns the ponds at `time` [s].
-std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time);
-
-/// Returns warnings on ponds without a bank, where the ground beside them is lower than their water.
-std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground,
-                                        const ShownUnit& length);
-
-/// Returns the level of the water standing over the ground at x [m], that of a pond or of the water table; nothing
-/// where the ground is dry. `table` may be empty.
-std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const Polyline& table, const Polyline& ground,
-                                          double x);
 
 /// Returns true if pore pressures result from a flow calculation and therefore need a mesh.
 bool needs_seepage(const input::Case& data);
@@ -99,12 +69,5 @@ input::Case close_sides(input::Case data);
 /// Returns the pressures on a mesh for LEM; soil in which no water acts has zero.
 lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2>& mesh,
                                      const std::vector<double>& pressure);
-
-/// Returns the line of zero pressure of a grid as a water table, together with the water standing on the ground [m].
-Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond>& ponds, const Polyline& ground,
-                           double base);
-
-/// Returns a water table with the levels of the ponds where there are any.
-Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground);
 
 }  // namespace talus::site

@@ -43,35 +43,6 @@ std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data) {
   return laws;
 }
 
-double find_water_weight(const input::Case& data) {
-  return data.water.density * data.gravity.acceleration;
-}
-
-template <int D>
-const input::Material* find_soil(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
-  const int region = mesh.element_region[e];
-  if (region < 0) return nullptr;
-  const auto given = data.regions.find(mesh.region_names[region]);
-  const auto material = given == data.regions.end() ? data.materials.end() : data.materials.find(given->second);
-  if (material == data.materials.end()) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("region '{}' of the mesh has no material; add it to [regions]", mesh.region_names[region]));
-  }
-  return &material->second;
-}
-
-void check_upright(const input::Case& data, const char* what) {
-  constexpr double upright = 1e-9;
-  if (data.gravity.direction[1] > -1 + upright) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("{} is a level of y, so gravity must act along -y; its direction is ({:g}, {:g}, {:g})",
-                            what, data.gravity.direction[0], data.gravity.direction[1], data.gravity.direction[2]));
-  }
-}
-
-template const input::Material* find_soil<2>(const input::Case&, const mesh::Mesh<2>&, int);
-template const input::Material* find_soil<3>(const input::Case&, const mesh::Mesh<3>&, int);
-
 namespace {
 
 /// Divisions of an element's edge, for means over elements that the water table cuts.
@@ -153,26 +124,10 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
   return true;
 }
 
-template <int D>
-Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground) {
-  Vec<D> added{};
-  const input::Earthquake& quake = data.earthquake;
-  const bool falls_to_the_left = !ground.empty() && ground.front()[1] < ground.back()[1];
-  const bool pushes_left = quake.direction == input::EarthquakeDirection::both
-                               ? falls_to_the_left
-                               : quake.direction == input::EarthquakeDirection::left;
-  const double amount =
-      quake.direction == input::EarthquakeDirection::both ? std::abs(quake.horizontal) : quake.horizontal;
-  added[0] = pushes_left ? -amount : amount;
-  added[1] = -quake.vertical;
-  return added;
-}
-
 #define TALUS_INSTANTIATE(D)                                                                                \
   template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);         \
   template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&, \
-                                      std::vector<std::array<double, D + 1>>&);                             \
-  template Vec<D> find_earthquake<D>(const input::Case&, const std::vector<std::array<double, 2>>&);
+                                      std::vector<std::array<double, D + 1>>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

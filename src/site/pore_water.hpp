@@ -11,6 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "mpm/state/water.hpp"
 #include "site/seepage_results.hpp"
+#include "site/site.hpp"
 
 namespace talus::site {
 
@@ -19,18 +20,6 @@ bool has_water(const input::Case& data);
 
 /// Returns the water laws by material number (list_materials); empty if has_water() is false.
 std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data);
-
-/// Returns γ_w [N/m³] under the gravity of the model.
-double find_water_weight(const input::Case& data);
-
-/// Returns the material that fills element `e` at the start; nullptr where there is no soil. Throws Error (wrong_input)
-/// if its region has no material.
-template <int D>
-const input::Material* find_soil(const input::Case& data, const mesh::Mesh<D>& mesh, int e);
-
-/// Throws Error (wrong_input) unless gravity acts along -y, as heads and water tables are levels of y. `what` begins
-/// the sentence: "a water table".
-void check_upright(const input::Case& data, const char* what);
 
 // Constant pore water: pressures at the corners of the elements and the unit weight of the soil with its water, for FEM
 // and for MPM without a phase of water.
@@ -52,10 +41,5 @@ HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh,
 template <int D>
 bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& unit_weight,
                         std::vector<std::array<double, D + 1>>& pore);
-
-/// Returns the acceleration over g of a pseudo-static earthquake, in its direction. If the case gives none, it is
-/// towards the lower end of the ground, and towards larger x if `ground` is empty or level from end to end.
-template <int D>
-Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground);
 
 }  // namespace talus::site

@@ -45,16 +45,6 @@ void add_side_discharges(const fem::SeepageResult<D>& r, std::vector<results::Di
   for (const fem::FaceExtent<D>& e : r.exits) exits.push_back({e.name, to_list(e.highest), to_list(e.lowest)});
 }
 
-/// Returns the ground; empty where find_ground() throws, as it only serves figures here.
-Polyline look_for_ground(const input::Case& data) {
-  if (data.mesh.dimension != 2 || data.mesh.polygons.empty()) return {};
-  try {
-    return find_ground(data.mesh);
-  } catch (const Error&) {
-    return {};
-  }
-}
-
 std::vector<results::StandingWater> make_ponds_result(const std::vector<Pond>& ponds) {
   std::vector<results::StandingWater> result;
   for (const Pond& p : ponds) result.push_back({p.from, p.to, p.level_from, p.level_to});
@@ -128,22 +118,20 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
 }
 
 /// Returns the state under the water table of the case; nothing in a case without one.
-std::optional<results::WaterState> make_table_state_result(const input::Case& data, double time) {
-  const input::InitialWater& initial = data.initial.water;
-  if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return std::nullopt;
-  const Polyline ground = look_for_ground(data);
-  if (ground.empty()) return std::nullopt;
+std::optional<results::WaterState> make_table_state_result(const Site& site, double time) {
+  if (site.water_table().empty() || !site.has_ground()) return std::nullopt;
   results::WaterState state;
   state.time = time;
-  const std::vector<Pond> ponds = find_ponds(data, ground, time);
+  const std::vector<Pond> ponds = site.find_ponds(time);
   state.ponds = make_ponds_result(ponds);
-  split_table(initial.water_table, ponds, ground, state);
+  split_table(site.water_table(), ponds, site.ground(), state);
   return state;
 }
 
 /// Returns the field of water at rest under the table of the case, on triangles between the ground and the lowest soil.
-results::WaterFields lay_fields(const input::Case& data, const Polyline& ground) {
-  const double base = find_base(data.mesh), left = ground.front()[0], right = ground.back()[0];
+results::WaterFields lay_fields(const Site& site) {
+  const Polyline& ground = site.ground();
+  const double base = find_base(site.data().mesh), left = ground.front()[0], right = ground.back()[0];
   std::vector<double> places;
   for (int c = 0; c <= columns; ++c) places.push_back(left + (right - left) * c / columns);
   for (const Point& x : ground)
@@ -151,14 +139,14 @@ results::WaterFields lay_fields(const input::Case& data, const Polyline& ground)
   std::sort(places.begin(), places.end());
   std::erase_if(places, [&](double x) { return x < left || x > right; });
   results::WaterFields result;
-  result.unit_weight = find_water_weight(data);
+  result.unit_weight = site.water_weight();
   results::WaterField& field = result.states.emplace_back();
   for (const double x : places)
     for (int r = 0; r <= rows; ++r) {
       const double y = base + (find_level(ground, x) - base) * r / rows;
-      const double p = result.unit_weight * (find_water_table(data.initial.water.water_table, x) - y);
+      const double p = result.unit_weight * (find_water_table(site.water_table(), x) - y);
       result.nodes.push_back(shorten_place(x, y));
-      field.pressure.push_back(shorten(std::max(p, -data.initial.water.largest_suction)));
+      field.pressure.push_back(shorten(std::max(p, -site.data().initial.water.largest_suction)));
     }
   for (int c = 0; c + 1 < static_cast<int>(places.size()); ++c)
     for (int r = 0; r < rows; ++r) {
@@ -192,7 +180,7 @@ results::Seepage make_seepage_result(const mesh::Mesh<D>& mesh, const fem::Seepa
 }
 
 template <int D>
-results::WaterState make_state_result(const input::Case& data, const fem::SeepageResult<D>& r, results::WaterFlow flow,
+results::WaterState make_state_result(const Site& site, const fem::SeepageResult<D>& r, results::WaterFlow flow,
                                       double time) {
   results::WaterState result;
   result.flow = flow;
@@ -203,8 +191,7 @@ results::WaterState make_state_result(const input::Case& data, const fem::Seepag
   add_side_discharges<D>(r, result.discharges, result.exits);
   if constexpr (D == 2)
     for (const auto& line : r.water_table) result.water_table.emplace_back(line.begin(), line.end());
-  if (const Polyline ground = look_for_ground(data); !ground.empty())
-    result.ponds = make_ponds_result(find_ponds(data, ground, time));
+  result.ponds = make_ponds_result(site.find_ponds(time));
   return result;
 }
 
@@ -234,18 +221,19 @@ std::optional<results::WaterFields> begin_fields(const input::Case& data, const 
 }
 
 template <int D>
-WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh,
+WaterResult make_water_result(const Site& site, const mesh::Mesh<D>& mesh,
                               const std::optional<fem::SeepageResult<D>>& steady,
                               const std::optional<SeasonRecord>& season) {
   WaterResult result;
+  const input::Case& data = site.data();
   if (data.initial.water.known) return result;  // the earlier result has it
-  if (!steady && !season) return make_water_table_result(data);
+  if (!steady && !season) return make_water_table_result(site);
   const double start = season ? season->rows.front().time : 0;
   std::vector<results::WaterState>& states = result.states.emplace();
   if (steady) {
     result.seepage = make_seepage_result<D>(mesh, *steady);
-    states.push_back(make_state_result<D>(data, *steady, results::WaterFlow::steady, start));
-  } else if (auto first = make_table_state_result(data, start)) {
+    states.push_back(make_state_result<D>(site, *steady, results::WaterFlow::steady, start));
+  } else if (auto first = make_table_state_result(site, start)) {
     states.push_back(std::move(*first));
   }
   if (season) {
@@ -266,28 +254,27 @@ WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh
   return result;
 }
 
-WaterResult make_water_table_result(const input::Case& data) {
+WaterResult make_water_table_result(const Site& site) {
   WaterResult result;
-  if (auto state = make_table_state_result(data, 0)) {
+  if (auto state = make_table_state_result(site, 0)) {
     result.states = std::vector{std::move(*state)};
-    result.fields = lay_fields(data, look_for_ground(data));
+    result.fields = lay_fields(site);
   }
   return result;
 }
 
-void add_lowered_state(const input::Case& data, const Polyline& table, WaterResult& result) {
-  const Polyline ground = look_for_ground(data);
-  if (ground.empty()) return;
+void add_lowered_state(const Site& site, const Polyline& table, WaterResult& result) {
+  if (!site.has_ground()) return;
   if (!result.states) result.states.emplace();
   results::WaterState& state = result.states->emplace_back();
   state.flow = results::WaterFlow::lowered;
-  split_table(table, {}, ground, state);
+  split_table(table, {}, site.ground(), state);
   if (!result.fields) return;
   results::WaterField& field = result.fields->states.emplace_back();
   field.flow = state.flow;
   for (const results::Point& x : result.fields->nodes)
     field.pressure.push_back(shorten(std::max(result.fields->unit_weight * (find_water_table(table, x[0]) - x[1]),
-                                              -data.initial.water.largest_suction)));
+                                              -site.data().initial.water.largest_suction)));
 }
 
 void give(const WaterResult& water, results::RunResult& run) {
@@ -296,14 +283,14 @@ void give(const WaterResult& water, results::RunResult& run) {
   if (!run.water_states) run.water_states = water.states;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                            \
-  template results::Seepage make_seepage_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&); \
-  template results::WaterState make_state_result<D>(const input::Case&, const fem::SeepageResult<D>&,   \
-                                                    results::WaterFlow, double);                        \
-  template results::WaterField make_field_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&, \
-                                                    results::WaterFlow, double);                        \
-  template WaterResult make_water_result<D>(const input::Case&, const mesh::Mesh<D>&,                   \
-                                            const std::optional<fem::SeepageResult<D>>&,                \
+#define TALUS_INSTANTIATE(D)                                                                                       \
+  template results::Seepage make_seepage_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&);            \
+  template results::WaterState make_state_result<D>(const Site&, const fem::SeepageResult<D>&, results::WaterFlow, \
+                                                    double);                                                       \
+  template results::WaterField make_field_result<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&,            \
+                                                    results::WaterFlow, double);                                   \
+  template WaterResult make_water_result<D>(const Site&, const mesh::Mesh<D>&,                                     \
+                                            const std::optional<fem::SeepageResult<D>>&,                           \
                                             const std::optional<SeasonRecord>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -8,8 +8,8 @@
 #include "fem/seepage/seepage.hpp"
 #include "input/case/case.hpp"
 #include "results/water.hpp"
-#include "site/ground_line.hpp"
 #include "site/season.hpp"
+#include "site/site.hpp"
 
 namespace talus::results {
 struct RunResult;
@@ -27,15 +27,15 @@ struct WaterResult {
 
 /// Returns the results of steady seepage and of a season on this mesh.
 template <int D>
-WaterResult make_water_result(const input::Case& data, const mesh::Mesh<D>& mesh,
+WaterResult make_water_result(const Site& site, const mesh::Mesh<D>& mesh,
                               const std::optional<fem::SeepageResult<D>>& steady,
                               const std::optional<SeasonRecord>& season);
 
 /// Returns the results of a plane case with water at rest under a table; empty for other cases.
-WaterResult make_water_table_result(const input::Case& data);
+WaterResult make_water_table_result(const Site& site);
 
 /// Adds the state after a rapid drawdown to `table`.
-void add_lowered_state(const input::Case& data, const Polyline& table, WaterResult& summary);
+void add_lowered_state(const Site& site, const Polyline& table, WaterResult& summary);
 
 /// Copies to a run the results that it does not have from another method.
 void give(const WaterResult& water, results::RunResult& run);
@@ -46,8 +46,8 @@ results::Seepage make_seepage_result(const mesh::Mesh<D>& mesh, const fem::Seepa
 
 /// Returns one state of a flow calculation at `time` [s], with the water standing on the ground at that time.
 template <int D>
-results::WaterState make_state_result(const input::Case& data, const fem::SeepageResult<D>& seepage,
-                                      results::WaterFlow flow, double time);
+results::WaterState make_state_result(const Site& site, const fem::SeepageResult<D>& seepage, results::WaterFlow flow,
+                                      double time);
 
 /// Returns fields without states on the elements of `wet_mesh` that take part; nothing if they are too many for a
 /// figure.

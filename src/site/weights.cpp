@@ -6,9 +6,6 @@
 #include <cmath>
 
 #include "input/case/soil_water_law.hpp"
-#include "site/ground_line.hpp"
-#include "site/initial_water.hpp"
-#include "site/pore_water.hpp"
 
 namespace talus::site {
 
@@ -53,17 +50,15 @@ double find_suction_stress(const input::Material& soil, double suction) {
   return suction * find_saturation(soil, suction);
 }
 
-std::function<std::vector<double>(double time)> make_pool_weight(const input::Case& data, const mesh::Mesh<2>& mesh) {
-  const Polyline ground = find_ground(data.mesh);
+std::function<std::vector<double>(double time)> make_pool_weight(const Site& site, const mesh::Mesh<2>& mesh) {
   std::vector<std::array<double, 2>> verticals;  // x, level of the ground
-  for (const auto& node : mesh.nodes) verticals.push_back({node[0], find_level(ground, node[0])});
-  const double first = find_first_time(data), unit_weight = find_water_weight(data);
-  return [data, ground, verticals = std::move(verticals), first, unit_weight](double time) {
-    const std::vector<Pond> ponds = find_ponds(data, ground, time == 0 ? first : time);
+  for (const auto& node : mesh.nodes) verticals.push_back({node[0], find_level(site.ground(), node[0])});
+  return [site, verticals = std::move(verticals)](double time) {
+    const std::vector<Pond> ponds = time == 0 ? site.ponds() : site.find_ponds(time);
     std::vector<double> weight;
     for (const auto& [x, level] : verticals) {
-      const auto water = find_standing_level(ponds, {}, ground, x);
-      weight.push_back(water ? unit_weight * std::max(0.0, *water - level) : 0);
+      const auto water = find_standing_level(ponds, {}, site.ground(), x);
+      weight.push_back(water ? site.water_weight() * std::max(0.0, *water - level) : 0);
     }
     return weight;
   };

@@ -7,6 +7,7 @@
 
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
+#include "site/site.hpp"
 
 namespace talus::site {
 
@@ -27,8 +28,7 @@ bool uses_saturation(const input::Material& soil);
 // The weight of pools on the soil below, for seepage in soil that it compresses.
 
 /// Returns the weight of the pools over each node of `mesh` as a function of time [Pa]: that of the water above the
-/// ground on the vertical of the node; at time 0 the pools are those just before it. The function copies `data`. Throws
-/// as find_ground().
-std::function<std::vector<double>(double time)> make_pool_weight(const input::Case& data, const mesh::Mesh<2>& mesh);
+/// ground on the vertical of the node; at time 0 the pools are those just before it. Throws as Site::ground().
+std::function<std::vector<double>(double time)> make_pool_weight(const Site& site, const mesh::Mesh<2>& mesh);
 
 }  // namespace talus::site

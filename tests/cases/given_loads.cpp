@@ -93,7 +93,7 @@ TEST(GivenLoads, AnotherLoadThanThatOfTheCaseIsRejected) {
   const auto judge = [&](double from, double to, double first, double last) {
     // The soil is on the left of the way: the ground runs to smaller x.
     return run::find_wrong_load(
-        data, {}, {},
+        data,
         {{{from, 15}, {0, 15}, {}}, {{to, 15}, {from, 15}, {{{0, -last}, {0, -first}}}}, {{12, 15}, {to, 15}, {}}});
   };
   EXPECT_EQ(judge(3.3, 8.1, 20e3, 5e3), std::nullopt);
@@ -116,7 +116,7 @@ TEST(GivenLoads, AWaterTableAlongTheGroundIsNoLoad) {
           .data;
   EXPECT_GT(run::make_bounds_problem(data).problem.size(), 0u);
   const std::vector<run::LoadedSide> rounded{{{32, 5}, {12, 15}, {{{1e-12, 2e-12}, {0, 0}}}}};
-  EXPECT_EQ(run::find_wrong_load(data, {}, {}, rounded), std::nullopt);
+  EXPECT_EQ(run::find_wrong_load(data, rounded), std::nullopt);
 }
 
 }  // namespace

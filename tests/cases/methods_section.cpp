@@ -11,9 +11,7 @@
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
-#include "site/ground_line.hpp"
 #include "site/ground_load.hpp"
-#include "site/initial_water.hpp"
 
 namespace talus {
 namespace {
@@ -137,9 +135,7 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
     const std::string text = write_case("\"lem\"",
                                         "[[hydraulic]]\non = \"toe\"\ncondition = \"total_head\"\nhead = 7\n"
                                         "[materials.sand.water]\nretention = \"saturated\"\nconductivity = 1e-5\n");
-    const input::Case data = read(text, {{"geometry.line.toe.points", points}});
-    const auto ground = site::find_ground(data.mesh);
-    return site::find_open_ends(site::find_ponds(data, ground, 0), ground, data.units().length);
+    return site::Site(read(text, {{"geometry.line.toe.points", points}})).list_open_ends();
   };
   ASSERT_EQ(find_notes("[[32, 5], [44, 5]]").size(), 1u);
   EXPECT_NE(find_notes("[[32, 5], [44, 5]]").front().find("x = 32 m"), std::string::npos);
@@ -151,7 +147,7 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
   const input::Case data =
       read(write_case("\"fem\"", "[[surcharge]]\nname = \"load\"\nx = [3.3, 10.1]\nload = [\"20 kPa\", \"5 kPa\"]\n"));
   const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-  const auto loads = site::make_surface_loads<2>(data, mesh, {}, {}, site::find_ground(data.mesh));
+  const auto loads = site::make_surface_loads<2>(data, mesh);
   ASSERT_EQ(loads.size(), 1u);
   double force = 0, moment = 0;
   for (std::size_t s = 0; s < loads[0].sides.size(); ++s) {
@@ -168,12 +164,10 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
 
 /// Largest pull on a side, and the largest difference of `pressure` from what its ends bear [Pa].
 std::pair<double, double> measure_loads(const input::Case& data, const std::function<double(const Vec<2>&)>& pressure) {
-  const mesh::Plan plan = site::conform_to_loads(data, data.mesh);
-  const mesh::Mesh<2> mesh = mesh::generate<2>(plan);
-  const auto ground = site::find_ground(data.mesh);
+  const site::Site site(data);
+  const mesh::Mesh<2> mesh = mesh::generate<2>(site::conform_to_loads(site, data.mesh));
   double pull = 0, off = 0;
-  for (const auto& load : site::make_surface_loads<2>(data, mesh, site::find_ponds(data, ground, 0),
-                                                      data.initial.water.water_table, ground))
+  for (const auto& load : site::make_surface_loads<2>(site, mesh))
     for (std::size_t s = 0; s < load.sides.size(); ++s)
       for (std::size_t k = 0; k < 2; ++k) {
         const Vec<2>&at = mesh.nodes[load.sides[s][k]], &other = mesh.nodes[load.sides[s][1 - k]];

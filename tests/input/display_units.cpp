@@ -11,8 +11,7 @@
 #include "run/mpm/reduction/criteria.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
 #include "run/mpm/stage_warnings.hpp"
-#include "site/ground_line.hpp"
-#include "site/initial_water.hpp"
+#include "site/site.hpp"
 
 namespace talus::input {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Detection of faces of cohesionless soil that are steeper than its friction angle.
 
-#include "site/ground_line.hpp"
+#include "site/site.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Warnings on water tables that are physically impossible or end inside the section, and none on plausible ones.
 
-#include "site/ground_line.hpp"
+#include "site/site.hpp"
 
 #include <gtest/gtest.h>
 

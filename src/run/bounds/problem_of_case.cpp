@@ -13,9 +13,7 @@
 #include "bounds/problem.hpp"
 #include "mesh/generate.hpp"
 #include "run/forecast/forecast.hpp"
-#include "site/ground_line.hpp"
 #include "site/ground_load.hpp"
-#include "site/initial_water.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
 #include "site/roots.hpp"
@@ -28,58 +26,19 @@ namespace {
 constexpr double along_axis = 1 - 1e-9;
 /// A side with a smaller run, over its length and over the width of the section, counts as vertical.
 constexpr double vertical = 1e-9;
-/// Cohesion of soil that does not yield, as in LEM [Pa].
-constexpr double unyielding = 1e9;
-
-void check_material(const std::string& name, const input::Material& m) {
-  if (m.traits().serves_slices) return;
-  throw Error(ExitCode::wrong_input,
-              fmt::format("proven bounds need a cohesion and a friction angle, which material '{}' does not have: they "
-                          "take the models {}",
-                          name, material::list_sliceable()));
-}
-
-void check_boundary(const input::Boundary& b) {
-  if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
-  throw Error(ExitCode::wrong_input,
-              fmt::format("proven bounds have no {}: take \"bounds\" out of [analysis] methods, or let fix of the "
-                          "boundary '{}' be full or normal",
-                          b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
-}
-
-/// Throws if the first mesh has more triangles than allowed for the last one, which is usually a typing error and
-/// would use all memory.
-void check_size(const input::Case& data) {
-  constexpr double slack = 4;  // a mesh may have four times as many triangles as the one before
-  if (!data.bounds.size || !data.mesh.file.empty()) return;
-  const double size = *data.bounds.size, count = count_elements(mesh::resize(data.mesh, size)).soil,
-               most = slack * data.bounds.triangles;
-  if (!(count > most)) return;
-  const ShownUnit& length = data.units().length;
-  const double fits = size / length.si * std::sqrt(count / most), unit = std::pow(10, std::floor(std::log10(fits)) - 1);
-  throw Error(ExitCode::wrong_input,
-              fmt::format("'size' in [bounds] is {}, with which the first mesh has about {:.2g} triangles, and "
-                          "'triangles' allows {} in the last one; {} would do",
-                          format_value(size, length), count, data.bounds.triangles,
-                          format_value(std::ceil(fits / unit) * unit * length.si, length)));
-}
 
 class ProblemBuilder {
  public:
-  ProblemBuilder(const input::Case& data, Supports supports)
-      : data_(data),
+  ProblemBuilder(const site::Site& site, Supports supports)
+      : site_(site),
+        data_(site_.data()),
         supports_(supports),
-        mesh_(mesh::generate<2>(site::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {
+        mesh_(
+            mesh::generate<2>(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_))))) {
   }
 
   ProblemOfCase build() {
-    if (!data_.mesh.polygons.empty()) {
-      ground_ = site::find_ground(data_.mesh);
-      ponds_ = site::find_ponds(data_, ground_, site::find_first_time(data_));
-      for (std::string& note : site::find_open_ends(ponds_, ground_, data_.units().length))
-        made_.notes.push_back(std::move(note));
-    }
-    if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
+    made_.notes = site_.list_open_ends();
     add_triangles();
     add_strengths();
     add_sides();
@@ -88,16 +47,13 @@ class ProblemBuilder {
 
  private:
   const input::Material& get_soil(std::size_t e) const {
-    const std::string& region = mesh_.region_names[static_cast<std::size_t>(made_.problem.region[e])];
-    return data_.materials.at(data_.regions.at(region));
+    return site_.get_soil(mesh_.region_names[static_cast<std::size_t>(made_.problem.region[e])]);
   }
 
   /// Adds the triangles with soil, with nodes numbered anew.
   void add_triangles() {
     const site::HeldWater<2> water = site::find_held_water<2>(data_, mesh_, &made_.water);
-    Vec<2> direction{data_.gravity.direction[0], data_.gravity.direction[1]};
-    const Vec<2> quake = site::find_earthquake<2>(data_, ground_);
-    for (std::size_t d = 0; d < 2; ++d) direction[d] += quake[d];
+    const Vec<2> direction = site_.find_body_force<2>();
     number_.assign(mesh_.nodes.size(), -1);
     bounds::Problem& p = made_.problem;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
@@ -134,14 +90,14 @@ class ProblemBuilder {
   }
 
   bounds::Strength find_strength(const input::Material& m, double level, double root_cohesion) const {
-    const auto given = material::find_slice_strength(m.model, m);
-    if (!given) return {unyielding, 0, {}};
+    const site::PlaneStrength given = site::find_plane_strength(m);
+    if (!given.yields) return {given.cohesion, 0, {}};
     bounds::Strength soil;
     soil.cohesion =
-        given->cohesion + root_cohesion + given->cohesion_gradient * std::max(0.0, given->cohesion_level - level);
-    soil.tan_friction = std::tan(given->friction_angle);
+        given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - level);
+    soil.tan_friction = std::tan(given.friction_angle);
     if (data_.bounds.flow == input::BoundsFlow::davis) {
-      const double phi = given->friction_angle, psi = m.dilatancy_angle,
+      const double phi = given.friction_angle, psi = m.dilatancy_angle,
                    share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
       soil.cohesion *= share, soil.tan_friction *= share;
     }
@@ -163,12 +119,11 @@ class ProblemBuilder {
       for (auto& [key, side] : border) side.holds_normal = side.holds_along = !is_ground(side);
     for (const input::Boundary& b : data_.boundaries) {
       if (supports_ == Supports::below_soil) break;
-      check_boundary(b);
       for (const auto& named : site::find_sides(mesh_, b.on))
         if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
     }
     std::map<bounds::EdgeKey, bounds::Side> named = border;  // tractions on named sides
-    for (const auto& load : site::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_)) {
+    for (const auto& load : site::make_surface_loads<2>(site_, mesh_)) {
       const bool is_named = std::any_of(data_.tractions.begin(), data_.tractions.end(),
                                         [&](const input::Traction& t) { return t.on == load.name; });
       add_load(load, is_named ? named : border);
@@ -198,13 +153,12 @@ class ProblemBuilder {
 
   /// Checks the loads against the case, because the certificates are those of the given problem.
   void check_loads(const std::map<bounds::EdgeKey, bounds::Side>& border) const {
-    if (ground_.empty()) return;
     std::vector<LoadedSide> sides;
     for (const auto& [key, side] : border)
       if (is_ground(side))
         sides.push_back({made_.problem.nodes[static_cast<std::size_t>(side.from)],
                          made_.problem.nodes[static_cast<std::size_t>(side.to)], side.traction});
-    if (const auto wrong = find_wrong_load(data_, ponds_, table_, sides))
+    if (const auto wrong = find_wrong_load(site_, sides))
       throw Error(ExitCode::wrong_input, "limit analysis: " + *wrong);
   }
 
@@ -214,8 +168,9 @@ class ProblemBuilder {
                &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
     const double run = from[0] - to[0], length = std::hypot(run, to[1] - from[1]);
     if (std::abs(run) > vertical * length) return run > 0;
-    const double least = vertical * (ground_.back()[0] - ground_.front()[0]);
-    return from[0] > ground_.front()[0] + least && from[0] < ground_.back()[0] - least;
+    const site::Polyline& ground = site_.ground();
+    const double least = vertical * (ground.back()[0] - ground.front()[0]);
+    return from[0] > ground.front()[0] + least && from[0] < ground.back()[0] - least;
   }
 
   void hold(const input::Boundary& b, bounds::Side& side) const {
@@ -236,26 +191,35 @@ class ProblemBuilder {
     (across > along ? side.holds_normal : side.holds_along) = true;
   }
 
+  const site::Site site_;
   const input::Case& data_;
   Supports supports_;
   const mesh::Mesh<2> mesh_;
   std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
-  site::Polyline ground_, table_;
-  std::vector<site::Pond> ponds_;
   ProblemOfCase made_;
 };
 
 }  // namespace
 
+/// A first mesh with more triangles than allowed for the last one is usually a typing error, and would use all memory.
 void check_bounds(const input::Case& data) {
-  for (const auto& [region, name] : data.regions) check_material(name, data.materials.at(name));
-  for (const input::Boundary& b : data.boundaries) check_boundary(b);
-  check_size(data);
+  constexpr double slack = 4;  // a mesh may have four times as many triangles as the one before
+  if (!data.bounds.size || !data.mesh.file.empty()) return;
+  const double size = *data.bounds.size, count = count_elements(mesh::resize(data.mesh, size)).soil,
+               most = slack * data.bounds.triangles;
+  if (!(count > most)) return;
+  const ShownUnit& length = data.units().length;
+  const double fits = size / length.si * std::sqrt(count / most), unit = std::pow(10, std::floor(std::log10(fits)) - 1);
+  throw Error(ExitCode::wrong_input,
+              fmt::format("'size' in [bounds] is {}, with which the first mesh has about {:.2g} triangles, and "
+                          "'triangles' allows {} in the last one; {} would do",
+                          format_value(size, length), count, data.bounds.triangles,
+                          format_value(std::ceil(fits / unit) * unit * length.si, length)));
 }
 
-ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports) {
-  if (supports == Supports::as_given) check_bounds(data);
-  return ProblemBuilder(data, supports).build();
+ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports) {
+  if (supports == Supports::as_given) check_bounds(site.data());
+  return ProblemBuilder(site, supports).build();
 }
 
 namespace {
@@ -277,9 +241,9 @@ double interpolate(const std::vector<double>& xs, const std::vector<double>& ys,
 
 class GivenLoads {
  public:
-  GivenLoads(const input::Case& data, const std::vector<site::Pond>& ponds, const site::Polyline& table)
-      : data_(data), ponds_(ponds), weight_(data.water.density * data.gravity.acceleration) {
-    for (const auto& x : table) table_x_.push_back(x[0]), table_y_.push_back(x[1]);
+  explicit GivenLoads(const site::Site& site)
+      : data_(site.data()), ponds_(site.ponds()), weight_(data_.water.density * data_.gravity.acceleration) {
+    for (const auto& x : site.water_table()) table_x_.push_back(x[0]), table_y_.push_back(x[1]);
   }
 
   /// Traction on ground with this upward normal [Pa].
@@ -304,9 +268,9 @@ class GivenLoads {
 
 }  // namespace
 
-std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<site::Pond>& ponds,
-                                           const site::Polyline& table, const std::vector<LoadedSide>& sides) {
-  const GivenLoads given(data, ponds, table);
+std::optional<std::string> find_wrong_load(const site::Site& site, const std::vector<LoadedSide>& sides) {
+  const input::Case& data = site.data();
+  const GivenLoads given(site);
   double largest = 0, most = 0, left = std::numeric_limits<double>::infinity(), right = -left;
   Vec<2> where{};
   for (const LoadedSide& side : sides) {

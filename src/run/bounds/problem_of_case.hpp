@@ -11,8 +11,8 @@
 #include "base/vec.hpp"
 #include "bounds/problem.hpp"
 #include "input/case/case.hpp"
-#include "site/initial_water.hpp"
 #include "site/seepage_results.hpp"
+#include "site/site.hpp"
 
 namespace talus::run {
 
@@ -29,11 +29,11 @@ enum class Supports {
 };
 
 /// Makes the first mesh, with strength, weight, pore pressures, loads and supports. Pore pressures of steady seepage
-/// are computed on this mesh. Throws Error (wrong_input) for a material, a boundary or a load that limit analysis does
-/// not support, and what mesh::generate() and find_held_water() throw.
-ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports = Supports::as_given);
+/// are computed on this mesh. Throws Error (wrong_input) for a boundary or a load that limit analysis does not support,
+/// and what mesh::generate() and find_held_water() throw.
+ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports = Supports::as_given);
 
-/// Throws Error (wrong_input) for input that make_bounds_problem() does not support, without a mesh.
+/// Throws Error (wrong_input) if the size of [bounds] gives more triangles than its limit.
 void check_bounds(const input::Case& data);
 
 // The loads of limit analysis are compared with those of the case, since a certificate of another problem proves
@@ -47,7 +47,6 @@ struct LoadedSide {
 
 /// Evaluates surcharges and water of the case at places of each side, independently of the mesh. Returns a sentence
 /// with the place of the largest difference in traction; nullopt if the differences are rounding errors.
-std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<site::Pond>& ponds,
-                                           const site::Polyline& table, const std::vector<LoadedSide>& sides);
+std::optional<std::string> find_wrong_load(const site::Site& site, const std::vector<LoadedSide>& sides);
 
 }  // namespace talus::run

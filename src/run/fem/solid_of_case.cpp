@@ -10,7 +10,6 @@
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/fem/element_run.hpp"
-#include "site/ground_line.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
 #include "site/mesh_sides.hpp"
@@ -30,15 +29,12 @@ struct RegionSoil {
   bool varies = false;       ///< cohesion is a state variable of the points
 };
 
-RegionSoil make_region_soil(const input::Case& data, const std::string& region) {
-  const auto given = data.regions.find(region);
-  if (given == data.regions.end())
-    throw Error(ExitCode::wrong_input, fmt::format("region '{}' has no material; add it to [regions]", region));
-  RegionSoil soil{data.materials.at(given->second)};
+RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
+  RegionSoil soil{site.get_soil(region)};
   if (!soil.material.traits().serves_slices)
     throw Error(ExitCode::wrong_input,
                 fmt::format("finite elements cannot reduce the strength of material '{}': they take the models {}",
-                            given->second,
+                            site.data().regions.at(region),
                             material::list_words([](const material::Traits& t) { return t.serves_slices; }, " and ")));
   if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
     soil.varies = true;
@@ -48,9 +44,9 @@ RegionSoil make_region_soil(const input::Case& data, const std::string& region) 
 }
 
 template <int D>
-std::vector<RegionSoil> list_soils(const input::Case& data, const mesh::Mesh<D>& mesh) {
+std::vector<RegionSoil> list_soils(const site::Site& site, const mesh::Mesh<D>& mesh) {
   std::vector<RegionSoil> soils;
-  for (const std::string& region : mesh.region_names) soils.push_back(make_region_soil(data, region));
+  for (const std::string& region : mesh.region_names) soils.push_back(make_region_soil(site, region));
   return soils;
 }
 
@@ -86,19 +82,19 @@ fem::Support<D> make_support(const input::Boundary& b, const mesh::Mesh<D>& mesh
 template <int D>
 class SolidBuilder {
  public:
-  SolidBuilder(const input::Case& data, SolidOfCase<D>& solid)
-      : data_(data), solid_(solid), mesh_(*solid.mesh), soils_(list_soils<D>(data, mesh_)) {}
+  SolidBuilder(const site::Site& site, SolidOfCase<D>& solid)
+      : site_(site), data_(site_.data()), solid_(solid), mesh_(*solid.mesh), soils_(list_soils<D>(site_, mesh_)) {}
 
   void build() {
     fem::SolidModel<D>& model = solid_.model;
     model.mesh = &mesh_;
     model.units = data_.units();
-    for (std::size_t d = 0; d < D; ++d) model.direction[d] = data_.gravity.direction[d];
-    if constexpr (D == 2) find_plane();
+    if (!data_.mesh.polygons.empty() && D == 2) site_.ground();  // throws for a section without a unique ground
+    model.direction = site_.find_body_force<D>();
+    solid_.notes = site_.list_open_ends();
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
     set_water();
-    add_earthquake();
-    model.loads = site::make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
+    model.loads = site::make_surface_loads<D>(site_, mesh_);
     if (data_.initial.stress != input::InitialStress::none) set_k0_stress();
     set_start();
   }
@@ -106,15 +102,6 @@ class SolidBuilder {
  private:
   const input::Material& get_soil(int e) const { return soils_[mesh_.element_region[e]].material; }
   bool is_soil(int e) const { return mesh_.element_region[e] != mesh::empty_region; }
-
-  void find_plane() {
-    if (data_.mesh.polygons.empty()) return;  // a mesh from a file: only its sides carry loads
-    ground_ = site::find_ground(data_.mesh);
-    ponds_ = site::find_ponds(data_, ground_, site::find_first_time(data_));
-    for (std::string& note : site::find_open_ends(ponds_, ground_, data_.units().length))
-      solid_.notes.push_back(std::move(note));
-    if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
-  }
 
   /// Sets unit weights, χp and saturation.
   void set_water() {
@@ -126,19 +113,6 @@ class SolidBuilder {
     if (water.acts) model.pore_stress = pore_;
   }
 
-  Vec<D> find_up() const {
-    Vec<D> up;
-    for (std::size_t d = 0; d < D; ++d) up[d] = -data_.gravity.direction[d];
-    return up;
-  }
-
-  void add_earthquake() {
-    const input::Earthquake& quake = data_.earthquake;
-    if (quake.horizontal == 0 && quake.vertical == 0) return;
-    const Vec<D> added = site::find_earthquake<D>(data_, ground_);
-    for (std::size_t d = 0; d < D; ++d) solid_.model.direction[d] += added[d];
-  }
-
   /// Sets the vertical effective stress of the overburden of soil and water, and K0 times it horizontally.
   void set_k0_stress() {
     std::vector<mesh::LocalPoint<D>> places;
@@ -146,7 +120,8 @@ class SolidBuilder {
     middle.fill(1.0 / (D + 1));
     for (int e = 0; e < mesh_.element_count(); ++e)
       if (is_soil(e)) places.push_back({e, middle});
-    const Vec<D> up = find_up();
+    Vec<D> up;
+    for (std::size_t d = 0; d < D; ++d) up[d] = -data_.gravity.direction[d];
     const std::vector<double> overburden = mesh::overburden_integral<D>(mesh_, solid_.model.unit_weight, places, up);
     solid_.model.initial_stress.assign(mesh_.elements.size(), {});
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -154,11 +129,9 @@ class SolidBuilder {
       const input::Material& m = get_soil(e);
       const Vec<D> x = mesh::to_global(mesh_, e, middle);
       double above = overburden[i], pore = 0;
-      if (!ground_.empty()) {
-        above += site::find_surcharge(data_, x[0]);
-        const double level = site::find_level(ground_, x[0]);
-        if (const auto water = site::find_standing_level(ponds_, table_, ground_, x[0]))
-          above += site::find_water_weight(data_) * std::max(0.0, *water - level);
+      if (site_.has_ground()) {
+        above += site_.find_surcharge(x[0]);
+        above += site_.find_standing_load(x[0]);
       }
       for (const double p : pore_[e]) pore += p / (D + 1);
       const double k0 = data_.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio)), vertical = -above - pore,
@@ -179,31 +152,30 @@ class SolidBuilder {
     if (std::none_of(soils_.begin(), soils_.end(), [](const RegionSoil& s) { return s.varies; })) return;
     std::vector<material::Law> laws;
     for (const RegionSoil& soil : soils_) laws.push_back(input::make_law(soil.material));
-    solid_.model.set_state = [data = data_, mesh = solid_.mesh, soils = soils_, laws = std::move(laws)](
+    solid_.model.set_state = [site = site_, mesh = solid_.mesh, soils = soils_, laws = std::move(laws)](
                                  int region, const Vec<D>& x, double* state) {
       const RegionSoil& soil = soils[region];
       if (!soil.varies) return;
-      const input::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
+      const input::Material& given = site.get_soil(mesh->region_names[region]);
       const material::StateStart start{
           .stress = nullptr,
-          .root_cohesion = site::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion,
+          .root_cohesion = site::find_roots<D>(site.data(), *mesh, {x}, {&given}).front().cohesion,
           .level = x[1]};
       material::set_initial_state(laws[region], soil.material, start, state);
     };
   }
 
+  const site::Site site_;
   const input::Case& data_;
   SolidOfCase<D>& solid_;
   const mesh::Mesh<D>& mesh_;
   std::vector<RegionSoil> soils_;
-  site::Polyline ground_, table_;
-  std::vector<site::Pond> ponds_;
   std::vector<std::array<double, D + 1>> pore_;
 };
 
 template <int D>
-void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
-  std::vector<RegionSoil> soils = list_soils<D>(data, *solid.mesh);
+void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated) {
+  std::vector<RegionSoil> soils = list_soils<D>(site, *solid.mesh);
   if (associated)
     for (RegionSoil& soil : soils) soil.material.dilatancy_angle = soil.material.friction_angle;
   solid.model.make_law = [soils = std::move(soils)](int region, double factor) {
@@ -213,43 +185,44 @@ void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
 
 }  // namespace
 
-mesh::Plan make_fem_plan(const input::Case& data, double share) {
+mesh::Plan make_fem_plan(const site::Site& site, double share) {
+  const input::Case& data = site.data();
   if (!data.mesh.file.empty()) return data.mesh;
-  mesh::Plan plan = site::conform_to_loads(data, data.mesh);
+  mesh::Plan plan = site::conform_to_loads(site, data.mesh);
   plan.algorithm = data.fem.algorithm;
   if (!data.fem.size && share == 1) return plan;
   const double size = share * data.fem.size.value_or(plan.size);
   return mesh::resize(std::move(plan), size);
 }
 
-void check_solid(const input::Case& data) {
-  for (const auto& [region, material] : data.regions) make_region_soil(data, region);
-  for (const input::Boundary& b : data.boundaries) check_boundary(b);
+void check_solid(const site::Site& site) {
+  for (const auto& [region, material] : site.data().regions) make_region_soil(site, region);
+  for (const input::Boundary& b : site.data().boundaries) check_boundary(b);
 }
 
 template <int D>
-SolidOfCase<D> make_solid(const input::Case& data, double share) {
-  return make_solid_on<D>(data, std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data, share))));
+SolidOfCase<D> make_solid(const site::Site& site, double share) {
+  return make_solid_on<D>(site, std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(site, share))));
 }
 
 template <int D>
-SolidOfCase<D> make_solid_on(const input::Case& data, std::shared_ptr<const mesh::Mesh<D>> mesh) {
+SolidOfCase<D> make_solid_on(const site::Site& site, std::shared_ptr<const mesh::Mesh<D>> mesh) {
   SolidOfCase<D> solid;
   solid.mesh = std::move(mesh);
-  set_laws<D>(data, solid, false);
-  SolidBuilder<D>(data, solid).build();
+  set_laws<D>(site, solid, false);
+  SolidBuilder<D>(site, solid).build();
   return solid;
 }
 
 template <int D>
-void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid) {
-  set_laws<D>(data, solid, true);
+void set_associated_flow(const site::Site& site, SolidOfCase<D>& solid) {
+  set_laws<D>(site, solid, true);
 }
 
-#define TALUS_INSTANTIATE(D)                                                                          \
-  template SolidOfCase<D> make_solid<D>(const input::Case&, double);                                  \
-  template SolidOfCase<D> make_solid_on<D>(const input::Case&, std::shared_ptr<const mesh::Mesh<D>>); \
-  template void set_associated_flow<D>(const input::Case&, SolidOfCase<D>&);
+#define TALUS_INSTANTIATE(D)                                                                         \
+  template SolidOfCase<D> make_solid<D>(const site::Site&, double);                                  \
+  template SolidOfCase<D> make_solid_on<D>(const site::Site&, std::shared_ptr<const mesh::Mesh<D>>); \
+  template void set_associated_flow<D>(const site::Site&, SolidOfCase<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

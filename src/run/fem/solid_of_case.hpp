@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fem/solid/solid.hpp"
-#include "input/case/case.hpp"
 #include "site/seepage_results.hpp"
+#include "site/site.hpp"
 
 namespace talus::run {
 
@@ -25,22 +25,22 @@ struct SolidOfCase {
 /// mesh. `share`: factor on the element size. Throws Error (wrong_input) for a material or a boundary that FEM at
 /// small strain does not support, and what mesh::generate() and find_initial_water() throw.
 template <int D>
-SolidOfCase<D> make_solid(const input::Case& data, double share = 1);
+SolidOfCase<D> make_solid(const site::Site& site, double share = 1);
 
 /// The same on an existing mesh.
 template <int D>
-SolidOfCase<D> make_solid_on(const input::Case& data, std::shared_ptr<const mesh::Mesh<D>> mesh);
+SolidOfCase<D> make_solid_on(const site::Site& site, std::shared_ptr<const mesh::Mesh<D>> mesh);
 
 /// Replaces the laws of the case by those with ψ = φ.
 template <int D>
-void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid);
+void set_associated_flow(const site::Site& site, SolidOfCase<D>& solid);
 
 /// Throws Error (wrong_input) for materials and boundaries that make_solid() does not support, without a mesh.
-void check_solid(const input::Case& data);
+void check_solid(const site::Site& site);
 
 /// Returns the mesh plan of make_solid(): that of the case with the element size times `share`, and the algorithm, of
 /// [fem].
-mesh::Plan make_fem_plan(const input::Case& data, double share = 1);
+mesh::Plan make_fem_plan(const site::Site& site, double share = 1);
 
 /// Least number of rows of elements over the thickness of a layer. With fewer rows, two meshes do not show the error
 /// of the factor.

@@ -12,7 +12,6 @@
 #include "base/numbers.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
-#include "site/ground_line.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
 #include "site/roots.hpp"
@@ -21,8 +20,6 @@
 namespace talus::run {
 namespace {
 
-/// Cohesion of soil that does not yield, so that no surface through it is critical [Pa].
-constexpr double unyielding = 1e9;
 /// Number of samples of the saturation above the water table across a polygon.
 constexpr int weight_samples = 40;
 /// Numbers of parts, in depth and along the ground, into which a distribution of roots is divided.
@@ -35,19 +32,13 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.saturated_unit_weight = site::find_saturated_weight(data, m);
   soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
   soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
-  if (!m.traits().serves_slices)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model {}",
-                            name, material::list_sliceable()));
-  if (const auto strength = material::find_slice_strength(m.model, m)) {
-    soil.cohesion = strength->cohesion;
-    soil.friction_angle = strength->friction_angle;
-    soil.cohesion_gradient = strength->cohesion_gradient;
-    soil.cohesion_level = strength->cohesion_level;
-  } else {
-    soil.cohesion = unyielding;
+  const site::PlaneStrength strength = site::find_plane_strength(m);
+  soil.cohesion = strength.cohesion;
+  soil.friction_angle = strength.friction_angle;
+  soil.cohesion_gradient = strength.cohesion_gradient;
+  soil.cohesion_level = strength.cohesion_level;
+  if (!strength.yields)
     notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
-  }
   soil.undrained = soil.friction_angle == 0;
   switch (m.slices.suction_strength) {
     case input::SuctionStrength::from_water:
@@ -87,16 +78,15 @@ std::vector<const mesh::Polygon*> sort_polygons(const mesh::Plan& plan) {
   return sorted;
 }
 
-void add_regions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+void add_regions(const site::Site& site, lem::Section& section, std::vector<std::string>& notes) {
+  const input::Case& data = site.data();
   std::map<std::string, int> numbers;
   const double rounding = 1e-9 * (section.ground.back()[0] - section.ground.front()[0]);
   for (const mesh::Polygon* polygon : sort_polygons(data.mesh)) {
-    const auto given = data.regions.find(polygon->name);
-    if (given == data.regions.end())
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("region '{}' has no material; add it to [regions]", polygon->name));
-    const auto [at, is_new] = numbers.try_emplace(given->second, static_cast<int>(section.soils.size()));
-    if (is_new) section.soils.push_back(make_soil(data, given->second, notes));
+    site.get_soil(polygon->name);  // throws for a region without material
+    const std::string& name = data.regions.at(polygon->name);
+    const auto [at, is_new] = numbers.try_emplace(name, static_cast<int>(section.soils.size()));
+    if (is_new) section.soils.push_back(make_soil(data, name, notes));
     // Points on straight edges are dropped, as a slip surface cannot touch the soil there.
     section.regions.push_back({at->second, mesh::drop_straight_points(polygon->points, true, rounding)});
   }
@@ -154,20 +144,20 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void add_water(const input::Case& data, lem::Section& section, site::WaterResult& out) {
-  section.water_unit_weight = site::find_water_weight(data);
+void add_water(const site::Site& site, lem::Section& section, site::WaterResult& out) {
+  const input::Case& data = site.data();
+  section.water_unit_weight = site.water_weight();
   if (site::needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-    set_pressures(data, mesh, site::find_nodal_pressure<2>(site::close_sides(data), mesh, &out),
+    set_pressures(site, mesh, site::find_nodal_pressure<2>(site::close_sides(data), mesh, &out),
                   site::find_first_time(data), section);
     return;
   }
   if (data.initial.water.pressure == input::InitialPressure::water_table) {
     site::check_upright(data, "a water table");
-    section.water_table = data.initial.water.water_table;
-    out = site::make_water_table_result(data);
-    const std::vector<site::Pond> ponds = site::find_ponds(data, section.ground, site::find_first_time(data));
-    if (!ponds.empty()) section.water_table = site::add_ponds(section.water_table, ponds, section.ground);
+    section.water_table = site.water_table();
+    out = site::make_water_table_result(site);
+    if (!site.ponds().empty()) section.water_table = site::add_ponds(section.water_table, site.ponds(), section.ground);
   }
   weigh_moist_soil(data, nullptr, section);
 }
@@ -294,34 +284,25 @@ lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown,
 
 }  // namespace
 
-void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
+void set_pressures(const site::Site& site, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section) {
   for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
-  section.pressure_grid = site::make_pressure_grid(data, mesh, pressure);
-  section.water_table = site::trace_water_table(*section.pressure_grid, site::find_ponds(data, section.ground, time),
-                                                section.ground, section.base);
-  weigh_moist_soil(data, &*section.pressure_grid, section);
+  section.pressure_grid = site::make_pressure_grid(site.data(), mesh, pressure);
+  section.water_table =
+      site::trace_water_table(*section.pressure_grid, site.find_ponds(time), section.ground, section.base);
+  weigh_moist_soil(site.data(), &*section.pressure_grid, section);
 }
 
-SectionOfCase make_section(const input::Case& data) {
-  if (data.mesh.dimension != 2)
-    throw Error(
-        ExitCode::wrong_input,
-        "methods of slices need a plane section; take \"lem\" out of [analysis] methods or make the case plane");
-  if (data.mesh.polygons.empty())
-    throw Error(ExitCode::wrong_input,
-                "methods of slices need the polygons of [geometry]; a ready mesh alone does not say what lies where");
+SectionOfCase make_section(const site::Site& site) {
+  const input::Case& data = site.data();
   SectionOfCase result;
   lem::Section& section = result.section;
   section.units = data.units();
-  section.ground = site::find_ground(data.mesh);
+  section.ground = site.ground();
   section.base = site::find_base(data.mesh);
-  add_regions(data, section, result.notes);
-  add_water(data, section, result.water);
-  const double first = site::find_first_time(data);
-  for (std::string& note :
-       site::find_open_ends(site::find_ponds(data, section.ground, first), section.ground, section.units.length))
-    result.notes.push_back(std::move(note));
+  add_regions(site, section, result.notes);
+  add_water(site, section, result.water);
+  for (std::string& note : site.list_open_ends()) result.notes.push_back(std::move(note));
   add_surcharges(data, section);
   add_tractions(data, section, result.notes);
   add_roots(data, section, result.notes);
@@ -334,7 +315,7 @@ SectionOfCase make_section(const input::Case& data) {
     section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water, data.lem.crack.limit};
   if (data.lem.drawdown) {
     section = draw_down(data, *data.lem.drawdown, std::move(section));
-    site::add_lowered_state(data, data.lem.drawdown->water_table, result.water);
+    site::add_lowered_state(site, data.lem.drawdown->water_table, result.water);
   }
   return result;
 }

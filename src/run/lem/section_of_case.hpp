@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
 #include "site/seepage_results.hpp"
+#include "site/site.hpp"
 
 namespace talus::run {
 
@@ -18,14 +18,14 @@ struct SectionOfCase {
   site::WaterResult water;         ///< origin of the pore pressures
 };
 
-/// Makes ground, soils, water and loads of a plane case. Pore pressures of steady seepage are computed on the mesh of
-/// the case. Throws Error (wrong_input) if the case is not plane or has no polygons, if the ground has gaps or
-/// overhangs, or if a soil has no friction angle and cohesion; and what find_initial_water() throws.
-SectionOfCase make_section(const input::Case& data);
+/// Makes ground, soils, water and loads of a plane case of polygons whose soils LEM accepts. Pore pressures of steady
+/// seepage are computed on the mesh of the case. Throws Error (wrong_input) if the ground has gaps or overhangs, and
+/// what find_initial_water() throws.
+SectionOfCase make_section(const site::Site& site);
 
 /// Sets the pore pressures of a section to those at the nodes of `mesh`, positive in tension [Pa], with the water
 /// standing on the ground at `time` [s] and the unit weights that follow.
-void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
+void set_pressures(const site::Site& site, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section);
 
 }  // namespace talus::run

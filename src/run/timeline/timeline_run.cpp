@@ -366,7 +366,7 @@ struct TimelineRun::Parts {
     input::Case alone = data;
     alone.hydraulics = {condition};
     alone.hydraulics.front().head = {{0}, {level}};
-    return !site::find_ponds(alone, site::find_ground(data.mesh), 0).empty();
+    return !site::Site(alone).find_ponds(0).empty();
   }
 
   /// Notes pools that change suddenly: the pore pressures just after depend on whether the weight of the water counts.

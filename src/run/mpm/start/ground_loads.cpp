@@ -3,13 +3,10 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/conditions.hpp"
-#include "site/ground_line.hpp"
 #include "site/ground_load.hpp"
-#include "site/initial_water.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
 
@@ -30,22 +27,9 @@ bool has_pressure_on_top(const input::Case& data) {
   });
 }
 
-/// Standing water above the ground, by the water table.
-struct Standing {
-  site::Polyline ground, table;  ///< both empty: no standing water
-};
-
-Standing find_standing(const input::Case& data) {
-  if (data.mesh.polygons.empty() || data.mesh.dimension != 2 ||
-      data.initial.water.pressure != input::InitialPressure::water_table || has_pressure_on_top(data))
-    return {};
-  try {
-    Standing standing{site::find_ground(data.mesh), data.initial.water.water_table};
-    if (!site::find_ponds(data, standing.ground, site::find_first_time(data)).empty()) return {};
-    return standing;
-  } catch (const Error&) {
-    return {};  // an overhang: the ground has no unique level
-  }
+/// Returns true if water of the water table stands on the ground. Ponds are conditions of the engine.
+bool has_standing_water(const site::Site& site) {
+  return site.has_ground() && !site.water_table().empty() && site.ponds().empty() && !has_pressure_on_top(site.data());
 }
 
 bool moves(const input::Case& data) {
@@ -137,41 +121,32 @@ site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<
 }
 
 template <int D>
-std::vector<double> find_ground_load(const input::Case& data, const std::vector<Vec<D>>& places) {
-  std::vector<double> load(places.size(), 0.0);
-  const Standing standing = find_standing(data);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double x = places[i][0];
-    if (!data.surcharges.empty()) load[i] += site::find_surcharge(data, x);
-    if (standing.ground.empty()) continue;
-    if (const auto level = site::find_standing_level({}, standing.table, standing.ground, x))
-      load[i] += site::find_water_weight(data) * std::max(0.0, *level - site::find_level(standing.ground, x));
-  }
+std::vector<double> find_ground_load(const site::Site& site, const std::vector<Vec<D>>& places) {
+  std::vector<double> load;
+  const bool has_water = has_standing_water(site);
+  for (const Vec<D>& x : places)
+    load.push_back(site.find_surcharge(x[0]) + (has_water ? site.find_standing_load(x[0]) : 0));
   return load;
 }
 
 template <int D>
-void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const site::HeldWater<D>& held) {
+void add_ground_loads(mpm::Body<D>& body, const site::Site& site, const site::HeldWater<D>& held) {
+  const input::Case& data = site.data();
   const auto add = [&](mpm::Load<D> load) {
     if (load.entries.empty()) return;
     load.factor = make_growth(data);
     body.conditions.loads.push_back(std::move(load));
   };
-  const Standing standing = find_standing(data);
-  if (!data.surcharges.empty() || !standing.ground.empty()) {
-    input::Case alone = data;
-    alone.tractions.clear();
-    for (const fem::SurfaceLoad<D>& surface :
-         site::make_surface_loads<D>(alone, body.mesh(), {}, standing.table, standing.ground))
-      add(make_side_load<D>(body, surface, moves(data)));
-  }
+  const site::ActingLoads acting{.standing_water = has_standing_water(site), .tractions = false};
+  for (const fem::SurfaceLoad<D>& surface : site::make_surface_loads<D>(site, body.mesh(), acting))
+    add(make_side_load<D>(body, surface, moves(data)));
   if (held.acts) add(make_pore_load<D>(body, held.pore));
 }
 
-#define TALUS_INSTANTIATE(D)                                                                        \
-  template site::HeldWater<D> find_carried_water<D>(const input::Case&, const mesh::Mesh<D>&);      \
-  template std::vector<double> find_ground_load<D>(const input::Case&, const std::vector<Vec<D>>&); \
-  template void add_ground_loads<D>(mpm::Body<D>&, const input::Case&, const site::HeldWater<D>&);
+#define TALUS_INSTANTIATE(D)                                                                       \
+  template site::HeldWater<D> find_carried_water<D>(const input::Case&, const mesh::Mesh<D>&);     \
+  template std::vector<double> find_ground_load<D>(const site::Site&, const std::vector<Vec<D>>&); \
+  template void add_ground_loads<D>(mpm::Body<D>&, const site::Site&, const site::HeldWater<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -18,12 +18,12 @@ site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<
 /// Surcharge and standing water above each place [Pa]. Water above a [[hydraulic]] is left out, as the engine applies
 /// it.
 template <int D>
-std::vector<double> find_ground_load(const input::Case& data, const std::vector<Vec<D>>& places);
+std::vector<double> find_ground_load(const site::Site& site, const std::vector<Vec<D>>& places);
 
 /// Adds surcharges, standing water and the forces of the fixed pore pressures to the loads of a body that was just
 /// filled. They grow with the weight of the first stage. If a stage moves the soil through the mesh, the points carry
 /// the loads on the ground; at frozen geometry the sides of the mesh carry them, which is exact.
 template <int D>
-void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const site::HeldWater<D>& held);
+void add_ground_loads(mpm::Body<D>& body, const site::Site& site, const site::HeldWater<D>& held);
 
 }  // namespace talus::run

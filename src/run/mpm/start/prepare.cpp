@@ -16,7 +16,6 @@
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/ground_loads.hpp"
-#include "site/ground_line.hpp"
 #include "site/initial_water.hpp"
 #include "site/known_state.hpp"
 #include "site/pore_water.hpp"
@@ -362,9 +361,7 @@ template <int D>
 Vec<D> find_acceleration(const input::Case& data) {
   Vec<D> g = find_gravity<D>(data.gravity);
   if (data.earthquake.horizontal == 0 && data.earthquake.vertical == 0) return g;
-  site::Polyline ground;
-  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) ground = site::find_ground(data.mesh);
-  const Vec<D> added = site::find_earthquake<D>(data, ground);
+  const Vec<D> added = site::Site(data).find_earthquake<D>();
   for (std::size_t d = 0; d < D; ++d) g[d] += data.gravity.acceleration * added[d];
   return g;
 }
