@@ -217,10 +217,16 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
     const Polyline& ground = site.ground();
     const double weight = site.water_weight(), beside = same_place * (ground.back()[0] - ground.front()[0]);
     for (const GroundSide<D>& step : list_steps(mesh, ground)) sides.push_back(step);
-    // A step is loaded by the water beside it.
+    // A step is loaded by the water beside it. Below a water table that the ground rises above, the depth is negative
+    // and linear, so that its zero is found.
     const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
       const bool is_step = side.normal[1] <= steepest;
-      const auto level = site.find_standing_level(x[0] + (is_step ? beside * side.normal[0] : 0));
+      const double at = x[0] + (is_step ? beside * side.normal[0] : 0);
+      std::optional<double> level = find_standing_level(site.ponds(), {}, ground, at);
+      if (const Polyline& table = site.water_table(); !table.empty()) {
+        const double here = find_water_table(table, at);
+        level = std::max(level.value_or(here), here);
+      }
       return level ? *level - x[1] : -1.0;
     };
     add(
