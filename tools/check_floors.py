@@ -24,7 +24,7 @@ ALLOWED = {
     "lem": ["base", "mesh"],
     "bounds": ["base"],
     "output": ["base", "results", "input"],
-    "site": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
+    "site": ["base", "material", "mesh", "results", "input", "mpm/state", "fem/seepage", "fem/solid", "lem/section"],
     "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "bounds", "output", "site"],
     "laboratory": ["base", "material", "results", "input", "output", "site", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],

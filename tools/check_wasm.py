@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ["results", "input", "lem", "fem/seepage", "bounds"]
+PARTS = ["results", "input", "lem", "fem/seepage", "bounds", "site"]
 # Libraries of headers only, behind the headers of emscripten itself.
 INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]
 OPTIONS = ["-std=c++20", "-fsyntax-only", "-DTOML_HEADER_ONLY=0", "-Wno-everything"]

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -84,8 +84,9 @@ class AlignedVector {
   void resize(std::size_t size, const T& value) {
     const std::size_t before = size_;
     resize(size);
-    using Image = std::array<std::byte, sizeof(T)>;  // compares bytes, since -0.0 must be written
-    if (size > before && std::bit_cast<Image>(value) != Image{}) std::fill(data_ + before, data_ + size, value);
+    std::array<std::byte, sizeof(T)> image{}, zero{};  // compares bytes, since -0.0 must be written
+    std::memcpy(image.data(), &value, sizeof(T));
+    if (size > before && image != zero) std::fill(data_ + before, data_ + size, value);
   }
   void assign(std::size_t size, const T& value) {
     clear();

@@ -51,7 +51,7 @@ void show_parameters(results::Calibration& result, const input::Calibration& cal
     if (p.error) *p.error /= factor;
     for (results::CalibrationSearch& s : result.starts) s.from[i] /= factor, s.to[i] /= factor;
     // Six digits are more than any calibration determines; a value at its limit must not be rounded past it.
-    p.text = p.limit == AtLimit::no ? fmt::format("{:.6g}", p.value) : output::to_shortest(p.value);
+    p.text = p.limit == AtLimit::no ? fmt::format("{:.6g}", p.value) : write_shortest(p.value);
   }
 }
 

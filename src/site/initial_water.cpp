@@ -169,9 +169,9 @@ std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Me
 
 template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                     const std::vector<mpm::InitialPoint<D>>& points) {
+                                     const std::vector<Vec<D>>& places) {
   constexpr double steepest = 1e-6;  // smallest vertical component of a normal: a vertical face bears no water above it
-  std::vector<double> load(points.size(), 0.0);
+  std::vector<double> load(places.size(), 0.0);
   const WaterSides<D> sides = find_water_sides<D>(mesh, data);
   std::vector<WaterSide<D>> ground;
   std::vector<LabelledSide<D>> balls;
@@ -190,8 +190,8 @@ std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D
   check_upright(data, "a total head or a pressure on the ground");
   const SideSet<D> set(std::move(balls));
   const double weight = find_water_weight(data);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec<D> x = mesh::to_global(mesh, points[i].element, points[i].xi);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec<D>& x = places[i];
     double top = x[1];
     for (const int number : set.find_on_line(x, 1)) {
       const WaterSide<D>& s = ground[number];
@@ -211,7 +211,7 @@ std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D
   template std::vector<double> find_nodal_pressures<D>(const input::Case&, const mesh::Mesh<D>&, \
                                                        const InitialWater<D>&);                  \
   template std::vector<double> find_ponded_load<D>(const input::Case&, const mesh::Mesh<D>&,     \
-                                                   const std::vector<mpm::InitialPoint<D>>&);
+                                                   const std::vector<Vec<D>>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

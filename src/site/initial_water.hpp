@@ -11,7 +11,6 @@
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/solver/build.hpp"
 #include "site/season.hpp"
 #include "site/seepage_results.hpp"
 #include "site/site.hpp"
@@ -43,11 +42,11 @@ std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Me
 template <int D>
 fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh);
 
-/// Returns the pressure [Pa] of the water standing on the ground above each point, from the total heads and pressures
+/// Returns the pressure [Pa] of the water standing on the ground above each place, from the total heads and pressures
 /// at time 0 on the sides that face upwards; zero without any.
 template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                     const std::vector<mpm::InitialPoint<D>>& points);
+                                     const std::vector<Vec<D>>& places);
 
 /// Returns true if pore pressures result from a flow calculation and therefore need a mesh.
 bool needs_seepage(const input::Case& data);

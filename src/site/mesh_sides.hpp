@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Named sides and lines of a mesh: adjoining elements, normals of sides and nodes, and distances from sides.
+// Named sides and lines of a mesh: adjoining elements, normals, and distances from sides.
 
 #include <map>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "base/vec.hpp"
-#include "mpm/state/body.hpp"
+#include "mesh/mesh.hpp"
 
 namespace talus::site {
 
@@ -33,21 +32,6 @@ SideMap<D> map_sides(const mesh::Mesh<D>& mesh, const std::vector<typename mesh:
 /// m²].
 template <int D>
 std::pair<Vec<D>, double> find_outward_normal(const mesh::Mesh<D>& mesh, int e, int k);
-
-/// Returns the normal of a wall, out of the soil: away from the element with soil, or else in the direction of gravity.
-template <int D>
-Vec<D> find_wall_normal(const mpm::Body<D>& body, const std::vector<SideElement>& elements,
-                        const std::type_identity_t<Vec<D>>& gravity);
-
-/// Returns the normals at each node of the named sides, averaged along smooth lines.
-template <int D>
-std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body,
-                                                     const std::vector<typename mesh::Mesh<D>::Side>& sides,
-                                                     const std::type_identity_t<Vec<D>>& gravity);
-
-/// Adds a direction to the fixed ones (`count` of them, orthonormal) unless it lies in their span.
-template <int D>
-void add_direction(Vec<D> (&fixed)[D], int& count, std::type_identity_t<Vec<D>> direction);
 
 // Distance of a point from a side of an element: a segment in 2D, a triangle in 3D.
 

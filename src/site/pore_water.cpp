@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Water laws of the soils, and constant pore pressures and unit weights per element.
+// Constant pore pressures and unit weights per element.
 #include "site/pore_water.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "input/case/soil_water_law.hpp"
 #include "mesh/locate.hpp"
 #include "site/initial_water.hpp"
 #include "site/weights.hpp"
@@ -20,27 +19,6 @@ bool has_water(const input::Case& data) {
     const auto material = data.materials.find(region.second);
     return material != data.materials.end() && material->second.water.is_wet();
   });
-}
-
-std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data) {
-  std::vector<mpm::WaterLaw> laws;
-  if (!has_water(data)) return laws;
-  for (const auto& [name, m] : data.materials) {
-    mpm::WaterLaw law;
-    law.grain_density = m.grain_density;
-    law.density = data.water.density;
-    law.bulk_modulus = data.water.bulk_modulus;
-    law.drag_gravity = data.water.drag_gravity;
-    law.wet = m.water.is_wet();
-    if (law.wet) {
-      law.conductivity = input::find_saturated_conductivity(m.water, data.water, data.water.drag_gravity);
-      law.retention = input::make_retention(m.water);
-      law.relative = input::make_relative_conductivity(m.water);
-      if (m.water.chi == input::BishopChi::khalili_khabbaz) law.chi_air_entry = m.water.chi_air_entry;
-    }
-    laws.push_back(law);
-  }
-  return laws;
 }
 
 namespace {

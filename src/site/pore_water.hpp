@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water of a case for MPM and FEM: the laws of each soil, and constant pore pressures with the weight of the wet
-// soil.
+// Pore water of a case for MPM and FEM: constant pore pressures, with the weight of the wet soil.
 
 #include <array>
 #include <vector>
@@ -9,7 +8,6 @@
 #include "base/vec.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/state/water.hpp"
 #include "site/seepage_results.hpp"
 #include "site/site.hpp"
 
@@ -17,9 +15,6 @@ namespace talus::site {
 
 /// Returns true if some soil that fills a region has pore water.
 bool has_water(const input::Case& data);
-
-/// Returns the water laws by material number (list_materials); empty if has_water() is false.
-std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data);
 
 // Constant pore water: pressures at the corners of the elements and the unit weight of the soil with its water, for FEM
 // and for MPM without a phase of water.

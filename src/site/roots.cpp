@@ -263,17 +263,6 @@ double add_element(const mesh::Mesh<D>& mesh, int e, const input::Roots& roots, 
   return sum;
 }
 
-material::Feddes make_reduction(const input::Roots& roots, const ShownUnit& stress) {
-  const auto& s = roots.transpiration->suctions;
-  if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("[roots.transpiration] under '{}': the four suctions are {:g}, {:g}, {:g} and {}; they "
-                    "must increase, only the first two may be equal",
-                    roots.ground, s[0] / stress.si, s[1] / stress.si, s[2] / stress.si, format_value(s[3], stress)));
-  return {s};
-}
-
 template <int D>
 void check_roots(const input::Roots& roots, const RootDistribution<D>& distribution, double sum,
                  const ShownUnit& length) {
@@ -310,6 +299,17 @@ RootDistribution<D> find_root_distribution(const input::Case& data, const input:
   return r;
 }
 
+material::Feddes make_uptake_reduction(const input::Roots& roots, const ShownUnit& stress) {
+  const auto& s = roots.transpiration->suctions;
+  if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("[roots.transpiration] under '{}': the four suctions are {:g}, {:g}, {:g} and {}; they "
+                    "must increase, only the first two may be equal",
+                    roots.ground, s[0] / stress.si, s[1] / stress.si, s[2] / stress.si, format_value(s[3], stress)));
+  return {s};
+}
+
 input::TimeTable make_transpiration_rate(const input::Transpiration& transpiration) {
   input::Hydraulic rows;  // a container with the same two forms of a series
   rows.condition = input::WaterCondition::rain;
@@ -324,7 +324,7 @@ std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::
   for (const input::Roots& roots : data.roots) {
     if (!roots.transpiration) continue;
     const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, mesh);
-    fem::RootSink sink{roots.ground, make_reduction(roots, data.units().stress),
+    fem::RootSink sink{roots.ground, make_uptake_reduction(roots, data.units().stress),
                        make_transpiration_rate(*roots.transpiration), std::vector<double>(mesh.nodes.size(), 0.0)};
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       for (std::size_t k = 0; k <= D; ++k) sink.weights[mesh.elements[e][k]] += distribution.weights[e][k];
@@ -334,31 +334,10 @@ std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::
   return sinks;
 }
 
-template <int D>
-void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data) {
-  body.water.uptakes.clear();
-  if (!body.water.is_wet()) return;
-  const mpm::Points<D>& points = body.points;
-  for (const input::Roots& roots : data.roots) {
-    if (!roots.transpiration) continue;
-    const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, body.mesh());
-    mpm::RootUptake uptake{roots.ground, make_transpiration_rate(*roots.transpiration),
-                           make_reduction(roots, data.units().stress),
-                           std::vector<double>(static_cast<std::size_t>(points.size()), 0.0)};
-    for (int id = 0; id < points.size(); ++id) {
-      const int e = points.element[id];
-      if (e < 0) continue;
-      for (const double w : distribution.weights[e]) uptake.weight[id] += w / points.count[e];
-    }
-    body.water.uptakes.push_back(std::move(uptake));
-  }
-}
-
-#define TALUS_INSTANTIATE(D)                                                                        \
-  template RootDistribution<D> find_root_distribution<D>(const input::Case&, const input::Roots&,   \
-                                                         const mesh::Mesh<D>&);                     \
-  template std::vector<fem::RootSink> make_root_sinks<D>(const input::Case&, const mesh::Mesh<D>&); \
-  template void resolve_root_uptakes<D>(mpm::Body<D>&, const input::Case&);
+#define TALUS_INSTANTIATE(D)                                                                      \
+  template RootDistribution<D> find_root_distribution<D>(const input::Case&, const input::Roots&, \
+                                                         const mesh::Mesh<D>&);                   \
+  template std::vector<fem::RootSink> make_root_sinks<D>(const input::Case&, const mesh::Mesh<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

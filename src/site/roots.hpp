@@ -10,7 +10,6 @@
 #include "fem/seepage/hydraulic_boundary.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "mpm/state/body.hpp"
 
 namespace talus::site {
 
@@ -65,12 +64,11 @@ RootDistribution<D> find_root_distribution(const input::Case& data, const input:
 /// Returns the potential rate T(t), with steps as jumps.
 input::TimeTable make_transpiration_rate(const input::Transpiration& transpiration);
 
+/// Returns Feddes' reduction of the uptake with suction. Throws Error (wrong_input) for suctions that do not increase.
+material::Feddes make_uptake_reduction(const input::Roots& roots, const ShownUnit& stress);
+
 /// Returns one sink for each block of [[roots]] with transpiration.
 template <int D>
 std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::Mesh<D>& mesh);
-
-/// Computes the same for the points of a body on its initial mesh.
-template <int D>
-void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data);
 
 }  // namespace talus::site

@@ -10,7 +10,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/history.hpp"
+#include "base/numbers.hpp"
 #include "site/roots.hpp"
 #include "site/seepage_results.hpp"
 
@@ -228,7 +228,7 @@ void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
     std::vector<double> values{row.time,   row.stored,    row.inflow,    row.outflow,
                                row.runoff, row.potential, row.transpired};
     for (const auto& s : row.layers) values.insert(values.end(), {s.mean, s.least, s.greatest});
-    for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + output::to_shortest(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + write_shortest(values[i]);
     text += '\n';
   }
   write_atomically(path, text);

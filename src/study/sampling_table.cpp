@@ -369,7 +369,7 @@ std::string write_samples(const SampleSet& set) {
   if (!set.runout.empty()) text += ",runout beyond the toe [m]";
   if (!set.failure_time.empty()) text += ",time of failure [s]";
   text += '\n';
-  const auto write = [](double x) { return std::isfinite(x) ? output::to_shortest(x) : std::string(); };
+  const auto write = [](double x) { return std::isfinite(x) ? write_shortest(x) : std::string(); };
   for (std::size_t i = 0; i < set.size(); ++i) {
     text += std::to_string(i + 1);
     for (const auto& column : set.values) text += "," + write(column[i]);

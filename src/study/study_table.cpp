@@ -102,7 +102,7 @@ class Columns {
       if (row.result) value = get(*row.result);
       any = any || value;
       column.cells.push_back(
-          value ? StudyCell{output::to_shortest(*value / factor), fmt::format(fmt::runtime(format), *value / factor)}
+          value ? StudyCell{write_shortest(*value / factor), fmt::format(fmt::runtime(format), *value / factor)}
                 : StudyCell{});
     }
     if (any || always) table.push_back(std::move(column));

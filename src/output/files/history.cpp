@@ -138,12 +138,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 }  // namespace
 
-std::string to_shortest(double value) {
-  char text[32];
-  const auto [end, failure] = std::to_chars(text, text + sizeof text, value);
-  return failure == std::errc() ? std::string(text, end) : "nan";
-}
-
 History::History(fs::path path, std::size_t columns) : path_(std::move(path)), columns_(columns) {}
 History::History(History&& other) noexcept
     : path_(std::move(other.path_)), columns_(other.columns_), file_(std::exchange(other.file_, -1)) {}
@@ -192,7 +186,7 @@ void History::append(std::span<const double> row) {
   std::string line;
   for (const double value : row) {
     if (!line.empty()) line += ',';
-    line += to_shortest(value);
+    line += write_shortest(value);
   }
   line += '\n';
   const off_t before = ::lseek(file_, 0, SEEK_END);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "results/about.hpp"
 
 namespace talus::output {
@@ -138,8 +139,6 @@ struct HistoryTable {
 };
 HistoryTable read_history(const std::filesystem::path& path);
 
-/// Returns the shortest text that reads back as `value`, or nan, inf or -inf.
-std::string to_shortest(double value);
 /// Quotes a field of comma-separated text (RFC 4180).
 std::string quote_field(const std::string& text);
 /// Returns `text` as the content of a cell, without control characters. A text that a spreadsheet would interpret as a

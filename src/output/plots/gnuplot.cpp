@@ -165,7 +165,7 @@ std::string make_data(const std::string& name, const std::vector<std::span<const
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (c > 0) text += ' ';
-      text += to_shortest(columns[c][i]);
+      text += write_shortest(columns[c][i]);
     }
     text += '\n';
   }

@@ -179,11 +179,11 @@ std::string make_water_table(const std::vector<WaterCurves>& soils) {
       stress.name, speed.name);
   for (const WaterCurves& soil : soils)
     for (std::size_t i = 0; i < soil.suction.size(); ++i)
-      text +=
-          fmt::format("{},{},{},{},{},{},{}\n", quote_field(soil.material), to_shortest(soil.suction[i] / stress.si),
-                      to_shortest(soil.saturation[i]), to_shortest(soil.slope[i] * stress.si),
-                      to_shortest(soil.chi.empty() ? soil.saturation[i] : soil.chi[i]), to_shortest(soil.relative[i]),
-                      to_shortest(soil.relative[i] * soil.saturated_conductivity / speed.si));
+      text += fmt::format(
+          "{},{},{},{},{},{},{}\n", quote_field(soil.material), write_shortest(soil.suction[i] / stress.si),
+          write_shortest(soil.saturation[i]), write_shortest(soil.slope[i] * stress.si),
+          write_shortest(soil.chi.empty() ? soil.saturation[i] : soil.chi[i]), write_shortest(soil.relative[i]),
+          write_shortest(soil.relative[i] * soil.saturated_conductivity / speed.si));
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/atomic_file.hpp"
+#include "base/numbers.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/planar.hpp"
 #include "mpm/solver/observe.hpp"
@@ -266,11 +267,11 @@ std::string describe_limits(const results::Runout& runout) {
 
 void write_profiles(const std::filesystem::path& path, const results::Profile& before, const results::Profile& after) {
   std::map<double, std::pair<std::string, std::string>> rows;
-  for (std::size_t i = 0; i < before.x.size(); ++i) rows[before.x[i]].first = output::to_shortest(before.height[i]);
-  for (std::size_t i = 0; i < after.x.size(); ++i) rows[after.x[i]].second = output::to_shortest(after.height[i]);
+  for (std::size_t i = 0; i < before.x.size(); ++i) rows[before.x[i]].first = write_shortest(before.height[i]);
+  for (std::size_t i = 0; i < after.x.size(); ++i) rows[after.x[i]].second = write_shortest(after.height[i]);
   std::string text = "x [m],ground before [m],ground after [m]\n";
   for (const auto& [x, heights] : rows)
-    text += fmt::format("{},{},{}\n", output::to_shortest(x), heights.first, heights.second);
+    text += fmt::format("{},{},{}\n", write_shortest(x), heights.first, heights.second);
   write_atomically(path, text);
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/user_file.hpp"
 #include "mesh/planar.hpp"
@@ -57,10 +58,10 @@ struct Part {
 };
 
 std::string write_row(double time, const SectionRow& row, int dimension) {
-  std::string text = output::to_shortest(time) + "," + output::to_shortest(row.distance);
-  for (int d = 0; d < dimension; ++d) text += "," + output::to_shortest(row.position[static_cast<std::size_t>(d)]);
+  std::string text = write_shortest(time) + "," + write_shortest(row.distance);
+  for (int d = 0; d < dimension; ++d) text += "," + write_shortest(row.position[static_cast<std::size_t>(d)]);
   text += fmt::format(",{}", row.points);
-  for (const double value : row.values) text += "," + output::to_shortest(value);
+  for (const double value : row.values) text += "," + write_shortest(value);
   return text + "\n";
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/atomic_file.hpp"
+#include "base/numbers.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
@@ -198,8 +199,8 @@ std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& poi
 void write_curve_table(const std::vector<results::Trial>& trials, const std::filesystem::path& path) {
   std::string table = "srf,largest displacement [m],end,force ratio,nodal speed [m/s]\n";
   for (const results::Trial& t : trials)
-    table += fmt::format("{},{},{},{},{}\n", output::to_shortest(t.factor), output::to_shortest(t.displacement),
-                         results::to_word(t.end), output::to_shortest(t.force_ratio), output::to_shortest(t.speed));
+    table += fmt::format("{},{},{},{},{}\n", write_shortest(t.factor), write_shortest(t.displacement),
+                         results::to_word(t.end), write_shortest(t.force_ratio), write_shortest(t.speed));
   write_atomically(path, table);
 }
 

@@ -4,17 +4,79 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "base/error.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "site/mesh_sides.hpp"
+#include "site/roots.hpp"
 #include "site/seepage_model.hpp"
 
 namespace talus::run {
 
 namespace {
+
+/// Sides whose normals differ by a smaller angle form a smooth line: nodes between them get the mean normal.
+const double smooth_cosine = std::cos(20 * 3.14159265358979 / 180);
+
+/// Returns the normal of a wall, out of the soil: away from the element with soil, or else in the direction of gravity.
+template <int D>
+Vec<D> find_wall_normal(const mpm::Body<D>& body, const std::vector<site::SideElement>& elements,
+                        const std::type_identity_t<Vec<D>>& gravity) {
+  for (const site::SideElement& s : elements) {
+    if (elements.size() == 1 || body.points.count[s.element] > 0)
+      return site::find_outward_normal(body.mesh(), s.element, s.opposite).first;
+  }
+  Vec<D> n = site::find_outward_normal(body.mesh(), elements.front().element, elements.front().opposite).first;
+  if (dot(n, gravity) < 0) {
+    for (double& c : n) c = -c;
+  }
+  return n;
+}
+
+/// Returns the normals at each node of the named sides, averaged along smooth lines.
+template <int D>
+std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body,
+                                                     const std::vector<typename mesh::Mesh<D>::Side>& sides,
+                                                     const std::type_identity_t<Vec<D>>& gravity) {
+  std::map<int, std::vector<Vec<D>>> sums;
+  for (const auto& [side, elements] : site::map_sides<D>(body.mesh(), sides)) {
+    if (elements.empty()) continue;
+    const Vec<D> n = find_wall_normal(body, elements, gravity);
+    for (int node : side) {
+      auto& list = sums[node];
+      const auto same =
+          std::find_if(list.begin(), list.end(), [&](const Vec<D>& s) { return dot(s, n) > smooth_cosine * norm(s); });
+      if (same == list.end())
+        list.push_back(n);
+      else
+        for (std::size_t d = 0; d < D; ++d) (*same)[d] += n[d];
+    }
+  }
+  for (auto& [node, list] : sums) {
+    for (Vec<D>& n : list) {
+      const double length = norm(n);
+      for (double& c : n) c /= length;
+    }
+  }
+  return sums;
+}
+
+/// Adds a direction to the fixed ones (`count` of them, orthonormal) unless it lies in their span.
+template <int D>
+void add_direction(Vec<D> (&fixed)[D], int& count, std::type_identity_t<Vec<D>> n) {
+  for (int k = 0; k < count; ++k) {
+    const double along = dot(n, fixed[k]);
+    for (std::size_t d = 0; d < D; ++d) n[d] -= along * fixed[k][d];
+  }
+  const double rest = norm(n);
+  if (rest < 1e-6 || count == D) return;
+  for (double& x : n) x /= rest;
+  fixed[count++] = n;
+}
 
 template <int D>
 mpm::Constraint<D>& get_constraint(mpm::Conditions<D>& conditions, int node) {
@@ -38,7 +100,7 @@ template <int D>
 void hold(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& normal,
           const std::type_identity_t<Vec<D>>& velocity) {
   const int before = c.fixed_count;
-  site::add_direction<D>(c.fixed, c.fixed_count, normal);
+  add_direction<D>(c.fixed, c.fixed_count, normal);
   if (c.fixed_count == before) return;
   const Vec<D>& rest = c.fixed[before];  // component of the normal orthogonal to the earlier directions
   const double speed = (dot(velocity, normal) - dot(c.drive, normal)) / dot(rest, normal);
@@ -82,7 +144,7 @@ void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const s
   mpm::Conditions<D>& conditions = body.conditions;
   const Vec<D> velocity = truncate<D>(boundary.velocity);
   const int factor = boundary.fix == input::Fix::velocity ? add_factor(conditions, boundary.factor) : -1;
-  for (const auto& [node, normals] : site::find_node_normals(body, sides, gravity)) {
+  for (const auto& [node, normals] : find_node_normals(body, sides, gravity)) {
     mpm::Constraint<D>& c = get_constraint(conditions, node);
     switch (boundary.fix) {
       case input::Fix::full:
@@ -221,7 +283,7 @@ std::set<int> find_kinks(const mpm::Body<D>& body, const site::WaterSides<D>& si
   for (const auto& held : sides.held) {
     for (const auto& [side, elements] : site::map_sides<D>(body.mesh(), held)) {
       if (elements.empty()) continue;
-      const Vec<D> normal = site::find_wall_normal(body, elements, gravity);
+      const Vec<D> normal = find_wall_normal(body, elements, gravity);
       for (int node : side) {
         const mpm::WaterConstraint<D>& c = body.water.constraints[body.water.constraint_of_node[node]];
         Vec<D> rest = normal;
@@ -319,9 +381,9 @@ void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data) {
   water.constraints.clear();
   const Vec<D> gravity = find_gravity<D>(data.gravity);
   for (const auto& held : sides.held) {
-    for (const auto& [node, normals] : site::find_node_normals<D>(body, held, gravity)) {
+    for (const auto& [node, normals] : find_node_normals<D>(body, held, gravity)) {
       mpm::WaterConstraint<D>& c = get_constraint(water, node);
-      for (const Vec<D>& n : join_opposite<D>(normals)) site::add_direction<D>(c.fixed, c.fixed_count, n);
+      for (const Vec<D>& n : join_opposite<D>(normals)) add_direction<D>(c.fixed, c.fixed_count, n);
     }
   }
   // Elements at a bend count as open, so a no-flow condition closes them.
@@ -334,12 +396,34 @@ void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data) {
 }
 
 template <int D>
+void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data) {
+  body.water.uptakes.clear();
+  if (!body.water.is_wet()) return;
+  const mpm::Points<D>& points = body.points;
+  for (const input::Roots& roots : data.roots) {
+    if (!roots.transpiration) continue;
+    const site::RootDistribution<D> distribution = site::find_root_distribution<D>(data, roots, body.mesh());
+    mpm::RootUptake uptake{roots.ground, site::make_transpiration_rate(*roots.transpiration),
+                           site::make_uptake_reduction(roots, data.units().stress),
+                           std::vector<double>(static_cast<std::size_t>(points.size()), 0.0)};
+    for (int id = 0; id < points.size(); ++id) {
+      const int e = points.element[id];
+      if (e < 0) continue;
+      for (const double w : distribution.weights[e]) uptake.weight[id] += w / points.count[e];
+    }
+    body.water.uptakes.push_back(std::move(uptake));
+  }
+}
+
+template <int D>
 void hold_surfaces(mpm::Body<D>& body, double time) {
   for (mpm::SurfaceCondition& s : body.water.surfaces) {
     if (!s.value.time.empty()) s.value = {{0.0}, {s.value.at(time)}};
   }
 }
 
+template void resolve_root_uptakes<2>(mpm::Body<2>&, const input::Case&);
+template void resolve_root_uptakes<3>(mpm::Body<3>&, const input::Case&);
 template void hold_surfaces<2>(mpm::Body<2>&, double);
 template void hold_surfaces<3>(mpm::Body<3>&, double);
 template void resolve_water_conditions<2>(mpm::Body<2>&, const input::Case&);

@@ -30,6 +30,10 @@ void load_nearest_points(const mpm::Body<D>& body, const site::SideElement& side
 template <int D>
 void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data);
 
+/// Fills the water uptake by roots of the points of a body on its initial mesh. Throws as find_root_distribution().
+template <int D>
+void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data);
+
 /// Makes the values of the hydraulic conditions constant at those of `time` [s], in accordance with fixed pore
 /// pressures.
 template <int D>

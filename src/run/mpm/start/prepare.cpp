@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "input/case/soil_water_law.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/points.hpp"
 #include "mpm/kernels/pore_state.hpp"
@@ -237,12 +238,12 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
   std::vector<mesh::LocalPoint<D>> places;
   for (const auto& p : points) places.push_back({p.element, p.xi});
   std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
-  if (!laws.empty()) {
-    const std::vector<double> ponded = site::find_ponded_load<D>(data, mesh, points);
-    for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
-  }
   std::vector<Vec<D>> at;
   for (const auto& p : points) at.push_back(mesh::to_global(mesh, p.element, p.xi));
+  if (!laws.empty()) {
+    const std::vector<double> ponded = site::find_ponded_load<D>(data, mesh, at);
+    for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
+  }
   const std::vector<double> above = find_ground_load<D>(data, at);
   for (std::size_t i = 0; i < points.size(); ++i) {
     overburden[i] += above[i];
@@ -275,6 +276,28 @@ std::vector<site::StressAt> find_known_stress(const input::Initial& initial, con
   return known;
 }
 
+/// Returns the water laws by material number (list_materials); empty if no soil has pore water.
+std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data) {
+  std::vector<mpm::WaterLaw> laws;
+  if (!site::has_water(data)) return laws;
+  for (const auto& [name, m] : data.materials) {
+    mpm::WaterLaw law;
+    law.grain_density = m.grain_density;
+    law.density = data.water.density;
+    law.bulk_modulus = data.water.bulk_modulus;
+    law.drag_gravity = data.water.drag_gravity;
+    law.wet = m.water.is_wet();
+    if (law.wet) {
+      law.conductivity = input::find_saturated_conductivity(m.water, data.water, data.water.drag_gravity);
+      law.retention = input::make_retention(m.water);
+      law.relative = input::make_relative_conductivity(m.water);
+      if (m.water.chi == input::BishopChi::khalili_khabbaz) law.chi_air_entry = m.water.chi_air_entry;
+    }
+    laws.push_back(law);
+  }
+  return laws;
+}
+
 /// Fills the mesh of a case with material points.
 template <int D>
 mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
@@ -283,7 +306,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   if (names.size() > 32)
     throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
   const std::vector<int> material_of_region = assign_materials(data, mesh, names);
-  const std::vector<mpm::WaterLaw> water_laws = site::make_water_laws(data);
+  const std::vector<mpm::WaterLaw> water_laws = make_water_laws(data);
   site::InitialWater<D> water = site::find_initial_water<D>(data, mesh);
   const site::HeldWater<D> held = find_carried_water<D>(data, mesh);
   const auto positions = mesh::point_positions<D>(points_per_element);
@@ -327,7 +350,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   resolve_conditions(body, data);
   add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
-  site::resolve_root_uptakes(body, data);
+  resolve_root_uptakes(body, data);
   if (data.softening_length) mpm::set_softening_length(body, *data.softening_length);
   body.water.darcy.pressure = site::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
