@@ -166,9 +166,9 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
   TrialCircles circles;
   if (options.kind == SearchKind::grid) {
-    circles = make_grid_circles(slope, options.grid, result.grid.emplace());
+    circles = make_grid_circles(slope, options, result.grid.emplace());
   } else {
-    circles = make_entry_exit_circles(slope, arcs, options.entry_exit, options.seed, result.entry_exit.emplace());
+    circles = make_entry_exit_circles(slope, arcs, options, result.entry_exit.emplace());
   }
   solve_trials(slope, options, circles, result);
   std::vector<int> best_trials;

@@ -60,10 +60,10 @@ double find_step(const std::vector<double>& points) {
 
 }  // namespace
 
-TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
-                                     int seed, EntryExitSearch& used) {
+TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const SearchOptions& options,
+                                     EntryExitSearch& used) {
   TrialCircles circles;
-  used = asked.value_or(EntryExitSearch{});
+  used = options.entry_exit.value_or(EntryExitSearch{});
   circles.whole_ground = used.exit[0] == used.exit[1] && used.entry[0] == used.entry[1];
   if (circles.whole_ground) used.exit = used.entry = {slope.left(), slope.right()};
   for (auto* range : {&used.exit, &used.entry})
@@ -71,17 +71,18 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
               std::clamp((*range)[1], slope.left(), slope.right())};
   std::vector<double> exits, entries;
   if (circles.whole_ground) {  // any two points; the circle slides to the lower one
-    exits = entries = place_points(slope, slope.left(), slope.right(), used.exits + used.entries, seed);
+    exits = entries = place_points(slope, slope.left(), slope.right(), used.exits + used.entries, options.seed);
   } else {
-    exits = place_points(slope, used.exit[0], used.exit[1], used.exits, seed);
-    entries = place_points(slope, used.entry[0], used.entry[1], used.entries, seed);
+    exits = place_points(slope, used.exit[0], used.exit[1], used.exits, options.seed);
+    entries = place_points(slope, used.entry[0], used.entry[1], used.entries, options.seed);
   }
   const bool exit_left = used.exit[0] + used.exit[1] <= used.entry[0] + used.entry[1];
   circles.left = exit_left ? used.exit : used.entry;
   circles.right = exit_left ? used.entry : used.exit;
   circles.step = {find_step(exit_left ? exits : entries), find_step(exit_left ? entries : exits)};
   circles.size = {static_cast<int>(exits.size()), static_cast<int>(entries.size()), used.depths};
-  for (double exit : exits)
+  for (double exit : exits) {
+    throw_if_search_is_interrupted(options.ends_at_signal);
     for (double entry : entries) {
       const double left = exit_left ? exit : entry, right = exit_left ? entry : exit;
       const auto range = left < right ? arcs.find_range(left, right) : std::nullopt;
@@ -93,6 +94,7 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
         circles.surfaces.push_back(arcs.make_arc(left, right, range->from + t * (range->to - range->from)));
       }
     }
+  }
   circles.first.push_back(static_cast<int>(circles.surfaces.size()));
   return circles;
 }
@@ -126,15 +128,16 @@ void choose_grid(const Slope& slope, bool named, GridSearch& grid) {
 
 }  // namespace
 
-TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearch>& asked, GridSearch& used) {
-  used = asked.value_or(GridSearch{});
+TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options, GridSearch& used) {
+  used = options.grid.value_or(GridSearch{});
   choose_grid(slope, used.from != used.to, used);
   TrialCircles circles;
   circles.whole_ground = true;
   circles.left = circles.right = {slope.left(), slope.right()};
   circles.size = {used.columns, used.rows, used.radii};
   auto between = [](double a, double b, int i, int n) { return n > 1 ? a + (b - a) * i / (n - 1) : 0.5 * (a + b); };
-  for (int i = 0; i < used.columns; ++i)
+  for (int i = 0; i < used.columns; ++i) {
+    throw_if_search_is_interrupted(options.ends_at_signal);
     for (int j = 0; j < used.rows; ++j)
       for (int k = 0; k < used.radii; ++k) {
         circles.first.push_back(static_cast<int>(circles.surfaces.size()));
@@ -152,6 +155,7 @@ TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearc
           circles.surfaces.push_back(s);
         }
       }
+  }
   circles.first.push_back(static_cast<int>(circles.surfaces.size()));
   const double step = 0.03 * (slope.right() - slope.left());
   circles.step = {step, step};

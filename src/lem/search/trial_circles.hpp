@@ -26,9 +26,10 @@ struct TrialCircles {
 /// among them. `seed`: see SearchOptions.
 std::vector<double> place_points(const Slope& slope, double from, double to, int count, int seed);
 
-TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
-                                     int seed, EntryExitSearch& used);
-TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearch>& asked, GridSearch& used);
+/// Both throw as throw_if_search_is_interrupted(). `used`: the ranges of the options, completed.
+TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const SearchOptions& options,
+                                     EntryExitSearch& used);
+TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options, GridSearch& used);
 
 // Circles that just touch a region. The factor jumps where a circle enters a strong layer, and its minimum often lies
 // at the jump, in a valley too narrow for a lattice of trial circles.
