@@ -16,7 +16,7 @@
 #include "mpm/solver/observe.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/run_json.hpp"

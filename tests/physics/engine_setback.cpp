@@ -11,7 +11,7 @@
 #include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/recorder.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {

@@ -10,8 +10,8 @@
 #include "bounds/problem.hpp"
 #include "fem/solid/solid.hpp"
 #include "results/json.hpp"
-#include "run/head.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/head.hpp"
+#include "run/common/run_folder.hpp"
 
 namespace talus::run {
 

@@ -10,7 +10,7 @@
 #include "results/bounds.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
 
 namespace talus::run {
 

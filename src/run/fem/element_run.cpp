@@ -12,11 +12,11 @@
 #include "base/progress.hpp"
 #include "mesh/quality.hpp"
 #include "results/json.hpp"
+#include "run/common/head.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
-#include "run/head.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 

@@ -12,8 +12,8 @@
 #include "input/case/case.hpp"
 #include "results/elements.hpp"
 #include "results/run.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/fem/solid_of_case.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 

@@ -17,7 +17,7 @@
 #include "run/fem/solid_of_case.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
 #include "run/mpm/reduction/leg.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {

@@ -7,8 +7,8 @@
 
 #include "results/governing.hpp"
 #include "results/json.hpp"
-#include "run/head.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/head.hpp"
+#include "run/common/run_folder.hpp"
 
 namespace talus::run {
 

@@ -9,8 +9,8 @@
 #include "lem/search/search.hpp"
 #include "results/run.hpp"
 #include "results/slices.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 

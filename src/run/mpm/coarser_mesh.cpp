@@ -10,9 +10,9 @@
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
 #include "results/json.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/point_run.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 namespace {

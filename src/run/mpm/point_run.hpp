@@ -12,10 +12,10 @@
 #include "input/read.hpp"
 #include "mpm/solver/step.hpp"
 #include "results/run.hpp"
-#include "run/mpm/ranks_stage.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/record/runout.hpp"
+#include "run/mpm/stage/ranks_stage.hpp"
 #include "run/mpm/start/end_state.hpp"
-#include "run/run_folder.hpp"
 #include "site/seepage_results.hpp"
 
 namespace talus::run {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "results/run.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 

@@ -3,7 +3,7 @@
 // A body and its stage as a checkpoint, from which a run resumes bitwise identically.
 
 #include "output/files/archive.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

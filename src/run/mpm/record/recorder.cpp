@@ -14,7 +14,7 @@
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 namespace {

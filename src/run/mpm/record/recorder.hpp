@@ -14,7 +14,7 @@
 #include "run/mpm/record/frame.hpp"
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/water_record.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

@@ -17,7 +17,7 @@
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/sections.hpp"
 #include "run/mpm/reduction/leg.hpp"
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/prepare.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/start/frozen_body.hpp"
+#include "run/mpm/stage/auxiliary_body.hpp"
 
 #include <fmt/format.h>
 

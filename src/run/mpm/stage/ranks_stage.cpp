@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/ranks_stage.hpp"
+#include "run/mpm/stage/ranks_stage.hpp"
 
 #include <fmt/format.h>
 

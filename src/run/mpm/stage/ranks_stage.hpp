@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "mpm/state/body.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include "base/error.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/state/partition.hpp"
-#include "run/mpm/ranks_stage.hpp"
-#include "run/mpm/stage_warnings.hpp"
-#include "run/mpm/start/frozen_body.hpp"
+#include "run/mpm/stage/auxiliary_body.hpp"
+#include "run/mpm/stage/ranks_stage.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
+#include "run/mpm/stage/stepper.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "run/mpm/stepper.hpp"
 
 namespace talus::run {
 

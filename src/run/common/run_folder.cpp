@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -10,8 +10,8 @@
 #include "input/case/case.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
-#include "run/mpm/stage.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

@@ -4,7 +4,7 @@
 // equalised-mass body, whose small elements do not limit the step, and the drained body of stages with fixed pore
 // pressures. Rest or failure of a slope depends on forces only, not on inertia.
 
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 
