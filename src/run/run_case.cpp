@@ -22,6 +22,7 @@
 #include "run/bounds/bounds_run.hpp"
 #include "run/bounds/referee.hpp"
 #include "run/common/head.hpp"
+#include "run/common/mesh_estimate.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/compare/compare.hpp"
 #include "run/compare/reading.hpp"

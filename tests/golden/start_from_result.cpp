@@ -16,6 +16,7 @@
 #include "mpm/solver/observe.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/prepare.hpp"

@@ -14,8 +14,6 @@
 #include "input/read.hpp"
 #include "output/files/results_folder.hpp"
 #include "results/json.hpp"
-#include "run/mpm/reduction/frozen_run.hpp"
-#include "run/mpm/start/end_state.hpp"
 
 namespace talus::run {
 

@@ -15,6 +15,11 @@
 
 namespace talus::run {
 
+/// State at the end of the stages, from which another case can start.
+inline constexpr const char* end_state_file = "end_state.h5";
+/// Slip line of the smallest factor at frozen geometry that failed, in the folder of each mesh; plane strain only.
+inline constexpr const char* slip_line_file = "slip_line.json";
+
 /// Device for MPM.
 enum class DeviceKind {
   cpu,

@@ -13,6 +13,7 @@
 #include "mesh/quality.hpp"
 #include "mpm/solver/observe.hpp"
 #include "results/json.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/sections.hpp"
