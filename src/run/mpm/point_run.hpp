@@ -14,7 +14,7 @@
 #include "results/run.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/mpm/record/runout.hpp"
-#include "run/mpm/stage/ranks_stage.hpp"
+#include "run/mpm/stage/helpers.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "site/seepage_results.hpp"
 

@@ -4,7 +4,8 @@
 // equalised-mass body, whose small elements do not limit the step, and the drained body of stages with fixed pore
 // pressures. Rest or failure of a slope depends on forces only, not on inertia.
 
-#include "run/mpm/stage/stage.hpp"
+#include "mpm/solver/critical_step.hpp"
+#include "run/mpm/stage/plan.hpp"
 
 namespace talus::run {
 
@@ -13,42 +14,27 @@ namespace talus::run {
 template <int D>
 mpm::Body<D> make_even_body(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state);
 
-/// Index of field 0 of a point in the data of the points; field i is i * lane_width behind it.
-template <int D>
-std::size_t find_place(const mpm::Points<D>& points, int id) {
-  const std::int64_t place = points.place[id];
-  return static_cast<std::size_t>(place / lane_width * points.fields * lane_width + place % lane_width);
-}
-
-/// Returns the factor of a load that grows with gravity in the stage.
-template <int D>
-input::TimeTable find_weight_growth(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state);
-
-/// Copies motion, stress, strain and work of the auxiliary body `stand_in` to the body from which it was made. Masses,
-/// water and loads are unchanged.
-template <int D>
-void copy_from_stand_in(const mpm::Body<D>& stand_in, mpm::Body<D>& body);
-
-/// Runs run_stage() on the auxiliary body. Hooks receive `body`, updated by copy_from_stand_in().
-template <int D>
-results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
-                               const StageHooks<D>& hooks);
-
 /// Makes the body of one phase for a stage with fixed pore pressures, with the mass of soil and water together, at the
-/// start of the stage or, if state.started, in the state that copy_from_stand_in() left in `wet`. Its stresses are
+/// start of the stage or, if state.started, in the state that copy_from_auxiliary() left in `wet`. Its stresses are
 /// effective stresses. The pore pressures, and external water at the total heads of the start of the stage, are a
-/// constant load, as geometry is frozen; it grows with gravity if the plan has a ramp.
+/// constant load, as geometry is frozen; it grows with gravity if the plan has a ramp. Throws Error (wrong_input) for
+/// moving geometry.
 template <int D>
 mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state);
 
-/// Largest stable step of that body [s].
+/// Copies motion, stress, strain and work of the auxiliary body to the body from which it was made. Masses, water and
+/// loads are unchanged.
 template <int D>
-mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, const StagePlan<D>& plan);
+void copy_from_auxiliary(const mpm::Body<D>& auxiliary, mpm::Body<D>& body);
 
-/// Runs run_stage() for a wet body with fixed pore pressures. Hooks receive the wet body. Throws Error (wrong_input)
-/// for moving geometry.
+/// Returns true if the stage steps the drained body, or the equalised-mass body, in place of `body`.
 template <int D>
-results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state,
-                                    const StageHooks<D>& hooks);
+bool is_drained(const mpm::Body<D>& body, const StagePlan<D>& plan);
+template <int D>
+bool equalises_mass(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// Largest stable step [s] of the plan for Courant number 1, and the element that limits it.
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
 }  // namespace talus::run

@@ -15,7 +15,7 @@
 #include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "run/common/run_folder.hpp"
-#include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/start/body_archive.hpp"
 #include "site/roots.hpp"
 
 namespace talus::run {
