@@ -37,20 +37,6 @@ struct RunOptions {
   std::string label;             ///< precedes the name of a stage in the progress line
 };
 
-/// Runs `part` of a method. If the case has other methods as well, returns the message of its Error, which becomes a
-/// part of the results. Rethrows it if it is an interruption, or the method is `alone`.
-template <class Part>
-std::optional<std::string> attempt(const RunOptions& options, bool alone, Part part) {
-  try {
-    part();
-  } catch (const Error& error) {
-    if (options.progress) options.progress->clear();
-    if (alone || error.code() == ExitCode::interrupted) throw;
-    return error.what();
-  }
-  return std::nullopt;
-}
-
 /// Throws Error (folder_exists) if the folder is not empty and neither --overwrite nor --resume was given, if the case
 /// starts from the result in it, if --overwrite or --resume find no list of files in it, and what check_replaced()
 /// throws.

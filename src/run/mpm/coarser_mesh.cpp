@@ -11,7 +11,7 @@
 #include "base/ranks.hpp"
 #include "results/json.hpp"
 #include "run/common/head.hpp"
-#include "run/common/run_folder.hpp"
+#include "run/common/method_run.hpp"
 #include "run/mpm/point_run.hpp"
 
 namespace talus::run {
