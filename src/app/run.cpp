@@ -17,6 +17,7 @@
 #include "base/ranks.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "run/check_case.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/digest.hpp"
 #include "run/mpm/stage/stepper.hpp"
