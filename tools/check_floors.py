@@ -35,13 +35,15 @@ ALLOWED = {
 APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots"), ("mpm/two_velocity", "mpm/darcy")]
 # One of them may use the other.
 MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
-# The folders of a floor from the bottom up: each may include those before it. Files beside the folders come last, as "".
+# The folders of a floor from the bottom up, with their own folders: each may include those before it. "" are the files
+# beside the folders.
 ORDER = {
     "mpm": ["state", "kernels", "pore_water", "backend", "two_velocity", "darcy", "solver"],
     "lem": ["section", "surface", "slices", "search"],
     "fem": ["", "seepage", "solid"],
     "bounds": ["conic", ""],
     "input": ["language", "case", ""],
+    "run": ["common", "lem", "fem", "bounds", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "forecast", ""],
 }
 LONGEST = 500
 # file → why it may be longer
@@ -134,12 +136,16 @@ def run_self_test():
         "src/mpm/two_velocity/phases.hpp": "\n",
         "src/run/mpm/owner.cpp": '#include "run/lem/search.hpp"\n',
         "src/run/lem/search.hpp": "\n",
+        "src/run/mpm/start/points.cpp": '#include "run/mpm/stage.hpp"\n#include "run/mpm/start/points.hpp"\n',
+        "src/run/mpm/start/points.hpp": "\n",
+        "src/run/mpm/stage.hpp": '#include "run/mpm/start/points.hpp"\n#include "run/run_case.hpp"\n',
+        "src/run/run_case.hpp": '#include "run/mpm/stage.hpp"\n',
         "src/mesh/threads.cpp": "#include <omp.h>\n#ifdef __AVX__\n#endif\n",
         "src/odd/file.cpp": "\n",
         "tests/unit/long.cpp": "\n" * (LONGEST + 1),
     }
     expected = ["base/low.hpp:1", "mpm/high.hpp:2", "mpm/high.hpp:3", "mesh/threads.cpp:1", "mesh/threads.cpp:2",
-                "odd/file.cpp", "unit/long.cpp", "fem/neighbour.cpp:1", "run/mpm/owner.cpp:1", "state/body.hpp:1", "darcy/flow.hpp:1"]
+                "odd/file.cpp", "unit/long.cpp", "fem/neighbour.cpp:1", "run/mpm/owner.cpp:1", "state/body.hpp:1", "darcy/flow.hpp:1", "start/points.cpp:1", "mpm/stage.hpp:2"]
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():

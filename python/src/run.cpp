@@ -8,7 +8,7 @@
 
 #include "bind.hpp"
 #include "drive.hpp"
-#include "run/mpm/stepper.hpp"
+#include "run/mpm/stage/stepper.hpp"
 #include "run/run_case.hpp"
 #include "study/jobs.hpp"
 #include "study/study.hpp"

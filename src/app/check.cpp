@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
+#include "run/check_case.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_case.hpp"

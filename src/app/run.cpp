@@ -17,10 +17,11 @@
 #include "base/ranks.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "run/check_case.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/digest.hpp"
-#include "run/mpm/stepper.hpp"
+#include "run/mpm/stage/stepper.hpp"
 #include "run/run_case.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::app {
 namespace {

@@ -20,7 +20,7 @@
 #include "output/plots/gnuplot.hpp"
 #include "output/plots/point_plot.hpp"
 #include "results/json.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 
 namespace talus::laboratory {
 namespace {

@@ -16,7 +16,7 @@
 #include "base/version.hpp"
 #include "input/read.hpp"
 #include "results/json.hpp"
-#include "run/mpm/start/end_state.hpp"
+#include "run/common/run_folder.hpp"
 #include "study/jobs.hpp"
 #include "study/sampling.hpp"
 

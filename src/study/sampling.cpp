@@ -20,7 +20,7 @@
 #include "input/echo.hpp"
 #include "results/json.hpp"
 #include "run/bounds/referee.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 #include "run/run_case.hpp"
 #include "study/distributions.hpp"
 #include "study/sampling_table.hpp"

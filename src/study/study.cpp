@@ -13,9 +13,9 @@
 #include "base/progress.hpp"
 #include "base/user_file.hpp"
 #include "results/json.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/run_case.hpp"
-#include "run/run_folder.hpp"
 #include "study/sampling.hpp"
 #include "study/study_table.hpp"
 

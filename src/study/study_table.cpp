@@ -16,7 +16,7 @@
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "results/json.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "study/extrapolation.hpp"
 

@@ -12,7 +12,7 @@
 #include "mesh/generate.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/record/runout.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus {

@@ -17,7 +17,7 @@
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
 #include "mpm/solver/observe.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/external_model.hpp"
 #include "support/slopes.hpp"

@@ -10,7 +10,7 @@
 #include "run/lem/run_lem.hpp"
 #include "run/mpm/reduction/criteria.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 #include "site/site.hpp"
 
 namespace talus::input {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "run/mpm/start/frozen_body.hpp"
+#include "run/mpm/stage/auxiliary_body.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

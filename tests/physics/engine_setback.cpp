@@ -11,7 +11,7 @@
 #include "mpm/solver/observe.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/recorder.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {
@@ -53,7 +53,7 @@ TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   const auto smooth = [&](input::Smoothing asked, std::size_t setbacks, bool wet) {
     plan.step.smoothing = asked;
     plan.step.water = input::WaterMotion::flows;
-    return run::calm_down(plan, setbacks, wet).step.smoothing;
+    return run::make_retry_plan(plan, setbacks, wet).step.smoothing;
   };
   using input::Smoothing;
   EXPECT_EQ(smooth(Smoothing::stable, 0, true), Smoothing::stable);
@@ -62,7 +62,7 @@ TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   EXPECT_EQ(smooth(Smoothing::stable, 1, false), Smoothing::stable) << "dry: first only a smaller step";
   EXPECT_EQ(smooth(Smoothing::stable, 2, false), Smoothing::none);
   EXPECT_EQ(smooth(Smoothing::none, 3, true), Smoothing::none);
-  EXPECT_DOUBLE_EQ(run::calm_down(plan, 3, false).step.courant, 0.1);
+  EXPECT_DOUBLE_EQ(run::make_retry_plan(plan, 3, false).step.courant, 0.1);
 }
 
 TEST(Retry, HistoriesHoldNothingOfWhatWasLost) {

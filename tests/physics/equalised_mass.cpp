@@ -3,7 +3,7 @@
 // same.
 
 #include "mpm/state/loads.hpp"
-#include "run/mpm/start/frozen_body.hpp"
+#include "run/mpm/stage/auxiliary_body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "run/mpm/point_results.hpp"
 #include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/record/point_results.hpp"
 #include "run/mpm/record/water_record.hpp"
 #include "site/initial_water.hpp"
 #include "site/roots.hpp"

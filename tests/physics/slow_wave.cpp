@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/soil_body.hpp"
 

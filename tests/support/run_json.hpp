@@ -10,7 +10,7 @@
 #include "input/case/result_names.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 #include "run/run_case.hpp"
 
 namespace talus::support {

@@ -6,7 +6,8 @@
 
 #include "base/memory.hpp"
 #include "mesh/generate.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/common/mesh_estimate.hpp"
+#include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "study/study.hpp"
 #include "support/slopes.hpp"

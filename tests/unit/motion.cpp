@@ -10,7 +10,7 @@
 
 #include "input/case/result_names.hpp"
 #include "results/run.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
 
 namespace talus::run {

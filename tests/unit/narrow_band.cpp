@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {

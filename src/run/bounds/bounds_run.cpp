@@ -9,9 +9,7 @@
 
 #include "bounds/problem.hpp"
 #include "fem/solid/solid.hpp"
-#include "results/json.hpp"
-#include "run/head.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/head.hpp"
 
 namespace talus::run {
 
@@ -167,9 +165,7 @@ results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr const char *bounds_file = "bounds.json", *bounds_title = "proven bounds";
+constexpr const char* bounds_file = "bounds.json";
 
 /// Returns true if a soil has a tensile strength below the apex of its criterion.
 bool has_tension_limit(const bounds::Problem& problem) {
@@ -181,37 +177,17 @@ bool has_tension_limit(const bounds::Problem& problem) {
 }  // namespace
 
 BoundsRun::BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : data_(data), options_(options), hash_(std::move(input_hash)), alone_(alone) {}
-
-/// Runs `part`. If the case has other methods as well, its exception becomes a part of the result.
-template <class Part>
-void BoundsRun::attempt(Part part) {
-  const auto start = Clock::now();
-  if (const auto why = run::attempt(options_, alone_, part)) {
-    made_.reset();
-    file_ = {};
-    file_.summary.error = why;
-    file_.summary.warnings = {fmt::format("{}: {}", bounds_title, *why)};
-  }
-  spent_ += Clock::now() - start;
-}
-
-void BoundsRun::show(const std::string& what) const {
-  if (options_.progress) options_.progress->show(fmt::format("{}: {}", bounds_title, what));
-}
+    : MethodRun("proven bounds", bounds_file, alone, options, std::move(input_hash)), data_(data) {}
 
 void BoundsRun::prepare() {
-  attempt([&] {
+  const bool is_made = try_part([&] {
     show("mesh");
     made_ = make_bounds_problem(data_);
     water_ = std::move(made_->water);
-    if (options_.progress) options_.progress->clear();
-    if (!options_.resume) return;
-    auto known = results::find_file<results::BoundsFile>(options_.folder / bounds_file);
-    if (!known || known->input_hash != hash_) return;
-    file_ = std::move(*known);
-    is_known_ = true;
+    clear_progress();
+    is_known_ = read_kept();
   });
+  if (!is_made) made_.reset();
 }
 
 results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const {
@@ -253,7 +229,7 @@ void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
 
 void BoundsRun::calculate(std::optional<double> start) {
   if (!made_ || is_known_) return;
-  attempt([&] {
+  const bool is_found = try_part([&] {
     bounds::BoundsOptions options;
     options.gap = data_.bounds.gap;
     options.most_triangles = data_.bounds.triangles;
@@ -263,7 +239,7 @@ void BoundsRun::calculate(std::optional<double> start) {
     if (data_.earthquake.list_directions().size() > 1) search_other_direction(options);
     file_.summary.warnings.insert(file_.summary.warnings.begin(), made_->notes.begin(), made_->notes.end());
   });
-  if (!made_) return;
+  if (!is_found) return made_.reset();
   file_.input_hash = hash_;
   results::BoundsResult& result = file_.summary;
   result.is_davis = data_.bounds.flow == input::BoundsFlow::davis;
@@ -271,15 +247,13 @@ void BoundsRun::calculate(std::optional<double> start) {
   result.fields_file = bounds_file;
   result.seepage = water_.seepage;
   result.seconds = spent_.count();
-  results::write_file(options_.folder / bounds_file, file_, -1);
-  if (options_.progress) options_.progress->clear();
+  write_kept();
+  clear_progress();
 }
 
 void BoundsRun::write_result(results::RunResult& run) const {
-  const results::BoundsResult& result = file_.summary;
-  run.bounds = result;
-  for (const std::string& warning : result.warnings)
-    run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", bounds_title, warning));
+  run.bounds = file_.summary;
+  add_warnings(run);
   site::give(water_, run);
 }
 

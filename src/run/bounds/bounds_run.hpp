@@ -2,7 +2,6 @@
 #pragma once
 // Limit analysis in a run: computed or read from an interrupted run, and stored in the folder.
 
-#include <chrono>
 #include <optional>
 #include <string>
 
@@ -10,7 +9,7 @@
 #include "results/bounds.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/method_run.hpp"
 
 namespace talus::run {
 
@@ -18,7 +17,7 @@ namespace talus::run {
 /// interval is wider than the requested gap.
 results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double asked_gap);
 
-class BoundsRun {
+class BoundsRun : public MethodRun<results::BoundsFile> {
  public:
   /// `data`: the case or its design values. `alone`: the case has no other method.
   BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
@@ -30,25 +29,14 @@ class BoundsRun {
   /// (interrupted).
   void calculate(std::optional<double> start);
   void write_result(results::RunResult& run) const;
-  /// See SliceRun.
-  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
  private:
-  template <class Part>
-  void attempt(Part part);
-  void show(const std::string& what) const;
   results::BoundsFile search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const;
   void search_other_direction(const bounds::BoundsOptions& options);
 
   const input::Case& data_;
-  const RunOptions& options_;
-  std::string hash_;
-  bool alone_;
   std::optional<ProblemOfCase> made_;
-  site::WaterResult water_;
-  results::BoundsFile file_;
   bool is_known_ = false;  ///< of an interrupted run
-  std::chrono::duration<double> spent_{0};
 };
 
 }  // namespace talus::run

@@ -12,7 +12,7 @@
 #include "base/numbers.hpp"
 #include "bounds/problem.hpp"
 #include "mesh/generate.hpp"
-#include "run/forecast/forecast.hpp"
+#include "run/common/mesh_estimate.hpp"
 #include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"

@@ -4,7 +4,7 @@
 
 #include "input/case/case.hpp"
 #include "results/bounds.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
 
 namespace talus::run {
 

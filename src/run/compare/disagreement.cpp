@@ -9,9 +9,9 @@
 #include <map>
 
 #include "results/governing.hpp"
+#include "run/common/head.hpp"
 #include "run/compare/compare.hpp"
 #include "run/compare/reading.hpp"
-#include "run/head.hpp"
 #include "site/ground_line.hpp"
 
 namespace talus::run {

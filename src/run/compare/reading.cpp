@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "results/governing.hpp"
+#include "run/common/head.hpp"
 #include "run/compare/compare.hpp"
 #include "run/compare/disagreement.hpp"
 #include "run/compare/slip_line.hpp"
-#include "run/head.hpp"
 
 namespace talus::run {
 namespace {

@@ -11,9 +11,9 @@
 #include "mesh/planar.hpp"
 #include "output/files/frames_reader.hpp"
 #include "results/json.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/sections.hpp"
-#include "run/mpm/reduction/frozen_run.hpp"
 
 namespace talus::run {
 namespace {

@@ -9,14 +9,11 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/extrapolate.hpp"
-#include "base/progress.hpp"
 #include "mesh/quality.hpp"
-#include "results/json.hpp"
+#include "run/common/head.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
-#include "run/head.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 
@@ -124,15 +121,13 @@ template results::ElementFields make_fields_result<3>(const fem::QuadraticMesh<3
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Element size of the coarser of two meshes over that of [fem]; the coarser one takes a sixth of the time.
 constexpr double coarse_ratio = 2;
 /// Meshes with a smaller ratio of mean sizes count as one mesh, because the section is too small for elements of twice
 /// the size [-].
 constexpr double least_ratio = 1.25;
 
-constexpr const char *element_file = "fem.json", *element_title = "finite elements";
+constexpr const char* element_file = "fem.json";
 
 std::vector<results::Flow> list_flows(input::FlowRule rule) {
   if (rule == input::FlowRule::as_given) return {results::Flow::as_given};
@@ -165,29 +160,20 @@ bool has_run(const results::ElementResult& result, results::Flow flow) {
 
 template <int D>
 ElementRun<D>::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : data_(data),
-      options_(options),
-      hash_(std::move(input_hash)),
-      alone_(alone),
+    : MethodRun("finite elements", element_file, alone, options, std::move(input_hash)),
+      data_(data),
       tries_both_directions_(data.earthquake.list_directions().size() > 1) {}
 
 template <int D>
-template <class Part>
-void ElementRun<D>::attempt(Part part) {
-  const auto start = Clock::now();
-  if (const auto why = run::attempt(options_, alone_, part)) {
-    model_.reset();
-    file_ = {};
-    file_.summary.error = why;
-    file_.summary.warnings = {fmt::format("{}: {}", element_title, *why)};
-    is_told_ = true;
-  }
-  spent_ += Clock::now() - start;
+void ElementRun<D>::attempt_part(const std::function<void()>& part) {
+  if (try_part(part)) return;
+  model_.reset();
+  is_told_ = true;
 }
 
 template <int D>
 void ElementRun<D>::prepare() {
-  attempt([&] {
+  attempt_part([&] {
     show("mesh");
     model_ = make_model(1);
     water_ = std::move(model_->solid.water);
@@ -195,7 +181,7 @@ void ElementRun<D>::prepare() {
     if (data_.fem.meshes > 1 && !data_.mesh.file.empty())
       file_.summary.warnings.push_back(
           "the mesh is a ready file, which cannot be coarsened: the factor is that of one mesh and not extrapolated");
-    if (options_.progress) options_.progress->clear();
+    clear_progress();
   });
 }
 
@@ -209,13 +195,9 @@ auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
 /// Reads the state of an interrupted run, or sets the one before the first trial.
 template <int D>
 void ElementRun<D>::begin() {
-  if (options_.resume) {
-    auto known = results::find_file<results::ElementFile>(options_.folder / element_file);
-    if (known && known->input_hash == hash_) {
-      file_ = std::move(*known);
-      spent_ = std::chrono::duration<double>(file_.summary.seconds.value_or(0));
-      return;
-    }
+  if (read_kept()) {
+    spent_ = std::chrono::duration<double>(file_.summary.seconds.value_or(0));
+    return;
   }
   file_.input_hash = hash_;
   file_.mesh = make_mesh_result<D>(model_->mesh);
@@ -234,7 +216,7 @@ void ElementRun<D>::calculate() {
   if (!model_) return;
   for (const results::Flow flow : list_flows(data_.fem.flow)) {
     if (!model_ || has_run(file_.summary, flow)) continue;
-    attempt([&] {
+    attempt_part([&] {
       throw_if_interrupted();
       if (flow == results::Flow::associated) set_associated_flow<D>(data_, model_->solid);
       reduce(flow);
@@ -245,12 +227,7 @@ void ElementRun<D>::calculate() {
   }
   is_told_ = true;
   model_.reset();
-  if (options_.progress) options_.progress->clear();
-}
-
-template <int D>
-void ElementRun<D>::show(const std::string& what) const {
-  if (options_.progress) options_.progress->show(fmt::format("{}: {}", element_title, what));
+  clear_progress();
 }
 
 template <int D>
@@ -392,18 +369,17 @@ void ElementRun<D>::write_result(results::RunResult& run) const {
   if (!is_told_) return;
   const results::ElementResult& result = file_.summary;
   run.elements = result;
-  for (const std::string& warning : result.warnings)
-    run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", element_title, warning));
+  add_warnings(run);
   for (const results::ElementRun& r : result.runs)
     for (const std::string& warning : r.warnings)
-      run.warnings.push_back(fmt::format("{}, {}: {}", element_title,
-                                         r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
+      run.warnings.push_back(
+          fmt::format("{}, {}: {}", title_, r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
   site::give(water_, run);
 }
 
 template <int D>
 void ElementRun<D>::keep() const {
-  results::write_file(options_.folder / element_file, file_, -1);
+  write_kept();
   write_atomically(options_.folder / "fem.vtu", write_vtu(file_.mesh));
 }
 

@@ -3,7 +3,7 @@
 // Strength reduction by FEM in a run: computed or read from an interrupted run, and stored in the folder.
 
 #include <array>
-#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@
 #include "input/case/case.hpp"
 #include "results/elements.hpp"
 #include "results/run.hpp"
+#include "run/common/method_run.hpp"
 #include "run/fem/solid_of_case.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 
@@ -53,7 +53,7 @@ results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, con
                                           results::Flow flow);
 
 template <int D>
-class ElementRun {
+class ElementRun : public MethodRun<results::ElementFile> {
  public:
   /// `data`: the case or its design values. `alone`: the case has no other method.
   ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
@@ -66,8 +66,6 @@ class ElementRun {
   /// part of the result.
   void calculate();
   void write_result(results::RunResult& run) const;
-  /// See SliceRun.
-  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
  private:
   struct Model {
@@ -75,9 +73,8 @@ class ElementRun {
     fem::QuadraticMesh<D> mesh;
   };
 
-  /// Runs `part`. If the case has other methods as well, its exception becomes a part of the result.
-  template <class Part>
-  void attempt(Part part);
+  /// Runs `part`; without an error the model remains.
+  void attempt_part(const std::function<void()>& part);
   void begin();
   void reduce(results::Flow flow);
   std::unique_ptr<Model> make_model(double share) const;
@@ -92,18 +89,11 @@ class ElementRun {
   LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void keep() const;
-  void show(const std::string& what) const;
 
   input::Case data_;
-  const RunOptions& options_;
-  std::string hash_;
-  bool alone_;
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
-  site::WaterResult water_;
-  results::ElementFile file_;
   bool is_told_ = false;  ///< the file has results
-  std::chrono::duration<double> spent_{0};
 };
 
 }  // namespace talus::run

@@ -9,8 +9,8 @@
 #include "lem/search/search.hpp"
 #include "results/run.hpp"
 #include "results/slices.hpp"
+#include "run/common/method_run.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 
@@ -28,7 +28,7 @@ results::SliceSearch make_search_result(const lem::SearchOptions& options, const
 /// All circles with the factor by each method, and the least factor for each centre of a grid.
 results::SliceTrials make_trials_result(const lem::SearchOptions& options, const lem::SearchResult& result);
 
-class SliceRun {
+class SliceRun : public MethodRun<results::SliceFile> {
  public:
   /// Prepares the slope; throws what prepare_slope() throws. `data`: the case or its design values. `alone`: the case
   /// has no other method.
@@ -38,32 +38,22 @@ class SliceRun {
   /// other methods the reason is part of the result.
   void calculate();
   /// Returns true if the result is still to be compared with limit analysis.
-  bool needs_referee() const {
-    return is_done_ && data_.lem.referee && !outcome_.result.error && !outcome_.result.referee;
-  }
+  bool needs_referee() const { return is_done_ && data_.lem.referee && !file_.summary.error && !file_.summary.referee; }
   /// Marks the factors that limit analysis proves impossible.
   void take_referee(results::Referee referee);
   /// Writes lem.json, unless it is that of an earlier run.
-  void keep() const;
+  void keep();
   void write_result(results::RunResult& run) const;
 
-  /// Fields of the water that gives the pore pressures; nullptr in dry ground.
-  const results::WaterFields* water_fields() const {
-    return prepared_.water.fields ? &*prepared_.water.fields : nullptr;
-  }
   /// Result that was computed or read from the folder.
-  const results::SliceResult& result() const { return outcome_.result; }
+  const results::SliceResult& result() const { return file_.summary; }
   const lem::Slope* slope() const { return prepared_.slope.get(); }
   const PreparedSlope& prepared() const { return prepared_; }
 
  private:
   const input::Case& data_;
-  const RunOptions& options_;
-  std::string hash_;
-  bool alone_, is_kept_ = false;
   PreparedSlope prepared_;
-  SliceOutcome outcome_;
-  bool is_done_ = false;
+  bool is_kept_ = false, is_done_ = false;
 };
 
 }  // namespace talus::run

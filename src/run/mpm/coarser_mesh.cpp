@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/atomic_file.hpp"
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
-#include "results/json.hpp"
-#include "run/head.hpp"
+#include "run/common/head.hpp"
+#include "run/common/method_run.hpp"
 #include "run/mpm/point_run.hpp"
-#include "run/run_folder.hpp"
 
 namespace talus::run {
 namespace {
@@ -66,23 +64,9 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
     options.progress->show(fmt::format("the runout on elements of {}", format_length(run, coarser.mesh.size)));
   results::RunResult found;
   const auto why = attempt(options, false, [&] {
-    auto finished = load_finished(beside, hash);
-    bool is_finished = finished.has_value();
-    broadcast(is_finished);
-    if (is_finished) {
-      if (finished) found = std::move(*finished);
-      return;
-    }
-    found = begin_result(loaded, hash, options.threads);
-    make_folder(beside.folder);
-    PointRun<D> points(loaded, coarser, beside, hash);
-    points.prepare(found);
-    points.open();
-    points.calculate(found);
-    points.finish(found);
-    found.status = results::Status::finished;
-    results::write_file(beside.folder / "summary.json", found);
-    points.forget();
+    found = run_points_beside<D>(
+        loaded, beside, hash, [&](results::RunResult&) -> const input::Case& { return coarser; },
+        [](results::RunResult&) {});
   });
   if (why)
     return fmt::format("front, runout and height have no interval, because the mesh with elements of {} failed: {}",

@@ -7,7 +7,7 @@
 
 #include "input/read.hpp"
 #include "results/run.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
 
 namespace talus::run {
 

@@ -2,21 +2,16 @@
 #pragma once
 // MPM on a case: mesh, initial state, stages, and strength reduction or runout.
 
-#include <memory>
+#include <functional>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/ranks.hpp"
 #include "input/read.hpp"
-#include "mpm/solver/step.hpp"
 #include "results/run.hpp"
-#include "run/mpm/ranks_stage.hpp"
-#include "run/mpm/record/runout.hpp"
-#include "run/mpm/start/end_state.hpp"
-#include "run/run_folder.hpp"
-#include "site/seepage_results.hpp"
+#include "run/mpm/point_preparation.hpp"
+#include "run/mpm/point_stages.hpp"
 
 namespace talus::run {
 
@@ -47,7 +42,7 @@ class PointRun {
   std::vector<results::TimedPart> list_parts(double cpu) const;
   results::StepSeconds get_stage_seconds() const;
   /// Water fields of the initial state; nullptr if there are none.
-  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
+  const results::WaterFields* water_fields() const { return points_.water.fields ? &*points_.water.fields : nullptr; }
   /// Removes the files that only a resumed run needs.
   void forget();
   /// Returns true on a rank without results of its own, which takes part in the stages of calculate() on rank 0.
@@ -59,37 +54,28 @@ class PointRun {
   static bool shares_stages(const input::Case& data) {
     return get_ranks().size() > 1 && input::uses(data, Method::mpm) && data.analysis == input::AnalysisKind::run;
   }
-  void prepare_body(results::RunResult& run);
-  void open_origin();
-  void write_origin(const EndState& origin, results::RunResult& run);
-  void check_names(const mesh::Mesh<D>& mesh) const;
   void run_stages(results::RunResult& run);
-  void warn_about(const input::Stage& stage, const results::Stage& report, bool last);
-  void end_stages(results::RunResult& run);
-  void add_runout(results::RunResult& run);
-  std::filesystem::path stage_file() const { return options_.folder / "stages.json"; }
-  void save_stages() const;
-  void load_stages(int count);
 
   const input::LoadedCase& loaded_;
   const input::Case& data_;
   const RunOptions& options_;
-  std::string hash_, checkpoint_hash_;  ///< of the input; of the input and the state that the run starts from
-  JsonTree mesh_input_;                 ///< echo of the case for which the mesh was generated
-  std::unique_ptr<EndState> origin_;
-  std::unique_ptr<output::ArchiveReader> checkpoint_;
-  mpm::Work work_before_;
-  mpm::Body<D> body_;
-  std::optional<site::SeasonRecord> season_;
-  site::WaterResult water_;
-  double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
+  const std::string hash_;  ///< of the input
+  PreparedPoints<D> points_;
+  Helpers<D> helpers_;
+  PointStages<D> stages_;
   mpm::Timing trial_timing_;
   std::mutex adding_;
-  RunoutStart runout_start_;
-  std::vector<int> monitor_points_;
-  std::vector<results::Stage> stages_;
-  std::vector<std::string> warnings_;
-  Helpers<D> helpers_;
 };
+
+/// Makes the case of an MPM run beside that of the case; its results so far are those of the argument.
+using MakePointCase = std::function<const input::Case&(results::RunResult&)>;
+
+/// Runs MPM on another form of the case, in the folder of the options within that of the run, unless it is finished
+/// there and --resume keeps it. `complete` adds results before they are written. All ranks call it together; the others
+/// than rank 0 may return an empty result. Throws what PointRun throws.
+template <int D>
+results::RunResult run_points_beside(const input::LoadedCase& loaded, const RunOptions& options,
+                                     const std::string& input_hash, const MakePointCase& make_case,
+                                     const std::function<void(results::RunResult&)>& complete);
 
 }  // namespace talus::run

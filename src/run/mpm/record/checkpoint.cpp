@@ -3,278 +3,30 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
 #include <sstream>
 
 #include "base/error.hpp"
-#include "mpm/two_velocity/two_velocity_step.hpp"
 
 namespace talus::run {
-namespace {
 
-using output::ArchiveReader;
-using output::ArchiveWriter;
-
-/// Concatenates small fixed arrays as plain doubles or ints.
-template <class Scalar, class Container>
-std::vector<Scalar> flatten(const Container& items) {
-  std::vector<Scalar> flat;
-  for (const auto& item : items) flat.insert(flat.end(), item.begin(), item.end());
-  return flat;
-}
-
-template <class Container, class Scalar>
-void unflatten(const std::vector<Scalar>& flat, Container& items) {
-  const std::size_t width = typename Container::value_type{}.size();
-  items.resize(flat.size() / width);
-  for (std::size_t i = 0; i < flat.size(); ++i) items[i / width][i % width] = flat[i];
-}
-
-template <class Target, class Source>
-void copy_into(Target& target, const Source& source) {
-  using Value = typename Target::value_type;
-  target.resize(source.size());
-  std::transform(source.begin(), source.end(), target.begin(), [](auto v) { return static_cast<Value>(v); });
-}
-
-/// Visits the arrays of doubles of a body with their names, for writing and reading.
-template <class Body, class Visit>
-void visit_reals(Body& body, Visit&& visit) {
-  visit("points/data", body.points.data);
-  visit("points/count", body.points.count);
-  visit("elements/moments", body.elements.moments);
-  visit("elements/strain", body.elements.strain);
-  visit("elements/fill_limit", body.elements.fill_limit);
-  visit("elements/apart", body.elements.apart);
-  visit("elements/plastic_dilation", body.elements.plastic_dilation);
-  visit("elements/rough", body.elements.rough);
-  visit("nodes/sums", body.nodes.sums);
-  visit("nodes/motion", body.nodes.motion);
-}
-
-/// Visits the arrays of nonlocal softening.
-template <class Body, class Visit>
-void visit_softening(Body& body, Visit&& visit) {
-  visit("elements/softened", body.elements.softened);
-  visit("elements/softening_volume", body.elements.softening_volume);
-}
-
-/// Visits the arrays of pore water. Open sides and fixed directions are recomputed from them.
-template <class Body, class Visit>
-void visit_water(Body& body, Visit&& visit) {
-  visit("water/moments", body.water.moments);
-  visit("water/volume", body.water.volume);
-  visit("water/stretch", body.water.stretch);
-  visit("water/mean_saturation", body.water.mean_saturation);
-  visit("water/mean_pressure", body.water.mean_pressure);
-  visit("water/mean_bishop", body.water.mean_bishop);
-  visit("water/mean_resistance", body.water.mean_resistance);
-  visit("water/surplus", body.water.surplus);
-  visit("water/sums", body.water.sums);
-  visit("water/motion", body.water.motion);
-}
-
-template <class Body, class Visit>
-void visit_integers(Body& body, Visit&& visit) {
-  visit("points/id", body.points.id);
-  visit("points/block_capacity", body.points.block_capacity);
-  visit("points/block_used", body.points.block_used);
-  visit("points/block_materials", body.points.block_materials);
-  visit("points/element", body.points.element);
-  visit("points/material", body.points.material);
-}
-
-template <class Body, class Visit>
-void visit_vectors(Body& body, Visit&& visit) {
-  visit("points/reference", body.points.reference);
-  visit("points/strain_offset", body.points.strain_offset);
-  visit("nodes/displacement", body.nodes.displacement);
-  visit("nodes/load", body.nodes.load);
-}
-
-/// Writes the state of the Darcy (u–p) formulation that is kept between steps, and the one a later stage starts from.
-template <int D>
-void put_darcy(ArchiveWriter& archive, const mpm::DarcyWater<D>& darcy) {
-  if (darcy.pressure.empty()) return;
-  archive.put("water/mixture/is_used", std::vector<int>{darcy.is_used ? 1 : 0});
-  archive.put("water/mixture/pressure", darcy.pressure);
-  archive.put("water/mixture/change", darcy.change);
-  archive.put("water/mixture/own", darcy.own);
-  archive.put("water/mixture/ponded", std::vector<int>(darcy.ponded.begin(), darcy.ponded.end()));
-}
-
-template <int D>
-void get_darcy(const ArchiveReader& archive, mpm::DarcyWater<D>& darcy) {
-  darcy = {};
-  if (!archive.has("water/mixture/pressure")) return;
-  darcy.is_used = archive.integers("water/mixture/is_used")[0] != 0;
-  darcy.pressure = archive.reals("water/mixture/pressure");
-  darcy.change = archive.reals("water/mixture/change");
-  if (archive.has("water/mixture/own")) darcy.own = archive.reals("water/mixture/own");
-  copy_into(darcy.ponded, archive.integers("water/mixture/ponded"));
-}
-
-template <int D>
-void put_budgets(ArchiveWriter& archive, const mpm::Water<D>& water) {
-  std::vector<double> flat{water.lost_between, water.left_grid, water.pressed_in};
-  for (const mpm::SurfaceBudget& b : water.budgets) flat.insert(flat.end(), {b.entered, b.left, b.supplied, b.runoff});
-  archive.put("water/budgets", flat);
-  archive.put("water/transpired", std::vector<double>{water.transpired});
-}
-
-template <int D>
-void get_water(const ArchiveReader& archive, mpm::Body<D>& body) {
-  mpm::Water<D>& water = body.water;
-  const auto& flat = archive.reals("water/budgets");
-  water.lost_between = flat[0];
-  water.left_grid = flat[1];
-  water.transpired = archive.reals("water/transpired")[0];
-  water.budgets.clear();
-  water.pressed_in = flat[2];
-  for (std::size_t i = 3; i + 4 <= flat.size(); i += 4)
-    water.budgets.push_back({flat[i], flat[i + 1], flat[i + 2], flat[i + 3]});
-  water.surface_is_stale = true;
-  water.newly_full.clear();
-  mpm::find_held_axes(body);
-}
-
-}  // namespace
-
-template <int D>
-void put_mesh(ArchiveWriter& archive, const mesh::Mesh<D>& mesh) {
-  archive.put("mesh/nodes", flatten<double>(mesh.nodes));
-  archive.put("mesh/elements", flatten<int>(mesh.elements));
-  archive.put("mesh/region", mesh.element_region);
-  std::string names;
-  for (const std::string& name : mesh.region_names) names += name + '\n';
-  archive.put("mesh/region_names", names);
-  std::string side_names;
-  int number = 0;
-  for (const auto& [name, sides] : mesh.sides) {
-    side_names += name + '\n';
-    archive.put(fmt::format("mesh/sides_{}", number++), flatten<int>(sides));
-  }
-  archive.put("mesh/side_names", side_names);
-}
-
-template <int D>
-mesh::Mesh<D> get_mesh(const ArchiveReader& archive) {
-  mesh::Mesh<D> mesh;
-  unflatten(archive.reals("mesh/nodes"), mesh.nodes);
-  unflatten(archive.integers("mesh/elements"), mesh.elements);
-  mesh.element_region = archive.integers("mesh/region");
-  const auto split = [](const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
-      lines.push_back(text.substr(begin, end - begin));
-    return lines;
-  };
-  mesh.region_names = split(archive.text("mesh/region_names"));
-  int number = 0;
-  for (const std::string& name : split(archive.text("mesh/side_names")))
-    unflatten(archive.integers(fmt::format("mesh/sides_{}", number++)), mesh.sides[name]);
-  mesh::finish(mesh, mesh::Order::as_given);
-  return mesh;
-}
-
-template <int D>
-void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
-  visit_reals(body, [&](const char* name, const auto& values) {
-    archive.put(name, std::span<const double>(values.data(), values.size()));
-  });
-  if (body.softening_reach)
-    visit_softening(body, [&](const char* name, const auto& values) {
-      archive.put(name, std::span<const double>(values.data(), values.size()));
-    });
-  if (body.water.is_wet()) {
-    visit_water(body, [&](const char* name, const auto& values) {
-      archive.put(name, std::span<const double>(values.data(), values.size()));
-    });
-    put_budgets(archive, body.water);
-    put_darcy(archive, body.water.darcy);
-  }
-  visit_integers(body, [&](const char* name, const auto& values) {
-    const std::vector<int> plain(values.begin(), values.end());
-    archive.put(name, plain);
-  });
-  visit_vectors(body, [&](const char* name, const auto& values) { archive.put(name, flatten<double>(values)); });
-  archive.put("points/block_start", body.points.block_start);
-  archive.put("points/place", body.points.place);
-  std::vector<double> lost;
-  for (const auto& l : body.lost) {
-    lost.insert(lost.end(), {static_cast<double>(l.id), l.time, l.mass});
-    lost.insert(lost.end(), l.position.begin(), l.position.end());
-    lost.insert(lost.end(), l.momentum.begin(), l.momentum.end());
-  }
-  archive.put("lost", lost);
-  const std::vector<double> scalars{body.time,
-                                    body.work.external,
-                                    body.work.damped,
-                                    body.work.dissipated,
-                                    body.work.walls,
-                                    body.work.mapping,
-                                    body.work.drag,
-                                    body.work.pore_water,
-                                    body.nodes.motion_step,
-                                    body.monitor.out_of_balance,
-                                    body.monitor.external,
-                                    body.monitor.kinetic_energy,
-                                    body.monitor.speed};
-  archive.put("scalars", scalars);
-  const std::vector<std::int64_t> counts{body.step_count, lane_width, body.monitor.fastest_node};
-  archive.put("counts", counts);
-}
-
-void check_lane_width(const ArchiveReader& archive, const std::string& what, const char* purpose) {
-  const std::int64_t width = archive.long_integers("counts")[1];
-  if (width != lane_width) {
+std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
+                                                       const std::string& input_hash) {
+  if (!std::filesystem::exists(path)) return nullptr;
+  auto archive = std::make_unique<output::ArchiveReader>(path);
+  if (archive->text("input_hash") != input_hash) {
     throw Error(ExitCode::wrong_input,
-                fmt::format("{} was written by a build for vectors of {} doubles, this one has {}; {} with the same "
-                            "build (TALUS_ARCH)",
-                            what, width, lane_width, purpose));
+                fmt::format("'{}' belongs to another case: the input has changed since it was written; resume with the "
+                            "same input, or start anew with --overwrite",
+                            path.string()));
   }
+  return archive;
 }
 
-template <int D>
-void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
-  check_lane_width(archive, "the checkpoint", "resume");
-  const auto& counts = archive.long_integers("counts");
-  visit_reals(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
-  if (body.softening_reach &&
-      archive.has("elements/softened"))  // absent from a result of a case without a nonlocal length
-    visit_softening(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
-  if (body.water.is_wet()) {
-    visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
-    get_water(archive, body);
-    get_darcy(archive, body.water.darcy);
-  }
-  visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
-  visit_vectors(body, [&](const char* name, auto& values) { unflatten(archive.reals(name), values); });
-  body.points.block_start = archive.long_integers("points/block_start");
-  copy_into(body.points.place, archive.long_integers("points/place"));
-  const auto& lost = archive.reals("lost");
-  body.lost.clear();
-  for (std::size_t i = 0; i + 3 + 2 * D <= lost.size(); i += 3 + 2 * D) {
-    mpm::Lost<D> l;
-    l.id = static_cast<int>(lost[i]);
-    l.time = lost[i + 1];
-    l.mass = lost[i + 2];
-    for (std::size_t d = 0; d < D; ++d) {
-      l.position[d] = lost[i + 3 + d];
-      l.momentum[d] = lost[i + 3 + D + d];
-    }
-    body.lost.push_back(l);
-  }
-  const auto& scalars = archive.reals("scalars");
-  body.time = scalars[0];
-  body.work = {scalars[1], scalars[2], scalars[3], scalars[4], scalars[5], scalars[6], scalars[7]};
-  body.nodes.motion_step = scalars[8];
-  body.monitor = {scalars[9], scalars[10], scalars[11], scalars[12], static_cast<int>(counts[2])};
-  body.step_count = counts[0];
+int get_leg(const output::ArchiveReader& checkpoint) {
+  return checkpoint.integers("leg").front();
 }
 
-void put_stage(ArchiveWriter& archive, const StageState& s) {
+void put_stage(output::ArchiveWriter& archive, const StageState& s) {
   const std::vector<double> reals{s.start_time,    s.dt,         s.gravity_share, s.calm_since, s.next_output,
                                   s.largest_speed, s.wave_speed, s.soft_band,     s.soft_size};
   archive.put("stage/reals", reals);
@@ -290,7 +42,7 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
   archive.put("stage/setback_texts", texts);
 }
 
-StageState get_stage(const ArchiveReader& archive) {
+StageState get_stage(const output::ArchiveReader& archive) {
   const auto& r = archive.reals("stage/reals");
   const auto& i = archive.long_integers("stage/integers");
   StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], {}};
@@ -305,14 +57,5 @@ StageState get_stage(const ArchiveReader& archive) {
   }
   return state;
 }
-
-#define TALUS_INSTANTIATE(D)                                       \
-  template void put_mesh<D>(ArchiveWriter&, const mesh::Mesh<D>&); \
-  template mesh::Mesh<D> get_mesh<D>(const ArchiveReader&);        \
-  template void put_body<D>(ArchiveWriter&, const mpm::Body<D>&);  \
-  template void get_body<D>(const ArchiveReader&, mpm::Body<D>&);
-TALUS_INSTANTIATE(2)
-TALUS_INSTANTIATE(3)
-#undef TALUS_INSTANTIATE
 
 }  // namespace talus::run

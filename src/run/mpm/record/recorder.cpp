@@ -14,7 +14,7 @@
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 namespace {
@@ -75,6 +75,12 @@ std::vector<output::Column> list_monitor_columns(const input::Case& data, bool w
   return columns;
 }
 
+/// Wall-clock time between two checkpoints.
+std::chrono::steady_clock::duration read_interval(const input::Case& data) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(data.output.checkpoint_interval));
+}
+
 /// Returns the point nearest to each monitor in the present configuration.
 template <int D>
 std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>& body) {
@@ -98,23 +104,6 @@ std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>
 }
 
 }  // namespace
-
-std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
-                                                       const std::string& input_hash) {
-  if (!std::filesystem::exists(path)) return nullptr;
-  auto archive = std::make_unique<output::ArchiveReader>(path);
-  if (archive->text("input_hash") != input_hash) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' belongs to another case: the input has changed since it was written; resume with the "
-                            "same input, or start anew with --overwrite",
-                            path.string()));
-  }
-  return archive;
-}
-
-int get_leg(const output::ArchiveReader& checkpoint) {
-  return checkpoint.integers("leg").front();
-}
 
 template <int D>
 Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
@@ -178,15 +167,14 @@ template <int D>
 StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body,
                                      const StageState& state) {
   leg_ = index;
-  calmed_plan_ = calm_down(plan, state.setbacks.size(), body.water.is_wet());
+  calmed_plan_ = make_retry_plan(plan, state.setbacks.size(), body.water.is_wet());
   plan_ = state.setbacks.empty() ? &plan : &calmed_plan_;
   const double wanted = settings_.data->output.history_interval;
   row_interval_ = wanted > 0 ? wanted : plan.duration / rows_per_leg;
   if (!state.started) next_row_ = next_frame_ = body.time;
   leg_start_ = std::chrono::steady_clock::now();
   leg_start_steps_ = state.steps;
-  next_checkpoint_ = leg_start_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                      std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
+  next_checkpoint_ = leg_start_ + read_interval(*settings_.data);
   StageHooks<D> hooks;
   hooks.output = [this](Pause<D>& now, StageState& s) { on_output(now, s); };
   hooks.look_is_due = [this] { return is_look_due(); };
@@ -231,7 +219,6 @@ void Recorder<D>::write_rows(Pause<D>& now) {
   const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
   const mpm::Observation<D> seen = now.observe(plan_->gravity, monitor_points_);
   const mpm::Totals<D>& t = seen.totals;
-  const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
   const mpm::Work work = body.work - settings_.work_before;
   std::vector<double> row{body.time,
                           static_cast<double>(body.step_count),
@@ -244,7 +231,7 @@ void Recorder<D>::write_rows(Pause<D>& now) {
                           work.walls,
                           work.mapping,
                           work.external,
-                          ratio,
+                          find_force_ratio(body.monitor),
                           body.monitor.speed,
                           static_cast<double>(t.points),
                           t.mass};
@@ -365,20 +352,13 @@ bool Recorder<D>::is_look_due() const {
 
 template <int D>
 void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
-  if (is_interrupted()) {
-    write_checkpoint(body, state, leg_, settings_.checkpoint_name);
-    if (results_ && results_->frame_count() > 0) results_->finish();
-    throw Error(ExitCode::interrupted,
-                fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there",
-                            plan_->name, body.time));
-  }
-  const auto now = std::chrono::steady_clock::now();
-  if (now >= next_checkpoint_) {
-    write_checkpoint(body, state, leg_, settings_.checkpoint_name);
-    next_checkpoint_ = std::chrono::steady_clock::now() +
-                       std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                           std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
-  }
+  write_checkpoint(body, state, leg_, settings_.checkpoint_name);
+  next_checkpoint_ = std::chrono::steady_clock::now() + read_interval(*settings_.data);
+  if (!is_interrupted()) return;
+  if (results_ && results_->frame_count() > 0) results_->finish();
+  throw Error(ExitCode::interrupted,
+              fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there",
+                          plan_->name, body.time));
 }
 
 template <int D>
@@ -397,6 +377,16 @@ void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& stat
        settings_.label, plan_->name, time, plan_->duration});
 }
 
+template <int D>
+RecordedRun<D> begin_recording(const RecorderSettings& settings, mpm::Body<D>& body,
+                               const output::ArchiveReader* checkpoint) {
+  if (checkpoint == nullptr) return {Recorder<D>::start(settings, body), {}, 0};
+  get_body(*checkpoint, body);
+  return {Recorder<D>::resume(settings, body, *checkpoint), get_stage(*checkpoint), get_leg(*checkpoint)};
+}
+
+template RecordedRun<2> begin_recording<2>(const RecorderSettings&, mpm::Body<2>&, const output::ArchiveReader*);
+template RecordedRun<3> begin_recording<3>(const RecorderSettings&, mpm::Body<3>&, const output::ArchiveReader*);
 template class Recorder<2>;
 template class Recorder<3>;
 

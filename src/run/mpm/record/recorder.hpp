@@ -14,7 +14,7 @@
 #include "run/mpm/record/frame.hpp"
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/water_record.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 
@@ -78,11 +78,17 @@ class Recorder {
   std::int64_t leg_start_steps_ = 0;
 };
 
-/// Opens the checkpoint at `path`; null if there is none. Throws Error (wrong_input) if it belongs to another case.
-std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
-                                                       const std::string& input_hash);
+/// The recording of legs that start anew or resume.
+template <int D>
+struct RecordedRun {
+  Recorder<D> recorder;
+  StageState state;  ///< of the first leg
+  int first = 0;     ///< leg that comes next
+};
 
-/// Index of the leg in which the checkpoint was written.
-int get_leg(const output::ArchiveReader& checkpoint);
+/// Starts a recording with `body`. With a checkpoint (null: none) it resumes there, and `body` takes its state.
+template <int D>
+RecordedRun<D> begin_recording(const RecorderSettings& settings, mpm::Body<D>& body,
+                               const output::ArchiveReader* checkpoint);
 
 }  // namespace talus::run

@@ -130,17 +130,12 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
 template <int D>
 StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor& settings, double slope_height,
                               int threads) {
-  StagePlan<D> plan;
-  plan.name = "frozen trial";
-  plan.duration = settings.window;
+  StagePlan<D> plan =
+      make_plan<D>(data, "frozen trial", settings.window, settings.step_settings, slope_height, threads);
   plan.until_rest = true;
-  plan.step = settings.step_settings;
   plan.rest = settings.rest;
-  plan.gravity = find_acceleration<D>(data);
-  plan.soil_height = slope_height;
   plan.failed_displacement = settings.failed_displacement * slope_height;
   plan.equalises_mass = true;
-  plan.threads = threads;
   return plan;
 }
 

@@ -13,11 +13,12 @@
 #include "mesh/quality.hpp"
 #include "mpm/solver/observe.hpp"
 #include "results/json.hpp"
+#include "run/common/run_folder.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/sections.hpp"
 #include "run/mpm/reduction/leg.hpp"
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/prepare.hpp"
 
@@ -135,15 +136,7 @@ class FrozenMesh {
     // Hydrostatic pore pressures and external water levels are those of the start in every trial.
     if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
-    StageState stage_state;
-    int first = 0;
-    if (checkpoint) {
-      get_body(*checkpoint, state_);
-      stage_state = get_stage(*checkpoint);
-      first = get_leg(*checkpoint);
-    }
-    Recorder<D> recorder =
-        checkpoint ? Recorder<D>::resume(recording_, state_, *checkpoint) : Recorder<D>::start(recording_, state_);
+    auto [recorder, stage_state, first] = begin_recording(recording_, state_, checkpoint.get());
     const int threads = count_parallel_trials(state_.points.size(), threads_) > 1 ? 1 : threads_;
     for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
       const input::Stage& stage = data_.stages[i];
@@ -195,16 +188,10 @@ class FrozenMesh {
     recording.checkpoint_name = fmt::format("trial_{:.9f}.h5", factor);
     recording.label += fmt::format("SRF {:.3f}, ", factor);
     mpm::Body<D> body = start_trial(state_, data_, factor);
-    StageState stage;
     const auto checkpoint =
         context_.resume ? open_checkpoint(folder_ / recording.checkpoint_name, context_.input_hash) : nullptr;
-    if (checkpoint) {
-      get_body(*checkpoint, body);
-      stage = get_stage(*checkpoint);
-    }
-    Recorder<D> recorder =
-        checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
-    const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
+    auto [recorder, stage, leg] = begin_recording(recording, body, checkpoint.get());
+    const StageHooks<D> hooks = recorder.begin_leg(leg, plan, body, stage);
     results::TrialOutcome outcome{run_trial(body, factor, plan, stage, hooks), {}, {}};
     if constexpr (D == 2)
       if (outcome.trial.end == results::StageEnd::failed) outcome.slip_line = find_slip_line(factor, body);

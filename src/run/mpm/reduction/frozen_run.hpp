@@ -9,9 +9,6 @@
 
 namespace talus::run {
 
-/// Slip line of the smallest factor that failed, in the folder of each mesh: {"srf", "points"}; plane strain only.
-inline constexpr const char* slip_line_file = "slip_line.json";
-
 /// Computes the factor on meshes of the size of the case and of half of it, with the mesher of
 /// [strength_reduction.frozen]; an existing mesh (`base`) is used as it is. Stages and trials are resumed from
 /// checkpoints under folder/frozen; finished trials are not repeated. Adds warnings for the user to `warnings`.

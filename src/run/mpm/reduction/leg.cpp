@@ -55,28 +55,21 @@ std::vector<results::Trial> run_trial_legs(const mpm::Body<D>& state, double fac
   settings.work_before = context.work_before;
 
   body = start_trial(state, *context.data, factor);
-  StageState stage;
-  std::size_t first = 0;
   const auto checkpoint =
       context.resume ? open_checkpoint(files.folder / settings.checkpoint_name, context.input_hash) : nullptr;
-  if (checkpoint) {
-    get_body(*checkpoint, body);
-    stage = get_stage(*checkpoint);
-    first = static_cast<std::size_t>(get_leg(*checkpoint));
-  }
-  Recorder<D> recorder =
-      checkpoint ? Recorder<D>::resume(settings, body, *checkpoint) : Recorder<D>::start(settings, body);
+  auto [recorder, stage, first] = begin_recording(settings, body, checkpoint.get());
   std::vector<results::Trial> results;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(legs.size()); ++i) {
+    const StagePlan<D>& leg = legs[static_cast<std::size_t>(i)];
     const auto leg_folder = files.folder / ("leg_" + std::to_string(i));
     if (i < first) {  // finished before the interruption
       if (const auto done = load_trial(leg_folder)) results.push_back(*done);
       continue;
     }
-    if (i > first || !checkpoint) stage = {};
-    const StageHooks<D> hooks = recorder.begin_leg(static_cast<int>(i), legs[i], body, stage);
-    results.push_back(run_trial(body, factor, legs[i], stage, hooks));
-    const bool last = i + 1 == legs.size();
+    if (i > first) stage = {};
+    const StageHooks<D> hooks = recorder.begin_leg(i, leg, body, stage);
+    results.push_back(run_trial(body, factor, leg, stage, hooks));
+    const bool last = i + 1 == static_cast<int>(legs.size());
     if (!last) save_trial(leg_folder, results.back());
     recorder.end_leg(body, !last);
   }

@@ -45,20 +45,6 @@ std::vector<double> list_factors(const input::DisplacementCurve& curve) {
   return factors;
 }
 
-template <int D>
-StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int threads) {
-  const input::DisplacementCurve& curve = data.strength_reduction.curve;
-  StagePlan<D> plan;
-  plan.name = "trial";
-  plan.duration = curve.window;
-  plan.step = curve.step_settings;
-  plan.rest = data.rest;
-  plan.gravity = find_acceleration<D>(data);
-  plan.soil_height = slope_height;
-  plan.threads = threads;
-  return plan;
-}
-
 /// Combines the legs of a trial: end of the last one, total time and steps, largest speed.
 results::Trial add_up(const std::vector<results::Trial>& legs) {
   results::Trial sum = legs.back();
@@ -102,8 +88,8 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     } else if (context.resume) {
       if (const auto known = load_trial(files.folder)) return {*known, {}, {}};
     }
-    std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
-    legs[0].name = fmt::format("trial SRF {:g}", factor);
+    std::vector<StagePlan<D>> legs{make_plan<D>(*context.data, fmt::format("trial SRF {:g}", factor), curve.window,
+                                                curve.step_settings, slope_height, inner)};
     RunoutStart runout_start;
     if (runs_out) {
       mpm::Body<D> start = state;

@@ -26,7 +26,7 @@ results::Trial run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& 
   r.displacement = mpm::find_largest_displacement(body).value;
   r.time = body.time - state.start_time;
   r.steps = state.steps;
-  r.force_ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
+  r.force_ratio = find_force_ratio(body.monitor);
   r.speed = body.monitor.speed;
   r.largest_speed = state.largest_speed;
   if (!state.setbacks.empty()) r.setbacks = state.setbacks;

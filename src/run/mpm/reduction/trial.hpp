@@ -2,7 +2,7 @@
 #pragma once
 // One trial of the strength reduction: from a saved state, with reduced strength, for a window of time.
 
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

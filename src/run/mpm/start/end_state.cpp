@@ -14,8 +14,8 @@
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
-#include "run/mpm/record/checkpoint.hpp"
-#include "run/mpm/record/recorder.hpp"
+#include "run/common/run_folder.hpp"
+#include "run/mpm/start/body_archive.hpp"
 #include "site/roots.hpp"
 
 namespace talus::run {

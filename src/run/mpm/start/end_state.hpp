@@ -14,8 +14,6 @@
 
 namespace talus::run {
 
-inline constexpr const char* end_state_file = "end_state.h5";
-
 /// The end state of a result as the initial state of another case: [initial] result.
 class EndState {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@
 #include "input/read.hpp"
 #include "output/files/results_folder.hpp"
 #include "results/json.hpp"
-#include "run/mpm/reduction/frozen_run.hpp"
-#include "run/mpm/start/end_state.hpp"
 
 namespace talus::run {
 

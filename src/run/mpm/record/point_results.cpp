@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/point_results.hpp"
+#include "run/mpm/record/point_results.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/head.hpp"
+#include "run/common/head.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

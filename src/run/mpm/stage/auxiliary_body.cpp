@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/start/frozen_body.hpp"
+#include "run/mpm/stage/auxiliary_body.hpp"
 
 #include <fmt/format.h>
 
@@ -58,6 +58,21 @@ std::vector<double> find_growth(const mpm::Body<D>& body) {
   return growth;
 }
 
+/// Index of field 0 of a point in the data of the points; field i is i * lane_width behind it.
+template <int D>
+std::size_t find_place(const mpm::Points<D>& points, int id) {
+  const std::int64_t place = points.place[id];
+  return static_cast<std::size_t>(place / lane_width * points.fields * lane_width + place % lane_width);
+}
+
+/// Returns the factor of a load that grows with gravity in the stage.
+template <int D>
+input::TimeTable find_weight_growth(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state) {
+  if (!(plan.gravity_ramp > 0)) return {};
+  const double start = state.started ? state.start_time : body.time;
+  return {{start, start + plan.gravity_ramp}, {state.gravity_share, 1.0}};
+}
+
 }  // namespace
 
 template <int D>
@@ -91,43 +106,33 @@ mpm::Body<D> make_even_body(const mpm::Body<D>& body, const StagePlan<D>& plan, 
   return even;
 }
 
-template mpm::Body<2> make_even_body<2>(const mpm::Body<2>&, const StagePlan<2>&, const StageState&);
-template mpm::Body<3> make_even_body<3>(const mpm::Body<3>&, const StagePlan<3>&, const StageState&);
-
 template <int D>
-input::TimeTable find_weight_growth(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state) {
-  if (!(plan.gravity_ramp > 0)) return {};
-  const double start = state.started ? state.start_time : body.time;
-  return {{start, start + plan.gravity_ramp}, {state.gravity_share, 1.0}};
-}
-
-template <int D>
-void copy_from_stand_in(const mpm::Body<D>& stand_in, mpm::Body<D>& body) {
+void copy_from_auxiliary(const mpm::Body<D>& auxiliary, mpm::Body<D>& body) {
   using P = mpm::Points<D>;
   const bool wet = body.water.is_wet();
   const int fields = wet ? body.water.first_field : body.points.fields;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const std::size_t at = find_place(body.points, id);
-    const double* from = &stand_in.points.data[at];
+    const double* from = &auxiliary.points.data[at];
     double* to = &body.points.data[at];
     for (int i = 0; i < fields; ++i) {
       if (i != P::mass) to[i * lane_width] = from[i * lane_width];
     }
   }
   AlignedVector<double> held_saturation = std::move(body.elements.held_saturation);
-  body.elements = stand_in.elements;
+  body.elements = auxiliary.elements;
   body.elements.held_saturation = std::move(held_saturation);
-  body.nodes = stand_in.nodes;
-  body.work = stand_in.work;
-  body.monitor = stand_in.monitor;
-  body.timing = stand_in.timing;
-  body.time = stand_in.time;
-  body.step_count = stand_in.step_count;
+  body.nodes = auxiliary.nodes;
+  body.work = auxiliary.work;
+  body.monitor = auxiliary.monitor;
+  body.timing = auxiliary.timing;
+  body.time = auxiliary.time;
+  body.step_count = auxiliary.step_count;
   if (!wet) return;
   // The nodal velocities of the wet body are those of the grains; the relative velocity of the water is zero.
   for (int row = 0; row < body.layout->rows; ++row) {
-    const double* from = &stand_in.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
+    const double* from = &auxiliary.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
     double* to = &body.water.motion[static_cast<std::size_t>(row) * mpm::wet_motion_stride<D>];
     for (int d = 0; d < D; ++d) {
       to[d] = to[D + d] = from[d];
@@ -136,56 +141,6 @@ void copy_from_stand_in(const mpm::Body<D>& stand_in, mpm::Body<D>& body) {
     }
   }
 }
-
-template <int D>
-results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
-                               const StageHooks<D>& hooks) {
-  StageHooks<D> inner;
-  if (hooks.output) {
-    inner.output = [&](Pause<D>& now, StageState& s) {
-      copy_from_stand_in(now.whole(), body);
-      PauseHere<D> here(body);
-      hooks.output(here, s);
-    };
-  }
-  if (hooks.look) {
-    inner.look = [&](const mpm::Body<D>& b, const StageState& s) {
-      copy_from_stand_in(b, body);
-      hooks.look(body, s);
-    };
-  }
-  inner.look_is_due = hooks.look_is_due;
-  inner.report = hooks.report;
-  inner.report_is_due = hooks.report_is_due;
-  if (hooks.save_last_good) {
-    inner.save_last_good = [&](const mpm::Body<D>& b, const StageState& s) {
-      copy_from_stand_in(b, body);
-      return hooks.save_last_good(body, s);
-    };
-  }
-  if (hooks.mark) {
-    inner.mark = [&]() -> GoBack<D> {
-      return [&body, go_back = hooks.mark()](const mpm::Body<D>& b, const StageState& s, const StagePlan<D>& p) {
-        copy_from_stand_in(b, body);
-        go_back(body, s, p);
-      };
-    };
-  }
-  const results::StageEnd end = run_stage(stand_in, plan, state, inner);
-  copy_from_stand_in(stand_in, body);
-  body.nodes.load.clear();  // they include the loads of the auxiliary body
-  mpm::gather_loads(body);
-  return end;
-}
-
-#define TALUS_INSTANTIATE(D)                                                                                    \
-  template input::TimeTable find_weight_growth<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
-  template void copy_from_stand_in<D>(const mpm::Body<D>&, mpm::Body<D>&);                                      \
-  template results::StageEnd run_stand_in<D>(mpm::Body<D>&, mpm::Body<D>&, const StagePlan<D>&, StageState&,    \
-                                             const StageHooks<D>&);
-TALUS_INSTANTIATE(2)
-TALUS_INSTANTIATE(3)
-#undef TALUS_INSTANTIATE
 
 namespace {
 
@@ -238,6 +193,10 @@ mpm::Body<D> make_heavy(const mpm::Body<D>& wet) {
 
 template <int D>
 mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
+  if (plan.step.geometry != input::Geometry::frozen) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
+  }
   mpm::Body<D> drained = make_heavy(wet);
   drained.elements.held_saturation = find_saturation(wet);
   drained.conditions.loads.push_back(make_pore_load(wet, plan, state));
@@ -245,26 +204,29 @@ mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan
 }
 
 template <int D>
-mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, const StagePlan<D>& plan) {
-  return find_critical_step(make_heavy(wet), plan);
+bool is_drained(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  return body.water.is_wet() && plan.step.water == input::WaterMotion::held;
 }
 
 template <int D>
-results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state,
-                                    const StageHooks<D>& hooks) {
-  if (plan.step.geometry != input::Geometry::frozen) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
-  }
-  mpm::Body<D> drained = make_drained_body(wet, plan, state);
-  return run_stand_in(drained, wet, plan, state, hooks);
+bool equalises_mass(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  return plan.equalises_mass && plan.step.geometry == input::Geometry::frozen && !body.water.is_wet();
+}
+
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  if (is_drained(body, plan)) return find_critical_step(make_heavy(body), plan);
+  if (equalises_mass(body, plan)) return mpm::find_critical_step(make_even_body(body, plan, {}), make_options(plan));
+  return mpm::find_critical_step(body, make_options(plan));
 }
 
 #define TALUS_INSTANTIATE(D)                                                                               \
+  template mpm::Body<D> make_even_body<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&);    \
   template mpm::Body<D> make_drained_body<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
-  template mpm::CriticalStep find_drained_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&);      \
-  template results::StageEnd run_drained_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&,         \
-                                                  const StageHooks<D>&);
+  template void copy_from_auxiliary<D>(const mpm::Body<D>&, mpm::Body<D>&);                                \
+  template bool is_drained<D>(const mpm::Body<D>&, const StagePlan<D>&);                                   \
+  template bool equalises_mass<D>(const mpm::Body<D>&, const StagePlan<D>&);                               \
+  template mpm::CriticalStep find_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -9,7 +9,7 @@
 #include "input/case/case.hpp"
 #include "mpm/state/body.hpp"
 #include "results/trial.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/stage/stage.hpp"
 
 namespace talus::run {
 

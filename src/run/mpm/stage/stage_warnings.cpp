@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/stage_warnings.hpp"
+#include "run/mpm/stage/stage_warnings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

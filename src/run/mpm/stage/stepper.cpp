@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/stepper.hpp"
+#include "run/mpm/stage/stepper.hpp"
 
 #include <algorithm>
 

@@ -10,8 +10,8 @@
 #include "input/case/case.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
-#include "run/mpm/stage.hpp"
-#include "run/run_folder.hpp"
+#include "run/common/run_folder.hpp"
+#include "run/mpm/stage/hooks.hpp"
 
 namespace talus::run {
 
@@ -51,11 +51,6 @@ class Stepper : public Pause<D> {
   /// Must be called after the body was changed on the host, or replaced by another one.
   void note_change() {
     if (device_) device_->note_change();
-  }
-  /// Ends the stage and brings the body up to date.
-  results::StageEnd end(results::StageEnd how) {
-    copy_back();
-    return how;
   }
 
  private:

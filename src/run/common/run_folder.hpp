@@ -15,6 +15,11 @@
 
 namespace talus::run {
 
+/// State at the end of the stages, from which another case can start.
+inline constexpr const char* end_state_file = "end_state.h5";
+/// Slip line of the smallest factor at frozen geometry that failed, in the folder of each mesh; plane strain only.
+inline constexpr const char* slip_line_file = "slip_line.json";
+
 /// Device for MPM.
 enum class DeviceKind {
   cpu,
@@ -31,20 +36,6 @@ struct RunOptions {
   Progress* progress = nullptr;  ///< display of progress; null: none
   std::string label;             ///< precedes the name of a stage in the progress line
 };
-
-/// Runs `part` of a method. If the case has other methods as well, returns the message of its Error, which becomes a
-/// part of the results. Rethrows it if it is an interruption, or the method is `alone`.
-template <class Part>
-std::optional<std::string> attempt(const RunOptions& options, bool alone, Part part) {
-  try {
-    part();
-  } catch (const Error& error) {
-    if (options.progress) options.progress->clear();
-    if (alone || error.code() == ExitCode::interrupted) throw;
-    return error.what();
-  }
-  return std::nullopt;
-}
 
 /// Throws Error (folder_exists) if the folder is not empty and neither --overwrite nor --resume was given, if the case
 /// starts from the result in it, if --overwrite or --resume find no list of files in it, and what check_replaced()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "run/check_case.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "mesh/generate.hpp"
+#include "run/bounds/problem_of_case.hpp"
+#include "run/common/mesh_estimate.hpp"
+#include "run/fem/solid_of_case.hpp"
+#include "run/lem/run_lem.hpp"
+#include "site/design_values.hpp"
+#include "site/initial_water.hpp"
+#include "site/site.hpp"
+
+namespace talus::run {
+
+bool asks_for_elements(const input::Case& data) {
+  if (!input::uses(data, Method::mpm)) return false;
+  return data.initial.stress == input::InitialStress::elements ||
+         (data.timeline && data.timeline->release &&
+          data.timeline->release->criterion == input::ReleaseCriterion::equilibrium);
+}
+
+std::vector<std::string> list_ground_warnings(const input::Case& data) {
+  std::vector<std::string> sentences = site::find_odd_water(data);
+  for (const site::SteepFace& face : site::find_steep_faces(data))
+    sentences.push_back(site::describe(face, data.units().length));
+  if (std::string quake = site::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
+  return sentences;
+}
+
+std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
+  std::vector<std::string> lines;
+  for (const Diagnostic& warning : loaded.warnings) lines.push_back(input::write_warning(warning));
+  if (!loaded.is_whole) return lines;
+  const site::DesignValues design = site::apply_partial_factors(loaded.data);
+  for (const std::string& sentence : list_ground_warnings(design.data)) lines.push_back("warning: " + sentence);
+  return lines;
+}
+
+void check_ready_mesh(const input::LoadedCase& loaded) {
+  constexpr std::uintmax_t most_bytes = 20'000'000;
+  const mesh::Plan& plan = loaded.data.mesh;
+  if (plan.file.empty() || std::filesystem::file_size(plan.file) > most_bytes) return;
+  const auto check = [&](const auto& mesh) {
+    std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
+    for (const auto& [name, list] : mesh.sides) sides.insert(name);
+    input::check_against_mesh(loaded, sides, regions);
+  };
+  if (plan.dimension == 2)
+    check(mesh::generate<2>(plan));
+  else
+    check(mesh::generate<3>(plan));
+}
+
+void check_methods(const input::Case& data) {
+  // Levels before and after a drawdown are compared in the section; its steady seepage takes seconds.
+  const bool is_meshed = is_meshed_in_a_moment(data.mesh);
+  const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
+  if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(data);
+  if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
+  if (!input::uses(data, Method::bounds)) return;
+  check_bounds(data);
+  // This makes a coarse mesh and checks its loads.
+  if (is_meshed && !site::needs_seepage(data)) make_bounds_problem(data);
+}
+
+}  // namespace talus::run

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "run/releases.hpp"
+
+#include <fmt/format.h>
+
+#include "base/hash.hpp"
+#include "base/user_file.hpp"
+#include "run/common/method_run.hpp"
+#include "run/mpm/coarser_mesh.hpp"
+
+namespace talus::run {
+namespace {
+
+void make_release_result(const results::RunResult& run, results::Release& out) {
+  if (run.stress_start) out.start_factor = run.stress_start->factor;
+  if (run.stages && run.stages->size() > 1) out.rests = run.stages->front().end == results::StageEnd::rest;
+  if (!run.runout) return;
+  out.largest_displacement = run.runout->largest_displacement;
+  out.moved_volume = run.runout->moved_volume;
+  out.front_advance = run.runout->front_advance;
+  out.toe_distance = run.runout->toe_distance;
+  out.front_uncertainty = results::RunoutUncertainty(*run.runout).front_advance;
+  out.limits = run.runout->limits;
+}
+
+}  // namespace
+
+template <int D>
+void Releases<D>::prepare(results::RunResult& run) {
+  beside_ = methods_.timeline->list_releases();
+  if (beside_.empty()) return;
+  released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
+  beside_.erase(beside_.begin());
+  prepare_mpm(context_, released_->data, methods_, run);
+  methods_.points->open();
+}
+
+template <int D>
+void Releases<D>::run_beside() {
+  for (ReleaseCase& other : beside_) run_one(other);
+}
+
+template <int D>
+void Releases<D>::run_one(ReleaseCase& other) {
+  RunOptions options = context_.options;
+  options.folder = join_name(options.folder, other.summary.folder);
+  const std::string hash = hash_text(fmt::format("{}{:a}", context_.hash, other.summary.time));
+  std::vector<std::string> notes;
+  std::unique_ptr<const input::Case> data;
+  const auto make_case = [&](results::RunResult& run) -> const input::Case& {
+    data = make_point_case<D>(other.data, options, run, notes);
+    return *data;
+  };
+  const auto complete = [&](results::RunResult& run) {
+    if (auto coarser = compare_with_coarser_mesh<D>(context_.loaded, *data, options, hash, run))
+      notes.push_back(std::move(*coarser));
+    run.warnings.insert(run.warnings.end(), notes.begin(), notes.end());
+  };
+  other.summary.error = attempt(options, false, [&] {
+    make_release_result(run_points_beside<D>(context_.loaded, options, hash, make_case, complete), other.summary);
+  });
+  results_beside_.push_back(other.summary);
+}
+
+template <int D>
+void Releases<D>::add_results(const results::RunResult& run, bool is_complete) {
+  if (released_) {
+    results::Release out = released_->summary;
+    make_release_result(run, out);
+    if (!is_complete) out.error = run.error;
+    methods_.timeline->add_release(std::move(out));
+  }
+  for (const results::Release& other : results_beside_) methods_.timeline->add_release(other);
+}
+
+template class Releases<2>;
+template class Releases<3>;
+
+}  // namespace talus::run
