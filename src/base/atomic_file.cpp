@@ -66,8 +66,8 @@ void flush_and_rename(const fs::path& path, const std::string& safe) {
 }  // namespace
 
 void throw_cannot_write(const fs::path& path, int reason, const std::string& safe) {
-  throw Error(ExitCode::cannot_write, fmt::format("cannot write '{}': {}{}{}", path.string(), std::strerror(reason),
-                                                  safe.empty() ? "" : "; ", safe));
+  throw Error(ExitCode::cannot_write, "cannot write '{}': {}{}{}", path.string(), std::strerror(reason),
+              safe.empty() ? "" : "; ", safe);
 }
 
 fs::path temporary_name(const fs::path& path) {
@@ -106,8 +106,7 @@ void remove_file(const fs::path& path) {
   if (std::none_of(std::begin(files), std::end(files), is_there) || !list_removal(path)) return;
   for (const fs::path& file : files) {
     fs::remove(file, failure);
-    if (failure)
-      throw Error(ExitCode::cannot_write, fmt::format("cannot remove '{}': {}", file.string(), failure.message()));
+    if (failure) throw Error(ExitCode::cannot_write, "cannot remove '{}': {}", file.string(), failure.message());
   }
 }
 

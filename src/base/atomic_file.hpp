@@ -38,14 +38,12 @@ void make_folder(const std::filesystem::path& folder, const std::string& safe = 
 void remove_file(const std::filesystem::path& path);
 
 /// Calls `work`, which reads, makes or removes files in `folder`; converts filesystem_error to Error (cannot_write).
-template <class Work>
-void use_folder(const std::filesystem::path& folder, Work&& work);
+void use_folder(const std::filesystem::path& folder, auto&& work);
 
 /// Throws Error (cannot_write) "cannot write 'path': reason; safe". `reason` is a value of errno.
 [[noreturn]] void throw_cannot_write(const std::filesystem::path& path, int reason, const std::string& safe = "");
 
-template <class Work>
-void use_folder(const std::filesystem::path& folder, Work&& work) {
+void use_folder(const std::filesystem::path& folder, auto&& work) {
   try {
     work();
   } catch (const std::filesystem::filesystem_error& error) {

@@ -2,9 +2,12 @@
 #pragma once
 // Errors of the program: one sentence for the user and one exit code for the shell.
 
+#include <fmt/core.h>
+
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace talus {
@@ -25,11 +28,24 @@ enum class ExitCode : int {
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
+  /// Formats the sentence as fmt::format() does.
+  template <class First, class... Rest>
+  Error(ExitCode code, fmt::format_string<First, Rest...> sentence, First&& first, Rest&&... rest)
+      : Error(code, fmt::format(sentence, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
   ExitCode code() const { return code_; }
 
  private:
   ExitCode code_;
 };
+
+/// Throws an Error of wrong input.
+[[noreturn]] inline void fail_input(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+template <class... Values>
+[[noreturn]] void fail_input(fmt::format_string<Values...> sentence, Values&&... values) {
+  throw Error(ExitCode::wrong_input, fmt::format(sentence, std::forward<Values>(values)...));
+}
 
 /// One fault of a case file. `line` and `column` count from 1; 0: without a place in the file.
 struct Diagnostic {

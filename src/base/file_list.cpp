@@ -128,9 +128,8 @@ void refuse_foreign(const std::optional<Place>& place, const fs::path& path) {
     std::error_code none;
     const fs::file_status there = fs::symlink_status(file, none);
     if (!is_own && (fs::is_regular_file(there) || fs::is_symlink(there)))
-      throw Error(
-          ExitCode::folder_exists,
-          fmt::format("'{}' was not written by a run and stays; move it away, or give another folder", file.string()));
+      throw Error(ExitCode::folder_exists,
+                  "'{}' was not written by a run and stays; move it away, or give another folder", file.string());
   };
   check(path, is_listed);
   check(temporary_name(path), is_listed && it->second.is_being_written());
@@ -221,8 +220,6 @@ bool list_removal(const fs::path& path) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string read_name(const std::string& text) {
   std::string name;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -309,7 +306,7 @@ FileContent describe_content(std::span<const std::byte> bytes) {
 
 FileContent describe_content(const fs::path& path, std::uint64_t most) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}'", path.string()));
+  if (!file) fail_input("cannot read '{}'", path.string());
   constexpr std::uint64_t piece = 1 << 20;
   std::vector<char> bytes(piece);
   ContentHash hash;
@@ -375,10 +372,8 @@ Listed read_list(const fs::path& folder) {
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
   std::string line;
   if (listed.has_header && (!std::getline(lines, line) || line != list_header))
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("cannot read '{}': it is no list of the files of a run, or of another version of the program",
-                    path.string()));
+    fail_input("cannot read '{}': it is no list of the files of a run, or of another version of the program",
+               path.string());
   while (std::getline(lines, line)) listed.add(line);
   return listed;
 }
@@ -407,9 +402,8 @@ void check_listed(const fs::path& folder, const std::function<bool(const std::st
     const fs::path path = folder / name;
     const bool is_there = fs::exists(fs::symlink_status(path, none));
     if (is_there && is_as_listed(path, file, Compared::contents)) continue;
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' {}: put it back as it was, or calculate again in another folder", path.string(),
-                            is_there ? "is not as the run wrote it" : "is missing"));
+    fail_input("'{}' {}: put it back as it was, or calculate again in another folder", path.string(),
+               is_there ? "is not as the run wrote it" : "is missing");
   }
 }
 

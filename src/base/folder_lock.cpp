@@ -70,16 +70,15 @@ bool may_run(const Holder& holder) {
           ? "wait for its end, or give another folder with -o"
           : fmt::format("wait for its end, or give another folder with -o; if that machine is gone, remove '{}'",
                         (folder / lock_file).string());
-  throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is in use by {}: {}", folder.string(), who, then));
+  throw Error(ExitCode::folder_exists, "the folder '{}' is in use by {}: {}", folder.string(), who, then);
 }
 
 /// Opens the lock file, created if `flags` contain O_CREAT; returns -1 if there is none that can be read. Throws Error
 /// (cannot_write) for a symbolic link or a device.
 int open_lock(const fs::path& path, int flags) {
   const auto refuse = [&](const char* what) {
-    throw Error(
-        ExitCode::cannot_write,
-        fmt::format("cannot write '{}': it is {}, and a lock is a file of its own; remove it", path.string(), what));
+    throw Error(ExitCode::cannot_write, "cannot write '{}': it is {}, and a lock is a file of its own; remove it",
+                path.string(), what);
   };
   const int file = ::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (file < 0 && errno == ELOOP) refuse("a symbolic link");

@@ -90,22 +90,22 @@ void become_harmless([[maybe_unused]] pid_t parent) {
   omp_set_num_threads(1);
 }
 
-[[noreturn]] void be_child(int pipe, pid_t parent, const std::function<void(ByteWriter&)>& work) {
+[[noreturn]] void be_child(int pipe, pid_t parent, const std::function<void(Message&)>& work) {
   become_harmless(parent);
-  ByteWriter answer;
+  Message answer;
   try {
     work(answer);
     send(pipe, End::done, answer.bytes());
   } catch (const Error& error) {
-    ByteWriter said;
+    Message said;
     said.put(error.code());
-    said.put(std::string(error.what()));
+    said.put_text(error.what());
     send(pipe, End::error, said.bytes());
   } catch (const std::bad_alloc&) {
     send(pipe, End::no_memory, {});
   } catch (const std::exception& error) {
-    ByteWriter said;
-    said.put(std::string(error.what()));
+    Message said;
+    said.put_text(error.what());
     send(pipe, End::other, said.bytes());
   } catch (...) {
     send(pipe, End::other, {});
@@ -156,8 +156,7 @@ struct Pipe {
 std::vector<std::byte> receive(int pipe, const std::string& doing, bool was_interrupted) {
   std::vector<std::byte> bytes;
   for (;;) {
-    if (!was_interrupted && is_interrupted())
-      throw Error(ExitCode::interrupted, fmt::format("interrupted while {}", doing));
+    if (!was_interrupted && is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while {}", doing);
     pollfd event{pipe, POLLIN, 0};
     if (::poll(&event, 1, look) <= 0) continue;
     const std::size_t had = bytes.size();
@@ -179,12 +178,12 @@ std::string describe_end(int status) {
 
 [[noreturn]] void cannot_start() {
   refuse_full_file_table(errno);
-  throw Error(ExitCode::no_memory, fmt::format("cannot start a process: {}", std::strerror(errno)));
+  throw Error(ExitCode::no_memory, "cannot start a process: {}", std::strerror(errno));
 }
 
 /// Forks, one thread at a time: a child started meanwhile by another thread would inherit the write end of this pipe,
 /// so that end-of-file would be delayed until that other child ends.
-pid_t start_child(Pipe& pipe, const std::function<void(ByteWriter&)>& work) {
+pid_t start_child(Pipe& pipe, const std::function<void(Message&)>& work) {
   static std::mutex one_at_a_time;
   std::unique_lock lock(one_at_a_time);
   if (::pipe(pipe.ends.data()) != 0) cannot_start();
@@ -220,7 +219,7 @@ void limit_memory(double bytes) {
   setrlimit(RLIMIT_AS, &memory);
 }
 
-std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {
+Message do_in_child(const std::string& doing, const std::function<void(Message&)>& work) {
   // With an interruption pending already, the work is completed; the caller checks for the interruption afterwards.
   const bool was_interrupted = is_interrupted();
   Pipe pipe;
@@ -230,13 +229,13 @@ std::vector<std::byte> do_in_child(const std::string& doing, const std::function
   if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw ChildCrash(describe_end(status));
   const End end = static_cast<End>(bytes.front());
   bytes.erase(bytes.begin());
-  if (end == End::done) return bytes;
+  Message said(std::move(bytes));
+  if (end == End::done) return said;
   if (end == End::no_memory)
-    throw Error(ExitCode::no_memory, fmt::format("the machine has not enough free memory: it ended while {}", doing));
-  ByteReader said(bytes);
-  if (end == End::other) throw ChildCrash(said.is_empty() ? "for a reason that it did not give" : said.take_text());
-  const ExitCode code = said.take<ExitCode>();
-  throw Error(code, said.take_text());
+    throw Error(ExitCode::no_memory, "the machine has not enough free memory: it ended while {}", doing);
+  if (end == End::other) throw ChildCrash(said.is_read() ? "for a reason that it did not give" : said.get_text());
+  const ExitCode code = said.get<ExitCode>();
+  throw Error(code, said.get_text());
 }
 
 }  // namespace talus
@@ -406,7 +405,7 @@ void* load_module(const std::string& name, const char* maker, bool global, std::
   }
   if (library == nullptr) return nullptr;
   void* function = dlsym(library, maker);
-  if (function == nullptr) throw Error(ExitCode::wrong_input, name + " is of another version");
+  if (function == nullptr) fail_input(name + " is of another version");
   return function;
 }
 

@@ -17,12 +17,12 @@ struct ChildCrash : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Forks, runs `work` in the child and returns the bytes that it wrote. The child has a copy of the memory, one thread,
-/// and at most the memory that is free. An Error of `work` is thrown here. If SIGINT or SIGTERM arrives
+/// Forks, runs `work` in the child and returns the message that it wrote. The child has a copy of the memory, one
+/// thread, and at most the memory that is free. An Error of `work` is thrown here. If SIGINT or SIGTERM arrives
 /// (base/progress.hpp), the child is killed and Error (interrupted) "interrupted while `doing`" is thrown within a
 /// tenth of a second. Throws ChildCrash if the child crashes, and Error (no_memory) if it runs out of memory or cannot
 /// be started.
-std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work);
+Message do_in_child(const std::string& doing, const std::function<void(Message&)>& work);
 
 /// Limits the processor time of the child [s], for libraries that may never return; it ends as by a crash. Other load
 /// on the machine does not count.

@@ -11,7 +11,7 @@ JsonTree::JsonTree(nlohmann::json tree) : tree_(std::make_shared<const nlohmann:
 
 JsonTree JsonTree::parse(const std::string& text) {
   nlohmann::json tree = nlohmann::json::parse(text, nullptr, false);
-  if (tree.is_discarded()) throw Error(ExitCode::wrong_input, "an input that was stored is damaged: it is no JSON");
+  if (tree.is_discarded()) fail_input("an input that was stored is damaged: it is no JSON");
   return JsonTree(std::move(tree));
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -14,75 +13,10 @@
 
 namespace talus {
 
-// Byte streams of plain values, texts and arrays, for processes on the same machine.
-
-/// Writes values in order. The reader must read the same types in the same order.
-class ByteWriter {
- public:
-  template <class T>
-  void put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    add(&value, sizeof value);
-  }
-  template <class T>
-  void put(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    put(static_cast<std::uint64_t>(values.size()));
-    add(values.data(), values.size() * sizeof(T));
-  }
-  void put(const std::string& text) {
-    put(static_cast<std::uint64_t>(text.size()));
-    add(text.data(), text.size());
-  }
-  const std::vector<std::byte>& bytes() const { return bytes_; }
-
- private:
-  void add(const void* data, std::size_t size) {
-    const std::byte* first = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), first, first + size);
-  }
-  std::vector<std::byte> bytes_;
-};
-
-/// Reads the bytes of a ByteWriter. Throws std::out_of_range if there are too few.
-class ByteReader {
- public:
-  explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
-  template <class T>
-  T take() {
-    static_assert(std::is_trivially_copyable_v<T>);
-    T value;
-    std::memcpy(&value, take_bytes(1, sizeof value), sizeof value);
-    return value;
-  }
-  template <class T>
-  std::vector<T> take_array() {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const std::uint64_t count = take<std::uint64_t>();
-    const std::byte* first = take_bytes(count, sizeof(T));
-    std::vector<T> values(count);
-    if (count > 0) std::memcpy(values.data(), first, count * sizeof(T));
-    return values;
-  }
-  std::string take_text() {
-    const std::vector<char> letters = take_array<char>();
-    return {letters.begin(), letters.end()};
-  }
-  bool is_empty() const { return rest_.empty(); }
-
- private:
-  const std::byte* take_bytes(std::uint64_t count, std::size_t size) {
-    if (count > rest_.size() / size) throw std::out_of_range("the bytes end too early");
-    const std::byte* first = rest_.data();
-    rest_ = rest_.subspan(count * size);
-    return first;
-  }
-  std::span<const std::byte> rest_;
-};
-
 using Bytes = std::vector<std::byte>;
 
-/// A message between ranks; values are read in the order in which they were written.
+/// A message between processes on machines of one kind. Values are read in the order in which they were written; get()
+/// throws std::out_of_range if there are too few bytes.
 class Message {
  public:
   Message() = default;
@@ -94,10 +28,7 @@ class Message {
     const auto* from = reinterpret_cast<const std::byte*>(values);
     bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
   }
-  template <class T>
-  void put(const T& value) {
-    put(&value, 1);
-  }
+  void put(const auto& value) { put(&value, 1); }
   template <class T>
   void put_list(const std::vector<T>& values) {
     put(values.size());
@@ -106,7 +37,8 @@ class Message {
   template <class T>
   void get(T* values, std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
-    std::memcpy(values, bytes_.data() + read_, count * sizeof(T));
+    check_rest(count, sizeof(T));
+    if (count > 0) std::memcpy(values, bytes_.data() + read_, count * sizeof(T));
     read_ += count * sizeof(T);
   }
   template <class T>
@@ -117,7 +49,7 @@ class Message {
   }
   template <class T>
   std::vector<T> get_list() {
-    std::vector<T> values(get<std::size_t>());
+    std::vector<T> values(get_count(sizeof(T)));
     get(values.data(), values.size());
     return values;
   }
@@ -126,7 +58,7 @@ class Message {
     put(text.data(), text.size());
   }
   std::string get_text() {
-    std::string text(get<std::size_t>(), ' ');
+    std::string text(get_count(1), ' ');
     get(text.data(), text.size());
     return text;
   }
@@ -135,6 +67,16 @@ class Message {
   Bytes take() { return std::exchange(bytes_, {}); }
 
  private:
+  void check_rest(std::size_t count, std::size_t size) const {
+    if (count > (bytes_.size() - read_) / size) throw std::out_of_range("the bytes end too early");
+  }
+  /// The count is checked before memory is allocated for it.
+  std::size_t get_count(std::size_t size) {
+    const auto count = get<std::size_t>();
+    check_rest(count, size);
+    return count;
+  }
+
   Bytes bytes_;
   std::size_t read_ = 0;
 };

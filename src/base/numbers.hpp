@@ -48,8 +48,7 @@ std::string format_significant(double value, int digits);
 std::string format_coordinate(double x);
 
 /// Writes two or three coordinates [m]: "(12.345, 4000012.5)".
-template <class Point>
-std::string format_point(const Point& point) {
+std::string format_point(const auto& point) {
   std::string text;
   for (const double x : point) text += (text.empty() ? "(" : ", ") + format_coordinate(x);
   return text + ")";

@@ -7,7 +7,6 @@
 #include <omp.h>
 
 #include <exception>
-#include <utility>
 
 namespace talus {
 
@@ -44,8 +43,7 @@ class GuardedWork {
 /// Calls work(0) … work(pieces-1) once each on at most `threads` threads and waits for all. It suits many pieces of
 /// equal cost: the static schedule assigns the same pieces to a thread every time, which reuses its cache. Rethrows the
 /// exception of the lowest piece.
-template <class Work>
-void parallel_for(int pieces, int threads, Work&& work) {
+void parallel_for(int pieces, int threads, auto&& work) {
   if (threads <= 1 || pieces <= 1) {
     for (int i = 0; i < pieces; ++i) work(i);
     return;
@@ -57,8 +55,7 @@ void parallel_for(int pieces, int threads, Work&& work) {
 }
 
 /// As parallel_for() for few pieces of unequal cost, such as trials, with a dynamic schedule.
-template <class Work>
-void parallel_tasks(int pieces, int threads, Work&& work) {
+void parallel_tasks(int pieces, int threads, auto&& work) {
   if (threads <= 1 || pieces <= 1) {
     for (int i = 0; i < pieces; ++i) work(i);
     return;

@@ -26,8 +26,7 @@ TALUS_PORTABLE void raise_flag(Flag& flag) {
   __atomic_store_n(&flag, Flag{1}, __ATOMIC_RELAXED);
 #endif
 }
-template <class Flag>
-TALUS_PORTABLE bool is_raised(const Flag& flag) {
+TALUS_PORTABLE bool is_raised(const auto& flag) {
 #ifdef __CUDA_ARCH__
   return flag != 0;
 #else

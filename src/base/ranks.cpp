@@ -66,12 +66,12 @@ void join_ranks() {
   // Plugins that MPI loads need its symbols, so the module is loaded with global symbols.
   void* maker = load_module("libtalus_ranks.so", "talus_make_ranks", true, why);
   if (maker == nullptr)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("this run was started on {} ranks, and this program was built without MPI: build it with "
-                            "-DTALUS_MPI=ON, or start it alone ({})",
-                            count, why));
+    fail_input(
+        "this run was started on {} ranks, and this program was built without MPI: build it with -DTALUS_MPI=ON, or "
+        "start it alone ({})",
+        count, why);
   current().reset(reinterpret_cast<Ranks* (*)(int)>(maker)(ranks_interface));
-  if (!current()) throw Error(ExitCode::wrong_input, "libtalus_ranks.so is of another build than the program");
+  if (!current()) fail_input("libtalus_ranks.so is of another build than the program");
 }
 
 RankGroup::RankGroup(int groups) : number_(get_ranks().rank() * groups / get_ranks().size()) {

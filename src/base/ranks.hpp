@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "base/message.hpp"
@@ -110,8 +109,7 @@ class RankGroup {
 };
 
 /// Copies a value of rank 0 to all ranks, for all types that a Message supports.
-template <class T>
-void broadcast(T& value) {
+void broadcast(auto& value) {
   Message message;
   if (get_ranks().rank() == 0) Putting{message}(value);
   Bytes bytes = message.take();

@@ -50,15 +50,13 @@ inline std::string format_coordinate(double x, const ShownUnit& unit) {
 }
 
 /// Formats two or three coordinates [m] without the name of the unit: "(12.345, 4000012.5)".
-template <class Point>
-std::string format_point(Point point, const ShownUnit& unit) {
+std::string format_point(auto point, const ShownUnit& unit) {
   for (double& x : point) x /= unit.si;
   return format_point(point);
 }
 
 /// Formats two or three coordinates [m] with four digits: "(12.35, 4.5) m".
-template <class Point>
-std::string format_place(const Point& point, const ShownUnit& unit) {
+std::string format_place(const auto& point, const ShownUnit& unit) {
   std::string text;
   for (const double x : point) text += (text.empty() ? "(" : ", ") + format_significant(x / unit.si, 4);
   return text + ") " + unit.name;

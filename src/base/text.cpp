@@ -127,4 +127,10 @@ std::string find_nearest(std::string_view word, const std::vector<std::string>& 
   return best;
 }
 
+std::string suggest(std::string_view word, const std::vector<std::string>& known) {
+  const std::string near = find_nearest(word, known);
+  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
+  return known.empty() ? "known: there are none" : fmt::format("known: {}", fmt::join(known, ", "));
+}
+
 }  // namespace talus

@@ -36,4 +36,7 @@ int measure_edit_distance(std::string_view a, std::string_view b);
 /// Returns the candidate nearest to `word`; empty if more than a third of the letters differ for all of them.
 std::string find_nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Returns "did you mean 'sand'?", or "known: clay, sand" if no known word is near.
+std::string suggest(std::string_view word, const std::vector<std::string>& known);
+
 }  // namespace talus

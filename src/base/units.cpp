@@ -98,9 +98,8 @@ class Database {
     Unit unit(is_scaled && text != "1" ? nullptr : ut_parse(system_, text.c_str(), UT_UTF8));
     if (unit == nullptr) {
       const std::string near = find_nearest(text, common_units);
-      throw Error(ExitCode::wrong_input, near.empty()
-                                             ? fmt::format("'{}' is no known unit", text)
-                                             : fmt::format("'{}' is no known unit; did you mean '{}'?", text, near));
+      fail_input(near.empty() ? fmt::format("'{}' is no known unit", text)
+                              : fmt::format("'{}' is no known unit; did you mean '{}'?", text, near));
     }
     return unit;
   }
@@ -123,8 +122,7 @@ class Database {
   double convert_to_si(double value, ut_unit* from) const {
     Unit si(ut_parse(system_, strip_scale(from).c_str(), UT_ASCII));
     const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, si.get()), cv_free);
-    if (converter == nullptr)
-      throw Error(ExitCode::wrong_input, fmt::format("'{}' cannot be converted to SI units", write_definition(from)));
+    if (converter == nullptr) fail_input("'{}' cannot be converted to SI units", write_definition(from));
     return cv_convert_double(converter.get(), value);
   }
 
@@ -191,12 +189,11 @@ Quantity parse_quantity(const std::string& text) {
   Quantity quantity;
   const char* parsed = parse_number(digits, end, quantity.value);
   const char* rest = parsed != nullptr ? parsed : digits;
-  if (has_decimal_comma(rest, end)) throw Error(ExitCode::wrong_input, explain_decimal_comma(text));
-  if (parsed == nullptr || !std::isfinite(quantity.value))
-    throw Error(ExitCode::wrong_input, fmt::format("'{}' does not begin with a finite number", text));
+  if (has_decimal_comma(rest, end)) fail_input(explain_decimal_comma(text));
+  if (parsed == nullptr || !std::isfinite(quantity.value)) fail_input("'{}' does not begin with a finite number", text);
   const char* unit = rest;
   while (unit != end && is_blank(*unit)) ++unit;
-  if (unit == end) throw Error(ExitCode::wrong_input, fmt::format("'{}' is a text without a unit", text));
+  if (unit == end) fail_input("'{}' is a text without a unit", text);
   quantity.unit.assign(unit, end);
   return quantity;
 }
@@ -217,15 +214,14 @@ double parse_as_si(const std::string& text, const std::string& wanted, std::stri
   try {
     quantity = parse_quantity(text);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}; {}", error.what(), needs));
+    throw Error(error.code(), "{}; {}", error.what(), needs);
   }
   Database::Held held;
   const Database& database = Database::lock(held);
   const Unit given = database.parse(quantity.unit);
   if (!database.are_alike(given.get(), database.parse(wanted).get())) {
     const auto is = database.find_dimension(given.get());
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' is {}; {}", text, is ? is->name : "of another dimension", needs));
+    fail_input("'{}' is {}; {}", text, is ? is->name : "of another dimension", needs);
   }
   return database.convert_to_si(quantity.value, given.get());
 }

@@ -126,8 +126,7 @@ std::optional<FileFault> try_user_file(const fs::path& path, std::uint64_t most,
 
 std::string read_user_file(const fs::path& path, std::uint64_t most) {
   std::string text;
-  if (const auto fault = try_user_file(path, most, text))
-    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), fault->why));
+  if (const auto fault = try_user_file(path, most, text)) fail_input("cannot read '{}': {}", path.string(), fault->why);
   return text;
 }
 
@@ -140,8 +139,8 @@ void refuse_full_file_table(int reason) {
   if (reason == ENFILE) throw Error(ExitCode::no_memory, "the machine opens no more files");
   if (reason != EMFILE) return;
   throw Error(ExitCode::no_memory,
-              fmt::format("this process may open {} files at a time, and needs more; raise the limit (ulimit -n)",
-                          get_file_limit()));
+              "this process may open {} files at a time, and needs more; raise the limit (ulimit -n)",
+              get_file_limit());
 }
 
 }  // namespace talus
@@ -149,8 +148,6 @@ void refuse_full_file_table(int reason) {
 namespace talus {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// File endings and folder names that the program uses, beside names from cases.
 constexpr std::array<std::string_view, 15> own_endings{".csv",   ".files", ".gp",     ".h5",   ".html",
@@ -199,8 +196,7 @@ bool is_reserved_name(std::string_view name) {
 
 fs::path join_name(const fs::path& folder, std::string_view name, std::string_view ending) {
   if (const std::string fault = find_name_fault(name); !fault.empty())
-    throw Error(ExitCode::wrong_input, fmt::format("'{}' cannot be a name in the folder '{}': {}", make_printable(name),
-                                                   folder.string(), fault));
+    fail_input("'{}' cannot be a name in the folder '{}': {}", make_printable(name), folder.string(), fault);
   return folder / (std::string(name) + std::string(ending));
 }
 

@@ -19,7 +19,7 @@
 namespace talus {
 namespace {
 
-std::string catch_crash(const std::function<void(ByteWriter&)>& work) {
+std::string catch_crash(const std::function<void(Message&)>& work) {
   try {
     do_in_child("the test was done", work);
   } catch (const ChildCrash& crash) {
@@ -32,24 +32,23 @@ TEST(ChildProcess, GivesBackWhatItsWorkWrote) {
   std::vector<double> values(300000);  // more than a pipe holds
   std::iota(values.begin(), values.end(), 0.5);
   int seen = 7;
-  const std::vector<std::byte> bytes = do_in_child("the test was done", [&](ByteWriter& answer) {
+  Message message = do_in_child("the test was done", [&](Message& answer) {
     answer.put(seen);
     seen = 8;  // the child's own
-    answer.put(values);
-    answer.put(std::string("clay"));
+    answer.put_list(values);
+    answer.put_text("clay");
   });
   EXPECT_EQ(seen, 7);
-  ByteReader reader(bytes);
-  EXPECT_EQ(reader.take<int>(), 7);
-  EXPECT_EQ(reader.take_array<double>(), values);
-  EXPECT_EQ(reader.take_text(), "clay");
-  EXPECT_TRUE(reader.is_empty());
-  EXPECT_THROW(reader.take<char>(), std::out_of_range);
+  EXPECT_EQ(message.get<int>(), 7);
+  EXPECT_EQ(message.get_list<double>(), values);
+  EXPECT_EQ(message.get_text(), "clay");
+  EXPECT_TRUE(message.is_read());
+  EXPECT_THROW(message.get<char>(), std::out_of_range);
 }
 
 TEST(ChildProcess, ThrowsTheErrorOfItsWorkHere) {
   try {
-    do_in_child("the test was done", [](ByteWriter&) { throw Error(ExitCode::wrong_input, "the file is no mesh"); });
+    do_in_child("the test was done", [](Message&) { throw Error(ExitCode::wrong_input, "the file is no mesh"); });
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::wrong_input);
@@ -67,13 +66,13 @@ TEST(ChildProcess, AnswersBeforeTheChildrenOfOtherThreadsEnd) {
   std::atomic<bool> ends = false;
   std::thread short_ones([&] {
     while (!ends) {
-      do_in_child("nothing was done", [](ByteWriter&) {});
+      do_in_child("nothing was done", [](Message&) {});
       ++answered;
     }
   });
   for (int i = 0; i < 100; ++i) {
     const int before = answered;
-    do_in_child("others were answered", [&](ByteWriter&) {
+    do_in_child("others were answered", [&](Message&) {
       while (answered < before + 3) sched_yield();
     });
   }
@@ -83,7 +82,7 @@ TEST(ChildProcess, AnswersBeforeTheChildrenOfOtherThreadsEnd) {
 }
 
 TEST(ChildProcess, EndsAfterItsTimeOfTheProcessor) {
-  EXPECT_EQ(catch_crash([](ByteWriter&) {
+  EXPECT_EQ(catch_crash([](Message&) {
               limit_processor_time(1);
               for (volatile int turns = 0;;) turns = turns ^ 1;
             }),
@@ -91,17 +90,17 @@ TEST(ChildProcess, EndsAfterItsTimeOfTheProcessor) {
 }
 
 TEST(ChildProcess, ReportsHowItEndedWhereItsWorkDidNot) {
-  EXPECT_EQ(catch_crash([](ByteWriter&) { std::abort(); }), "it crashed (Aborted)");
-  EXPECT_EQ(catch_crash([](ByteWriter&) { _exit(3); }), "it ended by itself with code 3");
-  EXPECT_EQ(catch_crash([](ByteWriter&) { raise(SIGSEGV); }), "it crashed (Segmentation fault)");
-  EXPECT_EQ(catch_crash([](ByteWriter&) { raise(SIGKILL); }),
+  EXPECT_EQ(catch_crash([](Message&) { std::abort(); }), "it crashed (Aborted)");
+  EXPECT_EQ(catch_crash([](Message&) { _exit(3); }), "it ended by itself with code 3");
+  EXPECT_EQ(catch_crash([](Message&) { raise(SIGSEGV); }), "it crashed (Segmentation fault)");
+  EXPECT_EQ(catch_crash([](Message&) { raise(SIGKILL); }),
             "it was killed from outside, as a machine without free memory does");
-  EXPECT_EQ(catch_crash([](ByteWriter&) { throw std::runtime_error("no such curve"); }), "no such curve");
-  EXPECT_EQ(catch_crash([](ByteWriter&) { throw 4; }), "for a reason that it did not give");
+  EXPECT_EQ(catch_crash([](Message&) { throw std::runtime_error("no such curve"); }), "no such curve");
+  EXPECT_EQ(catch_crash([](Message&) { throw 4; }), "for a reason that it did not give");
 }
 
 TEST(ChildProcess, IsKilledWhenASignalArrives) {
-  const auto make_and_wait_result = [](ByteWriter&) {
+  const auto make_and_wait_result = [](Message&) {
     kill(getppid(), SIGUSR1);
     for (;;) pause();
   };
