@@ -38,8 +38,7 @@ class Collector {
     block_.keys.push_back(std::move(entry));
   }
 
-  template <class T>
-  void table(const char* name, T&& block, const char* meaning) {
+  void table(const char* name, auto&& block, const char* meaning) {
     collect(add(BlockKind::table, name, "", 1, meaning), block);
   }
 
@@ -79,8 +78,7 @@ class Collector {
             {},   {}};
   }
 
-  template <class T>
-  void collect(BlockEntry entry, T& block) {
+  void collect(BlockEntry entry, auto& block) {
     Collector inner(entry);
     describe(inner, block);
     block_.blocks.push_back(std::move(entry));
@@ -205,12 +203,12 @@ std::string write_manual() {
       "A case is one TOML file. This page is written by `talus manual` from the declarations that also read the "
       "file.\n\n"
       "A quantity is a number in the unit that stands in brackets, or a text with any unit of the same dimension:\n"
-      "`cohesion = 2` and `cohesion = \"2 kPa\"` are the same, and so is `cohesion = \"0.002 MPa\"`. "
-      "Infinite values (`inf`) are refused except where this page says otherwise.\n"
+      "`cohesion = 2` and `cohesion = \"2 kPa\"` are the same, and so is `cohesion = \"0.002 MPa\"`. Infinite values "
+      "(`inf`) are refused except where this page says otherwise.\n"
       "Numbers outside the usual range, where a key has one, are allowed with a warning; `unusual` silences it.\n"
-      "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: "
-      "`--set materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` "
-      "(entries of lists by their name, their side, or their number from 0).\n";
+      "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: `--set "
+      "materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` (entries of "
+      "lists by their name, their side, or their number from 0).\n";
   return head + write_section(collect_catalogue());
 }
 

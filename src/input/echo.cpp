@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -21,7 +20,7 @@
 #include "base/hash.hpp"
 #include "base/numbers.hpp"
 #include "input/case/case.hpp"
-#include "input/case/complete.hpp"
+#include "input/case/checks.hpp"
 #include "input/case/material.hpp"
 #include "input/language/codec_types.hpp"
 #include "input/language/parse.hpp"
@@ -48,8 +47,7 @@ class Echo {
     object_[name] = std::move(entry);
   }
 
-  template <class T>
-  void table(const std::string& name, T&& block, const char* /*meaning*/) {
+  void table(const std::string& name, auto&& block, const char* /*meaning*/) {
     object_[name] = write_block(write_path(name), block);
   }
 
@@ -88,8 +86,7 @@ class Echo {
   Echo(const Places& places, const std::set<std::string>& methods, std::string path)
       : places_(places), methods_(methods), path_(std::move(path)) {}
 
-  template <class T>
-  json write_block(const std::string& path, T& block) {
+  json write_block(const std::string& path, auto& block) {
     Echo inner(places_, methods_, path);
     describe(inner, block);
     return std::move(inner.object_);
@@ -118,8 +115,6 @@ json echo(const Case& data, const Places& places) {
 // Queries of an echo without conversion to a case: comparison of two echoes and labels.
 
 namespace {
-
-using nlohmann::json;
 
 json strip_marks(json node) {
   if (node.is_object()) node.erase("given");
@@ -168,9 +163,7 @@ std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std:
     const auto& words = choices<MaterialModel>;
     const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
     if (found == words.end())
-      throw Error(ExitCode::wrong_input, fmt::format("the result '{}' has a material of the model '{}', which this "
-                                                     "version does not know",
-                                                     source, word));
+      fail_input("the result '{}' has a material of the model '{}', which this version does not know", source, word);
     models.push_back(found->value);
   }
   return models;
@@ -180,33 +173,11 @@ std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std:
 
 namespace {
 
-using nlohmann::json;
-
-/// Returns the entry of a list that `step` identifies, as in --set: by its index from 0, its name or its side.
-const json* find_entry(const json& list, const std::string& step) {
-  std::size_t number = 0;
-  const char* end = step.data() + step.size();
-  if (const auto [stop, failure] = std::from_chars(step.data(), end, number); failure == std::errc{} && stop == end)
-    return number < list.size() ? &list[number] : nullptr;
-  for (const json& entry : list)
-    for (const char* label : {"name", "on"})
-      if (entry.contains(label) && entry[label].value("value", "") == step) return &entry;
-  return nullptr;
-}
-
 std::string write_value(const json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_number_float()) return value.dump();
   return write_shortest(value.get<double>());
-}
-
-json strip_given(const json& echo) {
-  json stripped = echo;
-  if (stripped.is_object()) stripped.erase("given");
-  if (stripped.is_structured())
-    for (json& child : stripped) child = strip_given(child);
-  return stripped;
 }
 
 }  // namespace
@@ -225,14 +196,12 @@ std::optional<EchoedKey> find_key(const JsonTree& echo, const std::string& path)
 }
 
 std::string write_calculated(const JsonTree& echo) {
-  return strip_given(echo.get()).dump();
+  return strip_marks(echo.get()).dump();
 }
 
 // Conversion of an echo to a case, for results whose case file is not available.
 
 namespace {
-
-using nlohmann::json;
 
 /// Appends the TOML equivalent of a JSON value; null is skipped.
 void append(toml::array& list, const json& value);
@@ -244,8 +213,7 @@ toml::array to_array(const json& values) {
 }
 
 /// Calls `take` with the TOML equivalent of a JSON value, except null and objects, which do not occur as leaves.
-template <class Take>
-void with_toml(const json& value, const Take& take) {
+void with_toml(const json& value, const auto& take) {
   if (value.is_boolean()) return take(toml::value<bool>(value.get<bool>()));
   if (value.is_number_integer()) return take(toml::value<std::int64_t>(value.get<std::int64_t>()));
   if (value.is_number()) return take(toml::value<double>(value.get<double>()));
@@ -263,17 +231,13 @@ class EchoReader {
  public:
   EchoReader(const json& object, Findings& findings) : object_(object), findings_(findings) {}
 
-  template <class T>
-  void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
+  void key(const std::string& name, auto&& member, const Spec& spec, const char* /*meaning*/) {
     const json& leaf = look_up(name);
     if (!leaf.is_object() || !leaf.contains("value")) return;
     decode(leaf.at("value"), name, spec, member);
   }
 
-  template <class T>
-  void table(const std::string& name, T&& block, const char* /*meaning*/) {
-    read_block(look_up(name), block);
-  }
+  void table(const std::string& name, auto&& block, const char* /*meaning*/) { read_block(look_up(name), block); }
 
   template <class T>
   void optional_table(const std::string& name, std::optional<T>& block, const char* /*meaning*/) {
@@ -309,8 +273,7 @@ class EchoReader {
     return object_.is_object() && object_.contains(name) ? object_.at(name) : nothing;
   }
 
-  template <class T>
-  void read_block(const json& object, T& block) {
+  void read_block(const json& object, auto& block) {
     EchoReader inner(object, findings_);
     describe(inner, block);
   }
@@ -322,7 +285,7 @@ class EchoReader {
     if constexpr (std::is_same_v<Value, double>)
       if (value.is_null() && spec.allows_infinity) return void(member = std::numeric_limits<double>::infinity());
     with_toml(value, [&](const toml::node& node) {
-      Codec<Value>::decode(Decoding{spec, name, findings_}, node, name, member);
+      Codec<Value>::decode({spec, name, findings_, node, name}, member);
     });
   }
 

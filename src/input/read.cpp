@@ -14,7 +14,6 @@
 #include "base/version.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
-#include "input/case/complete.hpp"
 #include "input/case/series_file.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/catalogue.hpp"
@@ -157,11 +156,10 @@ class Trials {
                           least = 10'000;  // a short case takes as long as one of `least` bytes
     const std::size_t size = std::max(text_.size(), least);
     if (readings > most_bytes / size)
-      throw InputError(
-          {{name_, 0, 0,
-            fmt::format("the case is read anew for each value of [study] and each [[test]] with 'set': with "
-                        "its {} bytes, at most {} of them can be checked",
-                        text_.size(), most_bytes / size)}});
+      throw InputError({{name_, 0, 0,
+                         fmt::format("the case is read anew for each value of [study] and each [[test]] with 'set': "
+                                     "with its {} bytes, at most {} of them can be checked",
+                                     text_.size(), most_bytes / size)}});
   }
 
   /// Returns the case with `changes`, or its first fault.
@@ -207,8 +205,8 @@ void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findi
     for (std::size_t j = 0; j < vary[i].values.size(); ++j) {
       const auto fault = trials.find_fault({vary[i].key, vary[i].values[j]});
       if (!fault) continue;
-      findings.add(fmt::format("study.vary.{}.values.{}", i, j),
-                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j], fault->sentence));
+      findings.add(fmt::format("study.vary.{}.values.{}", i, j), "the study cannot set {} = {}: {}", vary[i].key,
+                   vary[i].values[j], fault->sentence);
       // An unknown key is reported once, not for each of its values.
       if (fault->is_unknown_key) break;
     }
@@ -230,8 +228,7 @@ void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Fin
       if (value->empty() || !is_good) continue;
       const auto fault = trials.find_fault({number.key, *value});
       if (!fault) continue;
-      findings.add(path + "." + key,
-                   fmt::format("the study cannot set {} = {}: {}", number.key, *value, fault->sentence));
+      findings.add(path + "." + key, "the study cannot set {} = {}: {}", number.key, *value, fault->sentence);
       is_good = false;
     }
     if (!is_good) continue;
@@ -259,9 +256,8 @@ void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& finding
     if (const LoadedCase* it = std::get_if<LoadedCase>(&changed))
       loaded.data.test_soils.push_back(it->data.materials.at(test.material));
     else
-      findings.add(fmt::format("test.{}.set", i),
-                   fmt::format("the test '{}' cannot change material '{}' so: {}", test.name, test.material,
-                               std::get<Diagnostic>(changed).sentence));
+      findings.add(fmt::format("test.{}.set", i), "the test '{}' cannot change material '{}' so: {}", test.name,
+                   test.material, std::get<Diagnostic>(changed).sentence);
   }
 }
 
@@ -302,13 +298,6 @@ void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& s
   check_regions(loaded.data, regions, findings);
   if (!findings.empty()) throw InputError(findings.sort());
 }
-
-LoadedCase::LoadedCase() = default;
-LoadedCase::LoadedCase(const LoadedCase&) = default;
-LoadedCase::LoadedCase(LoadedCase&&) noexcept = default;
-LoadedCase& LoadedCase::operator=(const LoadedCase&) = default;
-LoadedCase& LoadedCase::operator=(LoadedCase&&) noexcept = default;
-LoadedCase::~LoadedCase() = default;
 
 namespace {
 

@@ -22,14 +22,6 @@ struct LoadedCase {
   Places places;                     ///< places of the keys, for faults that are found later
   std::vector<Diagnostic> warnings;  ///< values that are allowed but probably not intended
   bool is_whole = true;              ///< false: element tests and their soils only
-
-  // Defined in read.cpp to reduce compile time.
-  LoadedCase();
-  LoadedCase(const LoadedCase&);
-  LoadedCase(LoadedCase&&) noexcept;
-  LoadedCase& operator=(const LoadedCase&);
-  LoadedCase& operator=(LoadedCase&&) noexcept;
-  ~LoadedCase();
 };
 
 /// Required contents of a file: a slope, or alternatively element tests and their soils alone.

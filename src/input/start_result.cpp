@@ -5,13 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "input/case/checks.hpp"
+#include "input/case/start.hpp"
 #include "input/read.hpp"
 
 namespace talus::input {
+
 namespace {
 
 using nlohmann::json;
@@ -33,12 +37,6 @@ std::set<std::string> list_regions(const json& echo) {
   return names;
 }
 
-std::string join(const std::set<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
-  return list;
-}
-
 /// Comparison of the echoes of the case and of the result that it starts from.
 class Comparison {
  public:
@@ -52,23 +50,23 @@ class Comparison {
     const json dimension = look_up(before_, {"geometry", "dimension"}),
                wanted = look_up(now_, {"geometry", "dimension"});
     if (dimension != wanted)
-      return findings_.add(
-          findings_.places.is_given("geometry.dimension") ? "geometry.dimension" : "initial.result",
-          fmt::format("{} has dimension {}, and this case has dimension {}", result_, dimension.dump(), wanted.dump()));
+      return findings_.add(findings_.places.is_given("geometry.dimension") ? "geometry.dimension" : "initial.result",
+                           "{} has dimension {}, and this case has dimension {}", result_, dimension.dump(),
+                           wanted.dump());
     check_points();
     const std::set<std::string> old_regions = list_regions(before_), regions = list_regions(now_);
     for (const std::string& region : regions) {
       if (old_regions.contains(region))
         check_soil(region);
       else
-        findings_.add("regions." + region,
-                      fmt::format("there is no region '{}' in {}; it has {}", region, result_, join(old_regions)));
+        findings_.add("regions." + region, "there is no region '{}' in {}; it has '{}'", region, result_,
+                      fmt::join(old_regions, "', '"));
     }
     for (const std::string& region : old_regions)
       if (!regions.contains(region))
-        findings_.add("regions", fmt::format("{} has a region '{}', which has no material here: write {} = "
-                                             "\"MATERIAL\" in [regions]",
-                                             result_, region, region));
+        findings_.add("regions",
+                      "{} has a region '{}', which has no material here: write {} = \"MATERIAL\" in [regions]", result_,
+                      region, region);
   }
 
  private:
@@ -77,8 +75,8 @@ class Comparison {
     const json count = look_up(before_, {"mesh", "points_per_element"}),
                wanted = look_up(now_, {"mesh", "points_per_element"});
     if (findings_.places.is_given(path) && count != wanted)
-      findings_.add(path, fmt::format("'points_per_element' is {}, but the points are those of {}, which has {}",
-                                      wanted.dump(), result_, count.dump()));
+      findings_.add(path, "'points_per_element' is {}, but the points are those of {}, which has {}", wanted.dump(),
+                    result_, count.dump());
   }
 
   void check_soil(const std::string& region) {
@@ -91,9 +89,9 @@ class Comparison {
     const bool wet = is_wet(now_, name);
     if (wet != is_wet(before_, old))
       findings_.add(wet ? path + ".water" : path,
-                    fmt::format("material '{}' is {}, but region '{}' is {} in {}; a start from there can change the "
-                                "parameters of a soil, not whether it has pore water",
-                                name, wet ? "wet" : "dry", region, wet ? "dry" : "wet", result_));
+                    "material '{}' is {}, but region '{}' is {} in {}; a start from there can change the parameters of "
+                    "a soil, not whether it has pore water",
+                    name, wet ? "wet" : "dry", region, wet ? "dry" : "wet", result_);
     check_number(region, name, "grain_density", look_up(now_, {"materials", name, "grain_density"}),
                  look_up(before_, {"materials", old, "grain_density"}));
     // One case may give the void ratio, the other the porosity.
@@ -118,10 +116,9 @@ class Comparison {
     if (both ? std::abs(now.get<double>() - before.get<double>()) <= 1e-12 * std::abs(now.get<double>())
              : now == before)
       return;
-    findings_.add(
-        fmt::format("materials.{}.{}", name, key),
-        fmt::format("'{}' of material '{}' is {}, but the masses are those of {}, where region '{}' was given {}", key,
-                    name, now.dump(), result_, region, before.dump()));
+    findings_.add(fmt::format("materials.{}.{}", name, key),
+                  "'{}' of material '{}' is {}, but the masses are those of {}, where region '{}' was given {}", key,
+                  name, now.dump(), result_, region, before.dump());
   }
 
   const json& now_;
@@ -138,6 +135,40 @@ void check_against_result(const LoadedCase& loaded, const JsonTree& echo) {
   Findings findings(places);
   Comparison(loaded, input, findings).check();
   if (!findings.empty()) throw InputError(findings.sort());
+}
+
+// Checks of [initial] result and stress: the folder of results must exist, and keys that it replaces must not be given.
+
+void check_result(const Case& data, Findings& findings) {
+  namespace fs = std::filesystem;
+  const Initial& initial = data.initial;
+  const std::string path = "initial.result";
+  if (initial.result.empty() || !findings.is_sound(path)) return;
+  const fs::path folder(initial.result_folder);
+  if (!fs::exists(folder))
+    findings.add(path, "the folder of results '{}' does not exist", folder.string());
+  else if (!fs::is_directory(folder))
+    findings.add(path, "'{}' is a file; 'result' names a folder of results", folder.string());
+  else if (!fs::exists(folder / "end_state.h5"))
+    findings.add(path, "there is no end_state.h5 in '{}': was its run finished, and by this version?", folder.string());
+  if (findings.places.is_given("initial.velocity") && findings.is_sound("initial.velocity"))
+    findings.add("initial.velocity", "'velocity' in [initial] has no meaning where 'result' is given");
+  if (!data.stages.empty() && data.stages.front().gravity_ramp > 0 && findings.is_sound("stage.0.gravity_ramp"))
+    findings.add("stage.0.gravity_ramp",
+                 "'gravity_ramp' has no meaning in the first stage of a case that starts from a result: gravity acts "
+                 "there already");
+  const std::string meshes = "strength_reduction.frozen.meshes";
+  if (data.strength_reduction.frozen.meshes > 1 && findings.is_sound(meshes))
+    findings.add(meshes,
+                 "'meshes' is {}, but the mesh of the result that the case starts from cannot be halved; leave it out, "
+                 "or write 1",
+                 data.strength_reduction.frozen.meshes);
+}
+
+void check_start_stress(const Case& data, Findings& findings) {
+  if (data.initial.stress != InitialStress::elements || !findings.is_sound("initial.stress")) return;
+  if (data.mesh.dimension != 2)
+    findings.add("initial.stress", "the stress of finite elements is there for plane sections only; write \"k0\"");
 }
 
 }  // namespace talus::input

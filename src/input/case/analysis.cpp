@@ -6,24 +6,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text.hpp"
+#include "base/user_file.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/output.hpp"
 
 namespace talus::input {
+
 namespace {
 
-/// Reports names that occur twice in a list of tables, because results are stored under them.
-template <class T>
-void check_names(const std::vector<T>& list, const std::string& path, const char* what, Findings& findings) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string at = fmt::format("{}.{}.name", path, i);
-    if (findings.is_sound(at) && !names.insert(list[i].name).second)
-      findings.add(at, fmt::format("there are two {} named '{}'", what, list[i].name));
-  }
-}
-
-template <class Holds>
-bool some_material(const Case& data, Holds holds) {
+bool some_material(const Case& data, auto holds) {
   return std::any_of(data.materials.begin(), data.materials.end(),
                      [&](const auto& entry) { return holds(entry.second); });
 }
@@ -46,9 +38,10 @@ bool has_strength(const Case& data) {
 void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
   for (const auto& [name, material] : data.materials)
     if (material.traits().strength == material::Strength::hidden)
-      return findings.add(path, fmt::format("{} is not possible with material '{}': which of the constants of an "
-                                            "external model are its strength is not known",
-                                            what, name));
+      return findings.add(path,
+                          "{} is not possible with material '{}': which of the constants of an external model are its "
+                          "strength is not known",
+                          what, name);
 }
 
 void check_stages(const Case& data, Findings& findings) {
@@ -61,9 +54,8 @@ void check_stages(const Case& data, Findings& findings) {
     const std::string path = fmt::format("stage.{}", i);
     if (findings.is_sound(path + ".gravity_ramp") && findings.is_sound(path + ".duration") &&
         stage.gravity_ramp > stage.duration)
-      findings.add(path + ".gravity_ramp",
-                   fmt::format("'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
-                               stage.gravity_ramp, stage.duration));
+      findings.add(path + ".gravity_ramp", "'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
+                   stage.gravity_ramp, stage.duration);
     if (!findings.is_sound("materials")) continue;
     if (stage.cohesion && !some_material(data, has_cohesion))
       findings.add(path + ".cohesion",
@@ -78,18 +70,16 @@ void check_stages(const Case& data, Findings& findings) {
   }
 }
 
-template <class Trials>
-void check_interval(const Trials& trials, const std::string& path, Findings& findings) {
+void check_interval(const auto& trials, const std::string& path, Findings& findings) {
   if (findings.is_sound(path + ".from") && findings.is_sound(path + ".to") && trials.from >= trials.to)
     findings.add(findings.places.is_given(path + ".from") ? path + ".from" : path + ".to",
-                 fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", trials.from, trials.to));
+                 "'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", trials.from, trials.to);
 }
 
 void check_branch(const std::vector<double>& branch, const std::string& path, Findings& findings) {
   if (branch.empty() || !findings.is_sound(path)) return;
   if (branch.size() != 2 || branch[0] >= branch[1])
-    findings.add(path,
-                 fmt::format("'{}' must be [from, to], two increasing factors", path.substr(path.rfind('.') + 1)));
+    findings.add(path, "'{}' must be [from, to], two increasing factors", path.substr(path.rfind('.') + 1));
 }
 
 void check_strength_reduction(const Case& data, Findings& findings) {
@@ -102,8 +92,8 @@ void check_strength_reduction(const Case& data, Findings& findings) {
   if (findings.is_sound(curve + ".refine_step") && findings.is_sound(curve + ".step") &&
       reduction.curve.refine_step > reduction.curve.step)
     findings.add(findings.places.is_given(curve + ".refine_step") ? curve + ".refine_step" : curve + ".step",
-                 fmt::format("'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
-                             reduction.curve.refine_step, reduction.curve.step));
+                 "'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
+                 reduction.curve.refine_step, reduction.curve.step);
   if (data.analysis != AnalysisKind::strength_reduction || !uses(data, Method::mpm)) return;
   if (!findings.is_sound("analysis.kind")) return;
   if (findings.is_sound("materials")) {
@@ -125,14 +115,47 @@ void check_analysis(const Case& data, Findings& findings) {
   for (std::size_t i = 0; i < data.output.monitors.size(); ++i)
     if (const std::string at = fmt::format("output.monitor.{}.name", i);
         findings.is_sound(at) && data.output.monitors[i].name.find_first_of(",\"\n\r") != std::string::npos)
-      findings.add(at,
-                   "a monitor's name heads columns of monitors.csv; it must not hold commas, quotation marks or line "
-                   "breaks");
+      findings.add(
+          at,
+          "a monitor's name heads columns of monitors.csv; it must not hold commas, quotation marks or line breaks");
   std::set<std::string> keys;
   for (std::size_t i = 0; i < data.study.vary.size(); ++i)
     if (const std::string path = fmt::format("study.vary.{}.key", i);
         findings.is_sound(path) && !keys.insert(data.study.vary[i].key).second)
-      findings.add(path, fmt::format("the key '{}' is varied twice", data.study.vary[i].key));
+      findings.add(path, "the key '{}' is varied twice", data.study.vary[i].key);
+}
+
+// Checks of [output]: the stage at which times start, and sections.
+
+namespace {
+
+void check_section(const SectionLine& section, const std::string& path, Findings& findings) {
+  // The name is used as a file name, as an anchor on the page, and in texts like those of [[compare]].
+  if (findings.is_sound(path + ".name")) {
+    if (section.name.empty() || section.name.front() == '.' ||
+        section.name.find_first_of("/\\,\"[]") != std::string::npos)
+      findings.add(
+          path + ".name",
+          "a section's name is that of a file; it must not be empty, begin with a point, or hold / \\ , \" [ ]");
+    else if (const std::string fault = find_name_fault(make_printable(section.name)); !fault.empty())
+      findings.add(path + ".name", "a section's name is that of a file: " + fault);
+  }
+  if (!findings.is_sound(path + ".from") || !findings.is_sound(path + ".to")) return;
+  double square = 0;
+  for (std::size_t d = 0; d < 3; ++d) square += (section.to[d] - section.from[d]) * (section.to[d] - section.from[d]);
+  if (square == 0) findings.add(path + ".to", "'from' and 'to' are the same point; a section needs a length");
+}
+
+}  // namespace
+
+void check_output(const Case& data, Findings& findings) {
+  const std::string& stage = data.output.count_from;
+  if (!stage.empty() && findings.is_sound("stage") && findings.is_sound("output.count_from") &&
+      std::none_of(data.stages.begin(), data.stages.end(), [&](const Stage& s) { return s.name == stage; }))
+    findings.add("output.count_from", "there is no stage '{}'", stage);
+  for (std::size_t i = 0; i < data.output.sections.size(); ++i)
+    check_section(data.output.sections[i], fmt::format("output.section.{}", i), findings);
+  check_names(data.output.sections, "output.section", "sections", findings);
 }
 
 }  // namespace talus::input

@@ -73,17 +73,14 @@ struct AnalysisBlock {
   std::vector<Method>& methods;
 };
 
-template <class Visitor>
-void describe(Visitor& v, AnalysisBlock& a) {
+void describe(auto& v, AnalysisBlock& a) {
   v.key("methods", a.methods, plain(),
         "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
-        "and, with "
-        "slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
+        "and, with slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
   v.key("kind", a.kind, plain(), "What the material point method calculates.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, DisplacementCurve& c) {
+void describe(auto& v, DisplacementCurve& c) {
   v.key("enabled", c.enabled, plain(), "Calculate the curve.");
   v.key("from", c.from, plain().above(0), "First strength reduction factor.");
   v.key("to", c.to, plain().above(0), "Last strength reduction factor.");
@@ -102,8 +99,7 @@ void describe(Visitor& v, DisplacementCurve& c) {
   v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, FrozenFactor& f) {
+void describe(auto& v, FrozenFactor& f) {
   v.key("enabled", f.enabled, plain(), "Calculate this factor of safety.");
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
@@ -117,11 +113,10 @@ void describe(Visitor& v, FrozenFactor& f) {
         "than the distance of the two factors.");
   v.key("algorithm", f.algorithm, plain(),
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
-  v.key(
-      "corner_refinement", f.corner_refinement, plain().at_least(1).at_most(16),
-      "How many times smaller the elements of these meshes are at corners of the ground that point into the soil, such "
-      "as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file, or a result's, is "
-      "used as it is.");
+  v.key("corner_refinement", f.corner_refinement, plain().at_least(1).at_most(16),
+        "How many times smaller the elements of these meshes are at corners of the ground that point into the soil, "
+        "such as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file, or a "
+        "result's, is used as it is.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
   v.key("failed_displacement", f.failed_displacement, plain().above(0),
         "Displacement over the relief of the ground that decides \"failed\".");
@@ -129,8 +124,7 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.table("rest", f.rest, "What decides \"at rest\" in a trial.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, StrengthReduction& s) {
+void describe(auto& v, StrengthReduction& s) {
   v.table("curve", s.curve,
           "Displacement over strength reduction factor on moving geometry, and the constructions on that curve.");
   v.table("frozen", s.frozen, "The factor of safety from rest or run-away at frozen geometry, by bisection.");

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
@@ -21,20 +19,17 @@ void check_vector(const Case& data, const std::array<double, 3>& v, const std::s
                   Findings& findings) {
   if (!findings.is_sound(path)) return;
   const std::string key = path.substr(path.rfind('.') + 1);
-  if (is_direction && is_zero(v))
-    findings.add(path, fmt::format("'{}' is zero; it must have a length to be a direction", key));
+  if (is_direction && is_zero(v)) findings.add(path, "'{}' is zero; it must have a length to be a direction", key);
   if (data.mesh.dimension == 2 && v[2] != 0 && findings.is_sound("geometry.dimension"))
-    findings.add(path, fmt::format("the third component of '{}' must be 0 in 2D", key));
+    findings.add(path, "the third component of '{}' must be 0 in 2D", key);
 }
 
 void check_side(const std::string& on, const std::string& path, const std::set<std::string>& sides,
                 Findings& findings) {
   if (sides.count(on) != 0 || !findings.is_sound(path)) return;
   const std::string near = find_nearest(on, {sides.begin(), sides.end()});
-  std::string list;
-  for (const std::string& side : sides) list += (list.empty() ? "" : ", ") + side;
-  findings.add(path, fmt::format("there is no side or line '{}'; {}known: {}", on,
-                                 near.empty() ? "" : fmt::format("did you mean '{}'? ", near), list));
+  findings.add(path, "there is no side or line '{}'; {}known: {}", on,
+               near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(sides, ", "));
 }
 
 void check_unit(const std::string& unit, const char* key, const char* wanted, Findings& findings) {
@@ -43,8 +38,8 @@ void check_unit(const std::string& unit, const char* key, const char* wanted, Fi
   try {
     units::parse_as_si("1 " + unit, wanted, key);
   } catch (const Error&) {
-    findings.add(path, fmt::format("'{}' is '{}'; it must be a unit of {}, such as \"{}\"", key, unit,
-                                   units::get_dimension_name(wanted).substr(2), wanted));
+    findings.add(path, "'{}' is '{}'; it must be a unit of {}, such as \"{}\"", key, unit,
+                 units::get_dimension_name(wanted).substr(2), wanted);
   }
 }
 

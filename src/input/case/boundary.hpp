@@ -44,8 +44,7 @@ struct Earthquake {
   }
 };
 
-template <class Visitor>
-void describe(Visitor& v, Surcharge& s) {
+void describe(auto& v, Surcharge& s) {
   v.key("name", s.name, plain().required().example(R"("road")"), "Name of the load.");
   v.key("x", s.x, quantity("m").required().example("[2, 8]"), "Where on the ground, from left to right.");
   v.key("load", s.load,
@@ -54,8 +53,7 @@ void describe(Visitor& v, Surcharge& s) {
   v.key("variable", s.variable, plain(), "A variable action in the sense of Eurocode 7; false: a permanent one.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Earthquake& e) {
+void describe(auto& v, Earthquake& e) {
   v.key("horizontal", e.horizontal, plain().usual_or_zero(0.01, 0.5, {{"%", 0.01}, {"m/s2", 0.10197}}).of_either_sign(),
         "k_h, horizontal acceleration over g.");
   v.key("vertical", e.vertical, plain().above(-1),
@@ -99,8 +97,7 @@ inline constexpr auto choices<Carrier> = std::array{
     Choice{Carrier::sides, "sides", "the load stays on the sides of the mesh, fixed in space"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, Boundary& b) {
+void describe(auto& v, Boundary& b) {
   v.key("on", b.on, plain().required().example_each({R"("bottom")", R"("left")", R"("right")"}),
         "A side (left, right, bottom, top; in 3D also front, back), a named line, or a side group of the mesh file.");
   v.key("fix", b.fix, plain().required().example_each({R"("full")", R"("normal")", R"("normal")"}),
@@ -117,8 +114,7 @@ void describe(Visitor& v, Boundary& b) {
         "The velocity is prescribed across the boundary only, and the soil is free to move along it.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Traction& t) {
+void describe(auto& v, Traction& t) {
   v.key("on", t.on, plain().required().example(R"("crest")"), "A side or a named line, as in [[boundary]].");
   v.key("carrier", t.carrier, plain(), "What carries the load.");
   v.key("traction", t.traction, quantity("kPa").required().example("[0, -20]"), "Load per area.");

@@ -20,10 +20,6 @@ namespace talus::input {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
 struct Column {
   std::size_t number = 0;
   double factor = 1;
@@ -33,12 +29,12 @@ Column find_column(const TextTable& table, const PointQuantity& quantity) {
   const std::size_t number = table.find_column(quantity.name);
   const std::string& unit = table.header()[number].unit;
   if (unit.empty() && std::string(quantity.unit) == "Pa")
-    fail(fmt::format("the column '{0}' of '{1}' has no unit; head it '{0} [kPa]' or with another stress", quantity.name,
-                     table.file()));
+    fail_input("the column '{0}' of '{1}' has no unit; head it '{0} [kPa]' or with another stress", quantity.name,
+               table.file());
   try {
     return {number, find_measured_factor(quantity, unit)};
   } catch (const Error& error) {
-    fail(fmt::format("the column '{}' of '{}': {}", quantity.name, table.file(), error.what()));
+    fail_input("the column '{}' of '{}': {}", quantity.name, table.file(), error.what());
   }
 }
 
@@ -53,7 +49,7 @@ const PointQuantity* find_point_quantity(const std::string& name) {
 double find_measured_factor(const PointQuantity& quantity, const std::string& unit) {
   if (unit.empty() || unit == "-") {
     if (std::string(quantity.unit) == "Pa" && unit == "-")
-      fail(fmt::format("'{}' is a stress and needs a unit such as kPa", quantity.name));
+      fail_input("'{}' is a stress and needs a unit such as kPa", quantity.name);
     return 1;
   }
   const std::string wanted = std::string(quantity.unit) == "Pa" ? "Pa" : "1";
@@ -64,30 +60,20 @@ std::vector<std::array<double, 2>> read_measured_table(const std::filesystem::pa
                                                        const PointQuantity& y) {
   const TextTable table(path);
   std::vector<std::array<double, 2>> rows;
-  if (table.rows() == 0) {
-    fail(fmt::format("the table '{}' has no row with '{}' and '{}'", table.file(), x.name, y.name));
-  }
+  if (table.rows() == 0) fail_input("the table '{}' has no row with '{}' and '{}'", table.file(), x.name, y.name);
   const Column columns[2]{find_column(table, x), find_column(table, y)};
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (table.cell(i, columns[0].number).empty() || table.cell(i, columns[1].number).empty()) continue;
     std::array<double, 2>& row = rows.emplace_back();
     for (std::size_t k = 0; k < 2; ++k) row[k] = columns[k].factor * table.number(i, columns[k].number);
   }
-  if (rows.empty()) fail(fmt::format("the table '{}' has no row with '{}' and '{}'", table.file(), x.name, y.name));
+  if (rows.empty()) fail_input("the table '{}' has no row with '{}' and '{}'", table.file(), x.name, y.name);
   return rows;
 }
 
 namespace {
 
 constexpr double usual_error = 0.01;  ///< fraction of the largest measured value [-]
-
-std::string suggest(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = find_nearest(word, known);
-  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
-  std::string list;
-  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-  return "known: " + (list.empty() ? "there are none" : list);
-}
 
 /// Converts an amount to the unit in which a material stores the key.
 double convert(const Amount& amount, const NumberKey& key) {
@@ -98,13 +84,13 @@ double convert(const Amount& amount, const NumberKey& key) {
 }
 
 /// Check of one parameter.
-class ParameterCheck {
+class ParameterCheck : BlockFindings {
  public:
-  ParameterCheck(const Case& data, CalibrationParameter& parameter, std::string path, Findings& findings)
-      : data_(data), p_(parameter), path_(std::move(path)), findings_(findings) {}
+  ParameterCheck(const Case& data, CalibrationParameter& parameter, const std::string& block, Findings& all)
+      : BlockFindings{all, block}, data_(data), p_(parameter) {}
 
   void run() {
-    if (!is_sound("key") || !findings_.is_sound("materials")) return;
+    if (!is_sound("key") || !findings.is_sound("materials")) return;
     const std::optional<NumberKey> key = find_key();
     if (!key) return;
     p_.unit = key->spec.unit;
@@ -112,27 +98,24 @@ class ParameterCheck {
     const bool has_low = read("min", p_.min, *key, p_.low), has_high = read("max", p_.max, *key, p_.high);
     if (!has_low || !has_high) return;
     if (!(p_.low < p_.high))
-      return report("max", fmt::format("'max' is {}; it must be above 'min', {}", show(p_.high), show(p_.low)));
+      return report("max", "'max' is {}; it must be above 'min', {}", show(p_.high), show(p_.low));
     if (p_.scale == CalibrationScale::log && p_.low <= 0)
-      return report("scale", fmt::format("scale = \"log\" needs a 'min' above 0; it is {}", show(p_.low)));
+      return report("scale", "scale = \"log\" needs a 'min' above 0; it is {}", show(p_.low));
     if (p_.start) {
       if (!read("start", *p_.start, *key, p_.first)) return;
     } else if (key->value && std::isfinite(*key->value)) {
       p_.first = *key->value;
     } else {
-      return report("start", fmt::format("missing key 'start' in [[calibration.parameter]]: the material has no '{}' "
-                                         "to begin with",
-                                         p_.path));
+      return report("start", "missing key 'start' in [[calibration.parameter]]: the material has no '{}' to begin with",
+                    p_.path);
     }
     const double slack = 1e-9 * (p_.high - p_.low);  // tolerates rounding of a limit that was written as text
     if (p_.first < p_.low - slack || p_.first > p_.high + slack)
-      report(p_.start ? "start" : "key", fmt::format("'{}' begins at {}, outside 'min' and 'max', {} to {}", p_.key,
-                                                     show(p_.first), show(p_.low), show(p_.high)));
+      report(p_.start ? "start" : "key", "'{}' begins at {}, outside 'min' and 'max', {} to {}", p_.key, show(p_.first),
+             show(p_.low), show(p_.high));
   }
 
  private:
-  bool is_sound(const char* key) const { return findings_.is_sound(path_ + "." + key); }
-  void report(const char* key, const std::string& sentence) { findings_.add(path_ + "." + key, sentence); }
   std::string show(double value) const {
     return fmt::format("{:.6g}{}{}", value / p_.factor, p_.unit.empty() ? "" : " ", p_.unit);
   }
@@ -141,8 +124,8 @@ class ParameterCheck {
     const std::string start = "materials.";
     const auto dot = p_.key.find('.', start.size());
     if (p_.key.rfind(start, 0) != 0 || dot == std::string::npos) {
-      report("key", fmt::format("'{}' is no number of a material, such as materials.{}.poisson_ratio", p_.key,
-                                data_.materials.empty() ? "sand" : data_.materials.begin()->first));
+      report("key", "'{}' is no number of a material, such as materials.{}.poisson_ratio", p_.key,
+             data_.materials.empty() ? "sand" : data_.materials.begin()->first);
       return std::nullopt;
     }
     p_.material = p_.key.substr(start.size(), dot - start.size());
@@ -151,7 +134,7 @@ class ParameterCheck {
     for (const auto& entry : data_.materials) names.push_back(entry.first);
     const auto material = data_.materials.find(p_.material);
     if (material == data_.materials.end()) {
-      report("key", fmt::format("there is no material '{}'; {}", p_.material, suggest(p_.material, names)));
+      report("key", "there is no material '{}'; {}", p_.material, talus::suggest(p_.material, names));
       return std::nullopt;
     }
     names.clear();
@@ -159,7 +142,7 @@ class ParameterCheck {
       if (key.path == p_.path && key.applies) return key;
       if (key.applies) names.push_back(key.path);
     }
-    report("key", fmt::format("material '{}' has no number '{}'; {}", p_.material, p_.path, suggest(p_.path, names)));
+    report("key", "material '{}' has no number '{}'; {}", p_.material, p_.path, talus::suggest(p_.path, names));
     return std::nullopt;
   }
 
@@ -171,44 +154,39 @@ class ParameterCheck {
       return report(name, error.what()), false;
     }
     if (key.spec.allows(out / key.factor)) return true;
-    report(name, fmt::format("'{}' is {}; '{}' must be {}", name, show(out), p_.path, key.spec.write_range()));
+    report(name, "'{}' is {}; '{}' must be {}", name, show(out), p_.path, key.spec.write_range());
     return false;
   }
 
   const Case& data_;
   CalibrationParameter& p_;
-  std::string path_;
-  Findings& findings_;
 };
 
 /// Check of one curve.
-class CurveCheck {
+class CurveCheck : BlockFindings {
  public:
-  CurveCheck(const Case& data, MeasuredCurve& curve, std::string path, std::string folder, Findings& findings)
-      : data_(data), c_(curve), path_(std::move(path)), folder_(std::move(folder)), findings_(findings) {}
+  CurveCheck(const Case& data, MeasuredCurve& curve, const std::string& block, std::string folder, Findings& all)
+      : BlockFindings{all, block}, data_(data), c_(curve), folder_(std::move(folder)) {}
 
   void run() {
     find_test();
     const PointQuantity *x = find_quantity("x", c_.x), *y = find_quantity("y", c_.y);
     if (x == nullptr || y == nullptr) return;
-    if (x == y) return report("y", fmt::format("'x' and 'y' are both '{}'", c_.x));
+    if (x == y) return report("y", "'x' and 'y' are both '{}'", c_.x);
     if (c_.file.empty() ? !read_rows(*x, *y) : !read_file(*x, *y)) return;
     set_deviation(*y);
   }
 
  private:
-  bool is_sound(const char* key) const { return findings_.is_sound(path_ + "." + key); }
-  void report(const char* key, const std::string& sentence) { findings_.add(path_ + "." + key, sentence); }
-
   void find_test() {
-    if (!is_sound("test") || !findings_.is_sound("test")) return;
+    if (!is_sound("test") || !findings.is_sound("test")) return;
     std::vector<std::string> names;
     for (const PointTest& test : data_.tests) {
       if (test.name == c_.test) c_.test_number = names.size();
       names.push_back(test.name);
     }
     if (std::find(names.begin(), names.end(), c_.test) == names.end())
-      report("test", fmt::format("there is no test '{}'; {}", c_.test, suggest(c_.test, names)));
+      report("test", "there is no test '{}'; {}", c_.test, talus::suggest(c_.test, names));
   }
 
   const PointQuantity* find_quantity(const char* key, const std::string& name) {
@@ -216,7 +194,7 @@ class CurveCheck {
     if (const PointQuantity* quantity = find_point_quantity(name)) return quantity;
     std::vector<std::string> names;
     for (const PointQuantity& quantity : list_point_quantities()) names.emplace_back(quantity.name);
-    report(key, fmt::format("an element test has no '{}'; {}", name, suggest(name, names)));
+    report(key, "an element test has no '{}'; {}", name, talus::suggest(name, names));
     return nullptr;
   }
 
@@ -273,8 +251,7 @@ class CurveCheck {
 
   const Case& data_;
   MeasuredCurve& c_;
-  std::string path_, folder_;
-  Findings& findings_;
+  std::string folder_;
 };
 
 /// Returns true if the test depends on the parameter: it uses the material and does not set the key itself.
@@ -294,21 +271,20 @@ void check_together(const Case& data, const Calibration& calibration, Findings& 
     const CalibrationParameter& p = calibration.parameters[i];
     const std::string path = fmt::format("calibration.parameter.{}.key", i);
     if (!findings.is_sound(path)) continue;
-    if (!keys.insert(p.key).second) findings.add(path, fmt::format("'{}' is fitted twice", p.key));
+    if (!keys.insert(p.key).second) findings.add(path, "'{}' is fitted twice", p.key);
     if (p.material.empty() || !findings.is_sound("test") || !findings.is_sound("calibration.curve")) continue;
     if (calibration.curves.empty()) continue;
     if (std::none_of(calibration.curves.begin(), calibration.curves.end(),
                      [&](const MeasuredCurve& c) { return c.weight > 0 && feels(data.tests[c.test_number], p); }))
-      findings.add(path, fmt::format("no curve feels '{}': none is of a test of material '{}' that does not set it "
-                                     "itself",
-                                     p.key, p.material));
+      findings.add(path, "no curve feels '{}': none is of a test of material '{}' that does not set it itself", p.key,
+                   p.material);
   }
   if (!findings.is_sound("calibration")) return;
   std::size_t values = 0;
   for (const MeasuredCurve& c : calibration.curves) values += c.weight > 0 ? c.points.size() : 0;
   if (values < calibration.parameters.size())
-    findings.add("calibration", fmt::format("{} measured {} cannot fix {} parameters", values,
-                                            values == 1 ? "value" : "values", calibration.parameters.size()));
+    findings.add("calibration", "{} measured {} cannot fix {} parameters", values, values == 1 ? "value" : "values",
+                 calibration.parameters.size());
 }
 
 }  // namespace

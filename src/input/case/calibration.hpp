@@ -72,8 +72,7 @@ inline constexpr auto choices<CalibrationScale> = std::array{
     Choice{CalibrationScale::log, "log", "equal steps of its logarithm, for a number whose order is unknown"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, CalibrationParameter& p) {
+void describe(auto& v, CalibrationParameter& p) {
   v.key("key", p.key, plain().required().example(R"("materials.sand.young_modulus")"),
         "The number of a material that is fitted, written as for --set. A test that sets it keeps its own value.");
   v.key("min", p.min, plain().required().example("5000"),
@@ -84,8 +83,7 @@ void describe(Visitor& v, CalibrationParameter& p) {
   v.key("scale", p.scale, plain(), "How the search moves between the smallest and the largest value.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, MeasuredCurve& c) {
+void describe(auto& v, MeasuredCurve& c) {
   v.key("test", c.test, plain().required().example(R"("cell 100 kPa")"), "Name of the [[test]] that was measured.");
   v.key("x", c.x, plain().required().example(R"("axial_strain")"),
         "Abscissa, a column of the tables of `talus point`: axial_strain, axial_stress, p, suction …");
@@ -107,8 +105,7 @@ void describe(Visitor& v, MeasuredCurve& c) {
         "Factor of the differences of this curve; 0: the curve is shown and not fitted.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Calibration& c) {
+void describe(auto& v, Calibration& c) {
   v.key(
       "starts", c.starts, plain().at_least(1).at_most(1000),
       "Number of searches: one from `start`, the others from random values between `min` and `max`. The best counts.");

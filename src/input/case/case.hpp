@@ -3,6 +3,7 @@
 // The case as plain data, in SI units and radians, with its blocks in the order of the manual. Each block has a header,
 // with its struct and the declaration of its keys, and a .cpp with the checks between its keys.
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -70,29 +71,21 @@ struct Case {
 
   /// Returns the units of display, in which messages are written.
   const ShownUnits& units() const { return mesh.units; }
-
-  // Defined in case.cpp to reduce compile time.
-  Case();
-  Case(const Case&);
-  Case(Case&&) noexcept;
-  Case& operator=(const Case&);
-  Case& operator=(Case&&) noexcept;
-  ~Case();
 };
 
 /// Returns true if [analysis] methods includes `method`.
-bool uses(const Case& data, Method method);
+inline bool uses(const Case& data, Method method) {
+  return std::find(data.methods.begin(), data.methods.end(), method) != data.methods.end();
+}
 
 /// Declares all keys to a visitor. A visitor has `key` for one value, `table` for a block, `tables` for a list of
 /// blocks (with the number shown in the template), `named` for blocks with user-defined names, and `entries` for single
 /// values with such names (both with a sample name). Within a block, keys precede blocks, and a key precedes those
 /// whose condition refers to it.
-template <class Visitor>
-void describe(Visitor& v, Case& c) {
+void describe(auto& v, Case& c) {
   v.key("format", c.format, plain().at_least(1),
         "Which form of the case file this is. Programs that know only earlier forms say so and stop. Without it the "
-        "file has "
-        "form 1.");
+        "file has form 1.");
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
   v.key("unusual", c.unusual, plain().example(R"(["materials.peat.unit_weight"])"),
         "Keys or blocks that are odd on purpose: what warnings name them for is not said again. The paths are those of "

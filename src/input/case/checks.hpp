@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "input/case/case.hpp"
 #include "input/language/findings.hpp"
@@ -67,11 +68,34 @@ void check_point_tests(const Case& data, Findings& findings);
 /// relative to the folder of the case file `file`. Requires check_point_tests() before.
 void complete_calibration(Case& data, const std::string& file, Findings& findings);
 
+/// Reports names that occur twice in a list of tables.
+void check_names(const auto& list, const std::string& path, const char* what, Findings& findings) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (const std::string at = fmt::format("{}.{}.name", path, i);
+        findings.is_sound(at) && !names.insert(list[i].name).second)
+      findings.add(at, "there are two {} named '{}'", what, list[i].name);
+}
 /// Returns true if any material has pore water.
 bool is_wet(const Case& data);
 /// Reports boundaries, tractions, hydraulic conditions and roots on sides that are not in `sides`.
 void check_sides(const Case& data, const std::set<std::string>& sides, Findings& findings);
 /// Reports regions without material, and materials and velocities of regions that do not exist.
 void check_regions(const Case& data, const std::set<std::string>& regions, Findings& findings);
+
+// Completion of a case by values that follow from several keys, and replacement of harmful settings.
+
+/// Completes a case before the checks: paths relative to the folder of the case file `file`, porosities, densities of
+/// soils with a given unit weight, and defaults of a case without MPM: box, element size, supports.
+void complete(Case& data, const std::string& file, const Places& places);
+
+/// Sets the porosities that follow from given void ratios.
+void complete_porosities(Case& data);
+
+// Combinations of keys that are known to ruin a calculation, and their replacements.
+
+/// Replaces harmful settings of stages and of the trials of the displacement curve and returns a sentence for each:
+/// setting, place, reason and replacement. The echo and all methods use the replaced values.
+std::vector<std::string> replace_harmful(Case& data);
 
 }  // namespace talus::input

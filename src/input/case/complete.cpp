@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "input/case/complete.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <vector>
@@ -125,10 +123,9 @@ void replace_smoothing(const Case& data, StepSettings& step, const std::string& 
                        std::vector<std::string>& sentences) {
   const bool flows = is_wet(data) && step.water == WaterMotion::flows && step.geometry == Geometry::moving;
   const auto replace = [&](Smoothing instead, const char* reason) {
-    sentences.push_back(
-        fmt::format("{}: smoothing = \"{}\" {}. It is calculated with smoothing = \"{}\" instead; write "
-                    "that into the case.",
-                    where, get_word(step.smoothing), reason, get_word(instead)));
+    sentences.push_back(fmt::format(
+        "{}: smoothing = \"{}\" {}. It is calculated with smoothing = \"{}\" instead; write that into the case.", where,
+        get_word(step.smoothing), reason, get_word(instead)));
     step.smoothing = instead;
   };
   if (step.smoothing == Smoothing::stable && flows)
@@ -136,10 +133,9 @@ void replace_smoothing(const Case& data, StepSettings& step, const std::string& 
             "and pore water that flows through moving soil disturb each other: the exchange of water between elements "
             "works against the averaged stress, and slopes have burst");
   else if (step.smoothing == Smoothing::strain && dilates(data))
-    replace(
-        flows ? Smoothing::none : Smoothing::stable,
-        "does not balance the mean stress of soil that dilates (ψ > 0): a checkerboard of pressures grows until the "
-        "slope bursts");
+    replace(flows ? Smoothing::none : Smoothing::stable,
+            "does not balance the mean stress of soil that dilates (ψ > 0): a checkerboard of pressures grows until "
+            "the slope bursts");
 }
 
 /// Returns true if pore pressures are from a piezometric line or r_u, without pore water in the soil.
@@ -163,11 +159,10 @@ void replace_geometry(Case& data, std::vector<std::string>& sentences) {
     curve.runout.clear();  // there is no runout on frozen geometry
   }
   if (replaced.empty()) return;
-  sentences.push_back(
-      fmt::format("{}: the pore pressures of a water table without [materials.NAME.water], and of r_u, are held where "
-                  "they are, so material points calculate at frozen geometry instead. For large deformations give the "
-                  "soils their pore water.",
-                  fmt::join(replaced, ", ")));
+  sentences.push_back(fmt::format(
+      "{}: the pore pressures of a water table without [materials.NAME.water], and of r_u, are held where they are, so "
+      "material points calculate at frozen geometry instead. For large deformations give the soils their pore water.",
+      fmt::join(replaced, ", ")));
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ inline constexpr auto choices<FlowRule> = std::array{
     Choice{FlowRule::both, "both", "one after the other"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, FiniteElements& f) {
+void describe(auto& v, FiniteElements& f) {
   v.key("size", f.size, quantity("m").above(0).example("1.0"),
         "Size of the quadratic elements; if not given, that of [mesh]. With two meshes it is that of the finer one.");
   v.key("algorithm", f.algorithm, plain(), "Gmsh's algorithm for their mesh.");
@@ -87,8 +86,7 @@ inline constexpr auto choices<BoundsFlow> = std::array{
            "that weaker soil, and no bound for the given one"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, ProvenBounds& b) {
+void describe(auto& v, ProvenBounds& b) {
   v.key("size", b.size, quantity("m").above(0).example("2.0"),
         "Size of the triangles of the first mesh, on which pore pressures and strengths are linear. If not given, a "
         "sixth of the section's height, and a twelfth with pore water.");

@@ -55,44 +55,42 @@ void check_inside(const mesh::Plan& plan, const std::vector<Point>& points, cons
     const Point& p = points[i];
     if (p[0] < plan.box_min[0] - slack || p[0] > plan.box_max[0] + slack || p[1] < plan.box_min[1] - slack ||
         p[1] > plan.box_max[1] + slack)
-      findings.add(fmt::format("{}.points.{}", path, i),
-                   fmt::format("the point {} of {} is outside the box from {} to {}", format_point(p, length), what,
-                               format_point(plan.box_min, length), format_point(plan.box_max, length)));
+      findings.add(fmt::format("{}.points.{}", path, i), "the point {} of {} is outside the box from {} to {}",
+                   format_point(p, length), what, format_point(plan.box_min, length),
+                   format_point(plan.box_max, length));
   }
 }
 
 void check_polygon(const mesh::Polygon& polygon, const ShownUnit& length, const std::string& path, Findings& findings) {
   const std::vector<Point>& p = polygon.points;
   const std::size_t n = p.size();
-  if (n < 3)
-    return findings.add(path + ".points",
-                        fmt::format("polygon '{}' has {} points; it needs at least 3", polygon.name, n));
+  if (n < 3) return findings.add(path + ".points", "polygon '{}' has {} points; it needs at least 3", polygon.name, n);
   for (std::size_t i = 0; i < n; ++i)
     if (p[i] == p[(i + 1) % n])
       return findings.add(fmt::format("{}.points.{}", path, (i + 1) % n),
-                          fmt::format("polygon '{}' repeats its point {}; each corner is written once", polygon.name,
-                                      format_point(p[i], length)));
+                          "polygon '{}' repeats its point {}; each corner is written once", polygon.name,
+                          format_point(p[i], length));
   for (std::size_t i = 0; i < n; ++i) {
     const Point &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
     const double forward = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
     if (measure_turn(a, b, c) == 0 && forward < 0)
       return findings.add(fmt::format("{}.points.{}", path, (i + 1) % n),
-                          fmt::format("polygon '{}' crosses itself: it turns back on itself at {}", polygon.name,
-                                      format_point(b, length)));
+                          "polygon '{}' crosses itself: it turns back on itself at {}", polygon.name,
+                          format_point(b, length));
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;  // adjacent segments share a corner
       if (do_meet(p[i], p[i + 1], p[j], p[(j + 1) % n]))
         return findings.add(fmt::format("{}.points.{}", path, j),
-                            fmt::format("polygon '{}' crosses itself: its side from {} to {} meets that from {} to {}",
-                                        polygon.name, format_point(p[i], length), format_point(p[i + 1], length),
-                                        format_point(p[j], length), format_point(p[(j + 1) % n], length)));
+                            "polygon '{}' crosses itself: its side from {} to {} meets that from {} to {}",
+                            polygon.name, format_point(p[i], length), format_point(p[i + 1], length),
+                            format_point(p[j], length), format_point(p[(j + 1) % n], length));
     }
   }
   double area = 0;
   for (std::size_t i = 1; i + 1 < n; ++i) area += measure_turn(p[0], p[i], p[i + 1]);
-  if (area == 0) findings.add(path + ".points", fmt::format("polygon '{}' has no area", polygon.name));
+  if (area == 0) findings.add(path + ".points", "polygon '{}' has no area", polygon.name);
 }
 
 void check_lines(const Case& data, bool has_box, Findings& findings) {
@@ -102,10 +100,9 @@ void check_lines(const Case& data, bool has_box, Findings& findings) {
     const std::string path = write_index("geometry.line", i);
     const mesh::Line& line = data.mesh.lines[i];
     if (findings.is_sound(path + ".name") && !names.insert(line.name).second)
-      findings.add(path + ".name", fmt::format("there are two sides or lines named '{}'", line.name));
+      findings.add(path + ".name", "there are two sides or lines named '{}'", line.name);
     if (!findings.is_sound(path + ".points")) continue;
-    if (line.points.size() < 2)
-      findings.add(path + ".points", fmt::format("line '{}' needs at least 2 points", line.name));
+    if (line.points.size() < 2) findings.add(path + ".points", "line '{}' needs at least 2 points", line.name);
     if (has_box) check_inside(data.mesh, line.points, path, fmt::format("line '{}'", line.name), findings);
   }
 }
@@ -115,19 +112,17 @@ void check_points_per_element(const Case& data, Findings& findings) {
   const bool is_plane = data.mesh.dimension == 2;
   const std::set<int> allowed = is_plane ? std::set{1, 3, 6, 12} : std::set{1, 4, 8, 10};
   if (allowed.count(data.points_per_element) == 0)
-    findings.add("mesh.points_per_element",
-                 fmt::format("'points_per_element' is {}; in {}D it must be {}", data.points_per_element,
-                             data.mesh.dimension, is_plane ? "1, 3, 6 or 12" : "1, 4, 8 or 10"));
+    findings.add("mesh.points_per_element", "'points_per_element' is {}; in {}D it must be {}", data.points_per_element,
+                 data.mesh.dimension, is_plane ? "1, 3, 6 or 12" : "1, 4, 8 or 10");
 }
 
 void check_softening_length(const Case& data, Findings& findings) {
   if (!data.softening_length || !findings.is_sound("mesh.softening_length")) return;
   const auto softens = [](const auto& material) { return material.second.traits().softens; };
   if (std::none_of(data.materials.begin(), data.materials.end(), softens))
-    findings.add(
-        "mesh.softening_length",
-        fmt::format("'softening_length' has no meaning here: no soil of the case softens; those of model {} do",
-                    material::list_words([](const material::Traits& t) { return t.softens; })));
+    findings.add("mesh.softening_length",
+                 "'softening_length' has no meaning here: no soil of the case softens; those of model {} do",
+                 material::list_words([](const material::Traits& t) { return t.softens; }));
 }
 
 }  // namespace
@@ -145,9 +140,10 @@ bool check_extent(const Case& data, Findings& findings) {
   add(data.mesh.polygons, "geometry.polygon");
   add(data.mesh.lines, "geometry.line");
   if (corners > most_corners)
-    findings.add(longest, fmt::format("the polygons and lines have {} corners, and a section has at most {}: leave out "
-                                      "those that lie nearer together than the elements are large",
-                                      corners, most_corners));
+    findings.add(longest,
+                 "the polygons and lines have {} corners, and a section has at most {}: leave out those that lie "
+                 "nearer together than the elements are large",
+                 corners, most_corners);
   return corners <= most_corners;
 }
 
@@ -161,17 +157,14 @@ void check_geometry(const Case& data, Findings& findings) {
                                     ? fmt::format("the mesh file '{}' does not exist", plan.file)
                                     : fmt::format("the mesh file '{}' cannot be read: {}", plan.file, fault->why));
     for (const char* list : {"geometry.polygon", "geometry.line"})
-      if (findings.places.is_given(list))
-        findings.add(list, fmt::format("[[{}]] has no meaning where 'mesh.file' is given", list));
+      if (findings.places.is_given(list)) findings.add(list, "[[{}]] has no meaning where 'mesh.file' is given", list);
     return;
   }
   const bool has_box = findings.is_sound("geometry.box");
-  std::set<std::string> names;
+  check_names(plan.polygons, "geometry.polygon", "polygons", findings);
   for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
     const std::string path = write_index("geometry.polygon", i);
     const mesh::Polygon& polygon = plan.polygons[i];
-    if (findings.is_sound(path + ".name") && !names.insert(polygon.name).second)
-      findings.add(path + ".name", fmt::format("there are two polygons named '{}'", polygon.name));
     if (!findings.is_sound(path + ".points")) continue;
     check_polygon(polygon, plan.units.length, path, findings);
     if (has_box) check_inside(plan, polygon.points, path, fmt::format("polygon '{}'", polygon.name), findings);
@@ -295,10 +288,10 @@ void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
         if (const double d = std::abs(p[axis] - wall); d > 1e-3 * tolerance && d < gap) gap = d, nearest = &polygon;
     if (nearest != nullptr)
       findings.warn("geometry.box",
-                    fmt::format("a corner of polygon '{}' is {} from the {} side of the box: elements of that "
-                                "width set the time step. Let the polygon end on the side, or {} from it",
-                                nearest->name, format_value(gap, plan.units.length, 2), side,
-                                format_value(plan.size, plan.units.length, 2)));
+                    "a corner of polygon '{}' is {} from the {} side of the box: elements of that width set the time "
+                    "step. Let the polygon end on the side, or {} from it",
+                    nearest->name, format_value(gap, plan.units.length, 2), side,
+                    format_value(plan.size, plan.units.length, 2));
   }
 }
 
@@ -316,10 +309,10 @@ void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
     const double width = quarter - std::sqrt(std::max(0.0, square));
     if (width < (1 - rounding) * size)
       findings.warn(fmt::format("{}.{}.points", polygons_path, i),
-                    fmt::format("polygon '{}' is {} thick on average, less than one element of {}: shear "
-                                "in it is not resolved. Give it smaller elements with [[mesh.refine]]",
-                                plan.polygons[i].name, format_value(width, plan.units.length, 2),
-                                format_value(size, plan.units.length, 3)));
+                    "polygon '{}' is {} thick on average, less than one element of {}: shear in it is not resolved. "
+                    "Give it smaller elements with [[mesh.refine]]",
+                    plan.polygons[i].name, format_value(width, plan.units.length, 2),
+                    format_value(size, plan.units.length, 3));
   }
 }
 
@@ -353,12 +346,12 @@ void join_polygons(Case& data, Findings& findings) {
     std::size_t end = i + 1;
     while (end < joined.size() && joined[end].name == joined[i].name) ++end;
     findings.warn(polygons_path,
-                  fmt::format("{} of '{}' moved onto what {} by less than {}; the first goes from ({:.9g}, {:.9g}) "
-                              "to ({:.9g}, {:.9g}). Give both the same coordinates",
-                              end - i == 1 ? "one point" : fmt::format("{} points", end - i), joined[i].name,
-                              end - i == 1 ? "it misses" : "they miss", format_value(tolerance, length, 2),
-                              joined[i].from[0] / length.si, joined[i].from[1] / length.si, joined[i].to[0] / length.si,
-                              joined[i].to[1] / length.si));
+                  "{} of '{}' moved onto what {} by less than {}; the first goes from ({:.9g}, {:.9g}) to ({:.9g}, "
+                  "{:.9g}). Give both the same coordinates",
+                  end - i == 1 ? "one point" : fmt::format("{} points", end - i), joined[i].name,
+                  end - i == 1 ? "it misses" : "they miss", format_value(tolerance, length, 2),
+                  joined[i].from[0] / length.si, joined[i].from[1] / length.si, joined[i].to[0] / length.si,
+                  joined[i].to[1] / length.si);
     i = end;
   }
   for (mesh::Polygon& polygon : data.mesh.polygons) drop_closing_corner(polygon);
@@ -386,9 +379,8 @@ void check_unusual(const Case& data, Findings& findings) {
     const std::string& key = data.unusual[i];
     if (findings.places.is_given(key)) continue;
     const std::string near = find_nearest(key, findings.places.list_given());
-    findings.add(fmt::format("unusual.{}", i),
-                 fmt::format("'unusual' names '{}', which this case does not give{}", key,
-                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    findings.add(fmt::format("unusual.{}", i), "'unusual' names '{}', which this case does not give{}", key,
+                 near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
   }
 }
 

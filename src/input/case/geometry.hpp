@@ -13,15 +13,13 @@
 
 namespace talus::input {
 
-template <class Visitor>
-void describe(Visitor& v, mesh::Polygon& p) {
+void describe(auto& v, mesh::Polygon& p) {
   v.key("name", p.name, plain().required().example(R"("soil")"), "Name of the region; [regions] gives it a material.");
   v.key("points", p.points, quantity("m").required().example("[[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]"),
         "Corners in order, either way round; the first is not repeated. The sides must not cross.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, mesh::Line& l) {
+void describe(auto& v, mesh::Line& l) {
   v.key("name", l.name, plain().required().example(R"("crest")"), "Name for boundary conditions and tractions.");
   v.key("points", l.points, quantity("m").required().example("[[0, 15], [12, 15]]"),
         "Points of the polyline. In 3D it is the trace of a wall that is extruded with the section.");
@@ -31,8 +29,7 @@ struct GeometryBlock {
   mesh::Plan& plan;
 };
 
-template <class Visitor>
-void describe(Visitor& v, GeometryBlock& g) {
+void describe(auto& v, GeometryBlock& g) {
   mesh::Plan& plan = g.plan;
   const bool has_file = !plan.file.empty();
   v.key("dimension", plan.dimension, plain().at_least(2).at_most(3),
@@ -59,8 +56,7 @@ inline constexpr auto choices<mesh::Algorithm> = std::array{
     Choice{mesh::Algorithm::meshadapt, "meshadapt", "irregular; locks least, for the factor of safety"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, mesh::Refinement& r) {
+void describe(auto& v, mesh::Refinement& r) {
   v.key("near", r.near, quantity("m").required().example("[[12, 15], [32, 5]]"), "One point, or a polyline.");
   v.key("size", r.size, quantity("m").above(0).required().example("0.3"), "Element size there.");
   v.key("distance", r.distance, quantity("m").above(0).required().example("2"),
@@ -73,8 +69,7 @@ struct MeshBlock {
   std::optional<double>& softening_length;
 };
 
-template <class Visitor>
-void describe(Visitor& v, MeshBlock& m) {
+void describe(auto& v, MeshBlock& m) {
   mesh::Plan& plan = m.plan;
   v.key("file", plan.file, plain().example(R"("ready.msh")"),
         "A ready mesh in Gmsh's format (.msh, version 4) instead of polygons; its path is relative to the case file. "
@@ -85,8 +80,8 @@ void describe(Visitor& v, MeshBlock& m) {
         "it as well, or `size` in [fem].");
   v.key("algorithm", plan.algorithm, plain().allowed_without("file", has_file), "Gmsh's algorithm for the triangles.");
   v.key("points_per_element", m.points_per_element, plain().at_least(1).at_most(12),
-        "Material points in each element filled with soil: 1, 3, 6 or 12 in 2D; 1, 4, 8 or 10 in 3D (where the "
-        "default is 4).");
+        "Material points in each element filled with soil: 1, 3, 6 or 12 in 2D; 1, 4, 8 or 10 in 3D (where the default "
+        "is 4).");
   v.key("softening_length", m.softening_length, quantity("m").above(0).by_methods({"mpm"}).example("0.3"),
         "Length over which soil softens that dilates: its plastic volume is a mean over this neighbourhood. At least "
         "twice the size of the elements where a band forms. If not given, bands are as thick as the elements, and what "

@@ -81,8 +81,8 @@ void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std
   if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
   const SoilPlan soil(plan);
   const auto report = [&](const std::string& reason) {
-    findings.add(path + ".on", fmt::format("{} on '{}', which is never a surface of the soil: {}",
-                                           name_condition(condition), hydraulic.on, reason));
+    findings.add(path + ".on", "{} on '{}', which is never a surface of the soil: {}", name_condition(condition),
+                 hydraulic.on, reason);
   };
   for (const mesh::Line& line : plan.lines) {
     if (line.name != hydraulic.on) continue;
@@ -108,16 +108,16 @@ void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::s
   const SoilPlan soil(plan);
   const auto [bottom, crest] = soil.find_levels();
   if (head < bottom)
-    findings.add(path + ".head", fmt::format("'head' is {}, below the lowest point of the soil, {}; heads "
-                                             "are levels in the coordinates of the section",
-                                             format_value(head, length), format_value(bottom, length)));
+    findings.add(
+        path + ".head",
+        "'head' is {}, below the lowest point of the soil, {}; heads are levels in the coordinates of the section",
+        format_value(head, length), format_value(bottom, length));
   // Behind a side of the box, artesian pressure is possible. A pool on the ground overflows, unless all soil is
   // submerged.
   for (const mesh::Line& line : plan.lines)
     if (line.name == hydraulic.on && *most > crest && soil.look_along(line.points).meets_air)
-      findings.warn(path + ".head",
-                    fmt::format("the pool on '{}' stands up to {}, above the crest, {}: it runs over", hydraulic.on,
-                                format_value(*most, length), format_value(crest, length)));
+      findings.warn(path + ".head", "the pool on '{}' stands up to {}, above the crest, {}: it runs over", hydraulic.on,
+                    format_value(*most, length), format_value(crest, length));
 }
 
 bool fixes_level(const Hydraulic& hydraulic) {
@@ -134,8 +134,8 @@ void check_gravity(const Case& data, Findings& findings) {
   const std::array<double, 3>& down = data.gravity.direction;
   if ((has_head || start != InitialPressure::zero) && !(down[0] == 0 && down[1] < 0 && down[2] == 0))
     findings.add("gravity.direction",
-                 "'direction' is inclined, but a total head, a water table and steady seepage count "
-                 "levels along y: gravity needs the direction [0, -1] here");
+                 "'direction' is inclined, but a total head, a water table and steady seepage count levels along y: "
+                 "gravity needs the direction [0, -1] here");
   if (start == InitialPressure::seepage && data.gravity.acceleration == 0)
     findings.add("gravity.acceleration",
                  "'acceleration' is 0, but pore_pressure = \"seepage\" needs gravity to drive water");
@@ -150,8 +150,8 @@ void check_steps(const Hydraulic& hydraulic, const std::string& path, Findings& 
   for (const auto& [key, table] :
        {std::pair{".head", &hydraulic.head}, {".pressure", &hydraulic.pressure}, {".rate", &hydraulic.rate}})
     if (findings.is_sound(path + key) && !has_increasing_times(*table))
-      findings.add(path + key, fmt::format("the times of '{}' must increase from row to row where series = \"steps\"",
-                                           std::string(key).substr(1)));
+      findings.add(path + key, "the times of '{}' must increase from row to row where series = \"steps\"",
+                   std::string(key).substr(1));
 }
 
 void check_start(const Case& data, Findings& findings) {
@@ -161,9 +161,9 @@ void check_start(const Case& data, Findings& findings) {
   const bool takes_line = start.pressure == InitialPressure::water_table;
   if (!is_wet(data) && !takes_line) {
     if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))
-      findings.add("initial.pore_pressure",
-                   "there is a pore pressure at the start, but no material has pore water: add a table "
-                   "[materials.NAME.water]");
+      findings.add(
+          "initial.pore_pressure",
+          "there is a pore pressure at the start, but no material has pore water: add a table [materials.NAME.water]");
     return;
   }
   if (start.pressure == InitialPressure::water_table) {
@@ -171,10 +171,9 @@ void check_start(const Case& data, Findings& findings) {
     return;
   }
   if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
-    findings.add(
-        "initial.pore_pressure",
-        "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure or seepage_face: "
-        "without one the pressures of a steady flow have no level");
+    findings.add("initial.pore_pressure",
+                 "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure or "
+                 "seepage_face: without one the pressures of a steady flow have no level");
 }
 
 }  // namespace
@@ -189,9 +188,8 @@ bool check_water_table(const std::vector<std::array<double, 2>>& line, const std
   for (std::size_t i = 1; i < line.size(); ++i)
     if (line[i][0] <= line[i - 1][0]) {
       findings.add(fmt::format("{}.{}", path, i),
-                   fmt::format("'water_table' goes from x = {} to x = {}; its points must run from "
-                               "left to right, x increasing",
-                               format_coordinate(line[i - 1][0], length), format_coordinate(line[i][0], length)));
+                   "'water_table' goes from x = {} to x = {}; its points must run from left to right, x increasing",
+                   format_coordinate(line[i - 1][0], length), format_coordinate(line[i][0], length));
       return false;
     }
   return true;
@@ -239,7 +237,7 @@ void check_hydraulics(const Case& data, Findings& findings) {
     const Hydraulic& hydraulic = data.hydraulics[i];
     const std::string path = fmt::format("hydraulic.{}", i);
     if (findings.is_sound(path + ".on") && !sides.insert(hydraulic.on).second)
-      findings.add(path + ".on", fmt::format("there are two hydraulic conditions on '{}'", hydraulic.on));
+      findings.add(path + ".on", "there are two hydraulic conditions on '{}'", hydraulic.on);
     check_steps(hydraulic, path, findings);
     if (!knows_section || !findings.is_sound(path + ".condition")) continue;
     if (findings.is_sound(path + ".on")) check_surface(hydraulic, data.mesh, path, findings);

@@ -59,8 +59,7 @@ inline constexpr auto choices<RainDirection> = std::array{
     Choice{RainDirection::normal, "normal", "an intensity on the inclined surface itself"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, Hydraulic& h) {
+void describe(auto& v, Hydraulic& h) {
   using C = WaterCondition;
   v.key("on", h.on, plain().required().example(R"("crest")"),
         "A side of the box or a named line, as in [[boundary]]. One on the surface of the soil goes with it.");
@@ -92,11 +91,11 @@ void describe(Visitor& v, Hydraulic& h) {
   v.key("standing_depth", h.standing_depth,
         quantity("mm").at_least(0).allowed_with("condition", h.condition, C::rain).example("5"),
         "Rain that cannot enter stands on the ground up to this depth, and enters later. In a season and a timeline.");
-  v.key("runs_on", h.runs_on, plain().allowed_with("condition", h.condition, C::rain),
-        "Rain that cannot enter, and does not stand, runs down the ground to where it can, or to the pool, or off the "
-        "section; water that comes out of the ground too. Its way ends where the ground has no condition or `no_flow`. "
-        "It "
-        "holds for all of the ground once one rain has it. Without it such rain is gone. In a season and a timeline.");
+  v.key(
+      "runs_on", h.runs_on, plain().allowed_with("condition", h.condition, C::rain),
+      "Rain that cannot enter, and does not stand, runs down the ground to where it can, or to the pool, or off the "
+      "section; water that comes out of the ground too. Its way ends where the ground has no condition or `no_flow`. "
+      "It holds for all of the ground once one rain has it. Without it such rain is gone. In a season and a timeline.");
 }
 
 }  // namespace talus::input

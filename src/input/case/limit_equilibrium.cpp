@@ -19,34 +19,23 @@ void check_stretch(const std::vector<double>& range, const std::string& path, co
                    Findings& findings) {
   if (!check_range(range, path, "places x", findings)) return;
   if (!soil.spans(range[0]) || !soil.spans(range[1]))
-    findings.add(
-        path, fmt::format("'{}' reaches beyond the ground, {}", path.substr(path.rfind('.') + 1), soil.write_span()));
-}
-
-template <class Block>
-void check_names(const std::vector<Block>& list, const std::string& path, const char* what, Findings& findings) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (const std::string at = fmt::format("{}.{}.name", path, i);
-        findings.is_sound(at) && !names.insert(list[i].name).second)
-      findings.add(at, fmt::format("there are two {} named '{}'", what, list[i].name));
+    findings.add(path, "'{}' reaches beyond the ground, {}", path.substr(path.rfind('.') + 1), soil.write_span());
 }
 
 void check_surcharge(const Surcharge& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
   if (!findings.is_sound(path + ".x") || !findings.is_sound(path + ".load")) return;
   if (s.x.size() != s.load.size())
-    return findings.add(path + ".load", fmt::format("surcharge '{}' has {} places x and {} loads; each place has one",
-                                                    s.name, s.x.size(), s.load.size()));
+    return findings.add(path + ".load", "surcharge '{}' has {} places x and {} loads; each place has one", s.name,
+                        s.x.size(), s.load.size());
   if (s.x.size() < 2)
-    return findings.add(path + ".x", fmt::format("surcharge '{}' needs at least two places x, from and to", s.name));
+    return findings.add(path + ".x", "surcharge '{}' needs at least two places x, from and to", s.name);
   for (std::size_t i = 1; i < s.x.size(); ++i)
     if (s.x[i] <= s.x[i - 1])
-      return findings.add(path + ".x", fmt::format("the places x of surcharge '{}' go from {} to {}; they run "
-                                                   "from left to right, increasing",
-                                                   s.name, format_value(s.x[i - 1], soil.units().length),
-                                                   format_value(s.x[i], soil.units().length)));
+      return findings.add(
+          path + ".x", "the places x of surcharge '{}' go from {} to {}; they run from left to right, increasing",
+          s.name, format_value(s.x[i - 1], soil.units().length), format_value(s.x[i], soil.units().length));
   if (!soil.spans(s.x.front()) || !soil.spans(s.x.back()))
-    findings.add(path + ".x", fmt::format("surcharge '{}' reaches beyond the ground, {}", s.name, soil.write_span()));
+    findings.add(path + ".x", "surcharge '{}' reaches beyond the ground, {}", s.name, soil.write_span());
 }
 
 void check_grid(const CentreGrid& grid, const SoilOutline& soil, Findings& findings) {
@@ -59,17 +48,16 @@ void check_grid(const CentreGrid& grid, const SoilOutline& soil, Findings& findi
   if (check_range(grid.levels, levels, "levels y", findings) &&
       (grid.levels[0] > soil.top() || grid.levels[1] < soil.bottom()))
     findings.add(levels,
-                 fmt::format("no soil lies between the 'levels' of the deepest points, {} and {}; it "
-                             "goes from y = {} to y = {}",
-                             format_coordinate(grid.levels[0], length), format_coordinate(grid.levels[1], length),
-                             format_coordinate(soil.bottom(), length), format_coordinate(soil.top(), length)));
+                 "no soil lies between the 'levels' of the deepest points, {} and {}; it goes from y = {} to y = {}",
+                 format_coordinate(grid.levels[0], length), format_coordinate(grid.levels[1], length),
+                 format_coordinate(soil.bottom(), length), format_coordinate(soil.top(), length));
 }
 
 void check_crack(const TensionCrack& crack, const ShownUnit& length, Findings& findings) {
   const std::string path = "lem.tension_crack.water";
   if (crack.water > crack.depth && findings.is_sound(path) && findings.is_sound("lem.tension_crack.depth"))
-    findings.add(path, fmt::format("the water in the tension crack is {} high, but the crack is {} deep",
-                                   format_value(crack.water, length), format_value(crack.depth, length)));
+    findings.add(path, "the water in the tension crack is {} high, but the crack is {} deep",
+                 format_value(crack.water, length), format_value(crack.depth, length));
 }
 
 void check_settings(const LimitEquilibrium& lem, Findings& findings) {
@@ -92,9 +80,7 @@ void check_partial_factors(const Case& data, Findings& findings) {
   for (const auto& [name, m] : data.materials)
     if (!m.traits().serves_slices)
       findings.add("partial_factors.set",
-                   fmt::format("partial factors divide cohesion and friction angle, which material "
-                               "'{}' does not have",
-                               name));
+                   "partial factors divide cohesion and friction angle, which material '{}' does not have", name);
 }
 
 }  // namespace
@@ -102,8 +88,7 @@ void check_partial_factors(const Case& data, Findings& findings) {
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings) {
   if (range.empty() || !findings.is_sound(path)) return false;
   if (range.size() == 2 && range[0] < range[1]) return true;
-  findings.add(path,
-               fmt::format("'{}' is to be [from, to], two increasing {}", path.substr(path.rfind('.') + 1), what));
+  findings.add(path, "'{}' is to be [from, to], two increasing {}", path.substr(path.rfind('.') + 1), what);
   return false;
 }
 
@@ -151,9 +136,8 @@ void check_fall(const Line& before, const Line& after, const ShownUnit& length, 
       if (to <= from + rounding * std::max(1.0, std::abs(from))) continue;
       return findings.add(
           "lem.drawdown.water_table",
-          fmt::format("At x = {} the water table after drawdown ({}) is above the one before "
-                      "({}); drawdown lowers the water",
-                      format_coordinate(x, length), format_coordinate(to, length), format_coordinate(from, length)));
+          "At x = {} the water table after drawdown ({}) is above the one before ({}); drawdown lowers the water",
+          format_coordinate(x, length), format_coordinate(to, length), format_coordinate(from, length));
     }
 }
 
@@ -167,11 +151,12 @@ void check_soils(const Case& data, Findings& findings) {
         holds_water || (is_used && (by_b_bar ? m.slices.b_bar.has_value() : m.slices.undrained_envelope.has_value()));
   }
   if (holds_water || !findings.is_sound("regions")) return;
-  findings.add("lem.drawdown.method",
-               by_b_bar ? "method = \"b_bar\" of [lem.drawdown] needs a soil with a `b_bar`; all soils drain"
-                        : fmt::format("method = \"{}\" of [lem.drawdown] needs a soil with an `undrained_envelope`; "
-                                      "all soils drain",
-                                      get_word(data.lem.drawdown->method)));
+  findings.add(
+      "lem.drawdown.method",
+      by_b_bar
+          ? "method = \"b_bar\" of [lem.drawdown] needs a soil with a `b_bar`; all soils drain"
+          : fmt::format("method = \"{}\" of [lem.drawdown] needs a soil with an `undrained_envelope`; all soils drain",
+                        get_word(data.lem.drawdown->method)));
 }
 
 /// Reports methods and loads that would use the state before drawdown, or strengths that no test gives.
@@ -202,9 +187,10 @@ void check_drawdown(const Case& data, Findings& findings) {
     const std::string path = "materials." + name + ".undrained_envelope";
     if (!m.slices.undrained_envelope || !findings.is_sound("materials." + name)) continue;
     if (!material::find_slice_strength(m.model, m) || m.friction_angle == 0)
-      findings.add(path, fmt::format("material '{}' has an undrained envelope but no friction angle in effective "
-                                     "stresses, which a drawdown starts from",
-                                     name));
+      findings.add(path,
+                   "material '{}' has an undrained envelope but no friction angle in effective stresses, which a "
+                   "drawdown starts from",
+                   name);
   }
   if (!data.lem.drawdown || !findings.is_sound("analysis.methods") || !uses(data, Method::lem)) return;
   check_others(data, findings);
@@ -243,14 +229,12 @@ void check_circle(const SlipSurface& s, const std::string& path, const SoilOutli
   if (check_range(s.ends, path + ".ends", "places x", findings)) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!soil.spans(s.ends[i]))
-        return findings.add(path + ".ends",
-                            fmt::format("an end of surface '{}', x = {}, is not on the ground, {}", s.name,
-                                        format_coordinate(s.ends[i], length), soil.write_span()));
+        return findings.add(path + ".ends", "an end of surface '{}', x = {}, is not on the ground, {}", s.name,
+                            format_coordinate(s.ends[i], length), soil.write_span());
       if (std::abs(s.ends[i] - xc) > r + slack)
         return findings.add(path + ".ends",
-                            fmt::format("the end x = {} of surface '{}' is farther from the centre "
-                                        "than its radius, {}",
-                                        format_coordinate(s.ends[i], length), s.name, format_value(r, length)));
+                            "the end x = {} of surface '{}' is farther from the centre than its radius, {}",
+                            format_coordinate(s.ends[i], length), s.name, format_value(r, length));
     }
     return;
   }
@@ -261,39 +245,34 @@ void check_circle(const SlipSurface& s, const std::string& path, const SoilOutli
     const double low = yc - std::sqrt(std::max(0.0, r * r - (x - xc) * (x - xc)));
     if (from < to && low < soil.find_ground(x)) return;
   }
-  findings.add(path,
-               fmt::format("the circle of surface '{}' lies outside the ground: nothing of its lower arc is in the "
-                           "soil",
-                           s.name));
+  findings.add(path, "the circle of surface '{}' lies outside the ground: nothing of its lower arc is in the soil",
+               s.name);
 }
 
 void check_end(const SlipSurface& s, const Point& end, const std::string& path, const SoilOutline& soil,
                Findings& findings) {
   const ShownUnit& length = soil.units().length;
   if (!soil.spans(end[0]))
-    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {}, outside the ground, {}", s.name,
-                                          format_coordinate(end[0], length), soil.write_span()));
+    return findings.add(path, "surface '{}' begins or ends at x = {}, outside the ground, {}", s.name,
+                        format_coordinate(end[0], length), soil.write_span());
   const double above = end[1] - soil.find_ground(end[0]);
   if (std::abs(above) > end_slack * (s.points.back()[0] - s.points.front()[0]))
-    findings.add(path, fmt::format("the end {} of surface '{}' is {} {} the ground; a surface "
-                                   "goes from ground to ground",
-                                   format_point(end, length), s.name, format_value(std::abs(above), length, 3),
-                                   above > 0 ? "above" : "below"));
+    findings.add(path, "the end {} of surface '{}' is {} {} the ground; a surface goes from ground to ground",
+                 format_point(end, length), s.name, format_value(std::abs(above), length, 3),
+                 above > 0 ? "above" : "below");
 }
 
 void check_polyline(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
   const std::string points = path + ".points";
   const ShownUnit& length = soil.units().length;
   if (s.points.size() < 2)
-    return findings.add(points,
-                        fmt::format("surface '{}' has {} points; it needs at least 2", s.name, s.points.size()));
+    return findings.add(points, "surface '{}' has {} points; it needs at least 2", s.name, s.points.size());
   for (std::size_t i = 1; i < s.points.size(); ++i)
     if (s.points[i][0] <= s.points[i - 1][0])
       return findings.add(fmt::format("{}.{}", points, i),
-                          fmt::format("surface '{}' goes from x = {} to x = {}; its points run from left to "
-                                      "right, x increasing",
-                                      s.name, format_coordinate(s.points[i - 1][0], length),
-                                      format_coordinate(s.points[i][0], length)));
+                          "surface '{}' goes from x = {} to x = {}; its points run from left to right, x increasing",
+                          s.name, format_coordinate(s.points[i - 1][0], length),
+                          format_coordinate(s.points[i][0], length));
   check_end(s, s.points.front(), points + ".0", soil, findings);
   check_end(s, s.points.back(), fmt::format("{}.{}", points, s.points.size() - 1), soil, findings);
   for (std::size_t i = 0; i < s.points.size(); ++i) {
@@ -301,12 +280,10 @@ void check_polyline(const SlipSurface& s, const std::string& path, const SoilOut
     const std::string at = fmt::format("{}.{}", points, i);
     if (!findings.is_sound(at)) continue;
     if (p[1] < soil.bottom() - soil.slack())
-      findings.add(at, fmt::format("the point {} of surface '{}' is below the soil, whose lowest level is "
-                                   "{}",
-                                   format_point(p, length), s.name, format_coordinate(soil.bottom(), length)));
+      findings.add(at, "the point {} of surface '{}' is below the soil, whose lowest level is {}",
+                   format_point(p, length), s.name, format_coordinate(soil.bottom(), length));
     else if (i > 0 && i + 1 < s.points.size() && p[1] > soil.find_ground(p[0]) + soil.slack())
-      findings.add(at,
-                   fmt::format("the point {} of surface '{}' is above the ground", format_point(p, length), s.name));
+      findings.add(at, "the point {} of surface '{}' is above the ground", format_point(p, length), s.name);
   }
 }
 
@@ -315,18 +292,15 @@ void check_polyline(const SlipSurface& s, const std::string& path, const SoilOut
 void check_slip_surface(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
   const bool has_circle = s.centre || s.radius, has_line = findings.places.is_given(path + ".points");
   if (has_circle == has_line)
-    return findings.add(path,
-                        fmt::format("surface '{}' {}; give 'centre' and 'radius' of a circle, or the 'points' of a "
-                                    "polyline",
-                                    s.name, has_line ? "is a circle and a polyline" : "has no shape"));
+    return findings.add(path, "surface '{}' {}; give 'centre' and 'radius' of a circle, or the 'points' of a polyline",
+                        s.name, has_line ? "is a circle and a polyline" : "has no shape");
   if (has_line) {
     if (findings.places.is_given(path + ".ends"))
       findings.add(path + ".ends", "'ends' belongs to a circle; a polyline ends at its first and last point");
     return check_polyline(s, path, soil, findings);
   }
   if (!s.centre || !s.radius)
-    return findings.add(path,
-                        fmt::format("the circle of surface '{}' has no '{}'", s.name, s.centre ? "radius" : "centre"));
+    return findings.add(path, "the circle of surface '{}' has no '{}'", s.name, s.centre ? "radius" : "centre");
   check_circle(s, path, soil, findings);
 }
 

@@ -112,8 +112,7 @@ inline constexpr auto choices<DrawdownMethod> = std::array{
            "effective stresses: pore pressures fall by B̄ times the weight of the standing water that is gone"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, SlipSurface& s) {
+void describe(auto& v, SlipSurface& s) {
   v.key("name", s.name, plain().required().example(R"("A")"), "Name of the surface in tables and plots.");
   v.key("centre", s.centre, quantity("m").example("[30, 25]"), "Centre of a circle.");
   v.key("radius", s.radius, quantity("m").above(0).example("20"), "Radius of the circle.");
@@ -124,8 +123,7 @@ void describe(Visitor& v, SlipSurface& s) {
         "Instead of a circle: corners of a polyline from left to right. Its ends lie on the ground.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, EntryExit& e) {
+void describe(auto& v, EntryExit& e) {
   v.key("exit", e.exit, quantity("m").example("[28, 36]"),
         "From which x to which x surfaces come out of the ground at the toe; empty: all of the ground.");
   v.key("entry", e.entry, quantity("m").example("[2, 14]"), "The same of where they begin at the crest.");
@@ -134,8 +132,7 @@ void describe(Visitor& v, EntryExit& e) {
   v.key("depths", e.depths, plain().at_least(1).at_most(1000), "Circles through each pair, from flat to deep.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, CentreGrid& g) {
+void describe(auto& v, CentreGrid& g) {
   v.key("corners", g.corners, quantity("m").example("[[20, 16], [40, 36]]"),
         "Lower left and upper right corner of the grid of centres; empty: chosen from the ground.");
   v.key("columns", g.columns, plain().at_least(1).at_most(1000), "Centres side by side.");
@@ -146,8 +143,7 @@ void describe(Visitor& v, CentreGrid& g) {
         "toe.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, TensionCrack& t) {
+void describe(auto& v, TensionCrack& t) {
   v.key("depth", t.depth, quantity("m").at_least(0),
         "Depth of a vertical crack at the upper end of every surface; 0: none.");
   v.key("water", t.water, quantity("m").at_least(0), "Height of the water in it, above its bottom.");
@@ -158,16 +154,14 @@ void describe(Visitor& v, TensionCrack& t) {
         "joint that was measured.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Drawdown& d) {
+void describe(auto& v, Drawdown& d) {
   v.key("method", d.method, plain().required().example(R"("three_stage")"), "Where the strength after it comes from.");
   v.key("water_table", d.water_table, quantity("m").required().example("[[0, 7], [60, 7]]"),
         "The water table after drawdown, from left to right, as [initial] water_table: level beyond its ends, and "
         "standing water where it is above the ground.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, LimitEquilibrium& l) {
+void describe(auto& v, LimitEquilibrium& l) {
   v.key("methods", l.methods, plain(), "Methods of slices.");
   v.key("slices", l.slices, plain().at_least(5).at_most(2000), "Slices of a surface, about.");
   v.key("search", l.search, plain(), "How the critical circle is searched for.");

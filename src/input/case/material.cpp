@@ -3,41 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "base/text.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
-namespace {
-
-std::string join(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "there are none" : text;
-}
-
-/// Returns "did you mean 'sand'?" or the list of known names.
-std::string suggest(const std::string& word, const std::set<std::string>& names) {
-  const std::string near = find_nearest(word, {names.begin(), names.end()});
-  return near.empty() ? "known: " + join(names) : fmt::format("did you mean '{}'?", near);
-}
-
-}  // namespace
-
 void check_regions(const Case& data, const std::set<std::string>& regions, Findings& findings) {
   for (const std::string& region : regions)
     if (data.regions.count(region) == 0 && findings.is_sound("regions." + region))
-      findings.add("regions." + region,
-                   fmt::format("region '{}' has no material: write {} = \"MATERIAL\" in [regions]", region, region));
+      findings.add("regions." + region, "region '{}' has no material: write {} = \"MATERIAL\" in [regions]", region,
+                   region);
   for (const auto& [region, material] : data.regions)
     if (regions.count(region) == 0)
-      findings.add("regions." + region, fmt::format("there is no region '{}'; {}", region, suggest(region, regions)));
+      findings.add("regions." + region, "there is no region '{}'; {}", region,
+                   talus::suggest(region, {regions.begin(), regions.end()}));
   for (const auto& [region, velocity] : data.initial.velocity)
     if (regions.count(region) == 0)
-      findings.add("initial.velocity." + region,
-                   fmt::format("there is no region '{}'; {}", region, suggest(region, regions)));
+      findings.add("initial.velocity." + region, "there is no region '{}'; {}", region,
+                   talus::suggest(region, {regions.begin(), regions.end()}));
 }
 
 void check_materials(const Case& data, Findings& findings) {
@@ -49,18 +31,18 @@ void check_materials(const Case& data, Findings& findings) {
                          {name, material.porosity, material.given_void_ratio.has_value(), findings, data.units()});
     if (data.initial.stress != InitialStress::none && !data.initial.k0 && findings.is_sound("initial") &&
         !material::needs<material::PoissonInput>(material.model))
-      findings.add("initial.stress",
-                   fmt::format("stress = \"{}\" needs 'k0' in [initial]: an {} model has no Poisson's ratio that it "
-                               "would follow from",
-                               get_word(data.initial.stress), material.traits().title));
+      findings.add(
+          "initial.stress",
+          "stress = \"{}\" needs 'k0' in [initial]: an {} model has no Poisson's ratio that it would follow from",
+          get_word(data.initial.stress), material.traits().title);
   }
   if (materials.empty() && findings.is_sound("materials"))
     findings.add("materials", "there is no material: add a table [materials.NAME]");
   for (const auto& [region, material] : data.regions) {
     used.insert(material);
     if (materials.count(material) == 0)
-      findings.add("regions." + region,
-                   fmt::format("there is no material '{}'; {}", material, suggest(material, materials)));
+      findings.add("regions." + region, "there is no material '{}'; {}", material,
+                   talus::suggest(material, {materials.begin(), materials.end()}));
   }
   for (const PointTest& test : data.tests) used.insert(test.material);
   // Regions of an external mesh are known only after it is read: check_against_mesh().
@@ -76,14 +58,7 @@ void check_materials(const Case& data, Findings& findings) {
     if (findings.places.find("regions." + region).line == 0) return;
   for (const std::string& name : materials)
     if (used.count(name) == 0)
-      findings.warn("materials." + name, fmt::format("material '{}' is not used: no region in [regions] has it", name));
+      findings.warn("materials." + name, "material '{}' is not used: no region in [regions] has it", name);
 }
-
-Material::Material() = default;
-Material::Material(const Material&) = default;
-Material::Material(Material&&) noexcept = default;
-Material& Material::operator=(const Material&) = default;
-Material& Material::operator=(Material&&) noexcept = default;
-Material::~Material() = default;
 
 }  // namespace talus::input

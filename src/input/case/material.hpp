@@ -49,24 +49,20 @@ inline std::vector<Slip> weight_slips() {
   return {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"N/m3", 1e-3}, {"pcf", 0.1570875}};
 }
 
-template <class Visitor>
-void describe(Visitor& v, UndrainedEnvelope& e) {
+void describe(auto& v, UndrainedEnvelope& e) {
   v.key("cohesion", e.cohesion, quantity("kPa").at_least(0).required().example("57"), "c_R.");
   v.key("friction_angle", e.friction_angle, quantity("deg").at_least(0).below(90).required().example("16"), "φ_R.");
 }
 
 /// Declares the parameters for LEM and FEM other than strength; `unit_weight` is declared earlier.
-template <class Visitor>
-void describe_slice_soil(Visitor& v, SliceSoil& s) {
-  v.key(
-      "saturated_unit_weight", s.saturated_unit_weight,
-      quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
-      "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
-      "grains and water where `grain_density` is given, else `unit_weight`.");
+void describe_slice_soil(auto& v, SliceSoil& s) {
+  v.key("saturated_unit_weight", s.saturated_unit_weight,
+        quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
+        "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that "
+        "of grains and water where `grain_density` is given, else `unit_weight`.");
   v.key("pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
         "r_u, pore pressure over the weight of the soil above, in the place of a water table. Material points hold it, "
-        "at "
-        "frozen geometry.");
+        "at frozen geometry.");
   v.key("suction_strength", s.suction_strength, plain(),
         "What suction s adds to the strength above the water table; slices and finite elements only. Material points "
         "follow [materials.NAME.water].");
@@ -83,8 +79,7 @@ void describe_slice_soil(Visitor& v, SliceSoil& s) {
 }
 
 /// Declares the blocks of SliceSoil, which follow all keys.
-template <class Visitor>
-void describe_slice_blocks(Visitor& v, SliceSoil& s) {
+void describe_slice_blocks(auto& v, SliceSoil& s) {
   v.optional_table("undrained_envelope", s.undrained_envelope,
                    "The R envelope c_R + σ' tan φ_R of isotropically consolidated undrained tests, in total stresses, "
                    "for [lem.drawdown]. Soil without it drains.");
@@ -115,14 +110,6 @@ struct Material : material::SoilNumbers {
   double void_ratio() const { return porosity / (1 - porosity); }
   /// Returns the dry bulk density (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
-
-  // Defined in material.cpp to reduce compile time.
-  Material();
-  Material(const Material&);
-  Material(Material&&) noexcept;
-  Material& operator=(const Material&);
-  Material& operator=(Material&&) noexcept;
-  ~Material();
 };
 
 /// Returns the law of a material with another cohesion [Pa], reduced by `factor`. Throws as material::make_law().
@@ -130,8 +117,7 @@ inline material::Law make_law(const Material& m, std::optional<double> cohesion 
   return material::make_law(m.model, m, {factor, cohesion});
 }
 
-template <class Visitor>
-void describe(Visitor& v, Material& m) {
+void describe(auto& v, Material& m) {
   v.key("model", m.model, plain().required().example(R"("mohr_coulomb")"), "How stress follows strain.");
   v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "

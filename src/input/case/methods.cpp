@@ -8,9 +8,12 @@
 #include <limits>
 
 #include "base/numbers.hpp"
+#include "input/case/case.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/elements_and_bounds.hpp"
 
 namespace talus::input {
+
 namespace {
 
 void check_list(const Case& data, Findings& findings) {
@@ -20,25 +23,23 @@ void check_list(const Case& data, Findings& findings) {
   for (std::size_t i = 1; i < data.methods.size(); ++i)
     if (std::find(data.methods.begin(), data.methods.begin() + static_cast<std::ptrdiff_t>(i), data.methods[i]) !=
         data.methods.begin() + static_cast<std::ptrdiff_t>(i))
-      findings.add(fmt::format("analysis.methods.{}", i),
-                   fmt::format("'methods' names \"{}\" twice", get_word(data.methods[i])));
+      findings.add(fmt::format("analysis.methods.{}", i), "'methods' names \"{}\" twice", get_word(data.methods[i]));
 }
 
 /// Checks that LEM, FEM and limit analysis start from the section of the file, not from a result.
 void check_plain_start(const Case& data, Findings& findings) {
   if (!data.initial.result.empty() && findings.is_sound("initial.result"))
-    findings.add(
-        "initial.result",
-        "'result' is not possible with the methods \"lem\", \"fem\" and \"bounds\": only material points go on from "
-        "another result");
+    findings.add("initial.result",
+                 "'result' is not possible with the methods \"lem\", \"fem\" and \"bounds\": only material points go "
+                 "on from another result");
   if (data.gravity.acceleration == 0 && findings.is_sound("gravity.acceleration"))
     findings.add("gravity.acceleration", "'acceleration' is 0, but a factor of safety needs a weight");
   const std::array<double, 3>& down = data.gravity.direction;
   if (uses(data, Method::lem) && findings.is_sound("gravity.direction") &&
       !(down[0] == 0 && down[1] < 0 && down[2] == 0))
-    findings.add("gravity.direction",
-                 "'direction' is inclined, but slices weigh along y; give a horizontal acceleration in [earthquake] "
-                 "instead");
+    findings.add(
+        "gravity.direction",
+        "'direction' is inclined, but slices weigh along y; give a horizontal acceleration in [earthquake] instead");
 }
 
 void check_slices_need(const Case& data, Findings& findings) {
@@ -54,11 +55,11 @@ void check_slices_need(const Case& data, Findings& findings) {
     const std::string path = "materials." + name + ".model";
     if (findings.is_sound(path) && !material.traits().serves_slices)
       findings.add(path,
-                   fmt::format("material '{}' has no cohesion and friction angle for slices; they take {} and, "
-                               "as rock that no surface passes through, {}",
-                               name, material::list_sliceable(), material::list_words([](const material::Traits& t) {
-                                 return t.strength == material::Strength::none;
-                               })));
+                   "material '{}' has no cohesion and friction angle for slices; they take {} and, as rock that no "
+                   "surface passes through, {}",
+                   name, material::list_sliceable(), material::list_words([](const material::Traits& t) {
+                     return t.strength == material::Strength::none;
+                   }));
   }
 }
 
@@ -68,20 +69,20 @@ void check_reduces(const Case& data, const std::string& who, const std::string& 
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
-      findings.add(path, fmt::format("{} reduce the strength, which is not possible with material '{}': which of the "
-                                     "constants of an external model are its strength is not known",
-                                     who, name));
+      findings.add(path,
+                   "{} reduce the strength, which is not possible with material '{}': which of the constants of an "
+                   "external model are its strength is not known",
+                   who, name);
   }
   for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
     const Boundary& b = data.boundaries[i];
     const std::string path = fmt::format("boundary.{}.fix", i);
     if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
-      findings.add(path,
-                   fmt::format("{} have no {}; take {} out of 'methods' in [analysis], or fix '{}' in another way", who,
-                               b.fix == Fix::friction ? "wall with friction" : "boundary that moves", words, b.on));
+      findings.add(path, "{} have no {}; take {} out of 'methods' in [analysis], or fix '{}' in another way", who,
+                   b.fix == Fix::friction ? "wall with friction" : "boundary that moves", words, b.on);
   }
   if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
-    findings.add("boundary", fmt::format("there is no [[boundary]]: {} and material points need the soil held", who));
+    findings.add("boundary", "there is no [[boundary]]: {} and material points need the soil held", who);
 }
 
 void check_reduces(const Case& data, Findings& findings) {
@@ -100,9 +101,8 @@ void check_elements_need(const Case& data, Findings& findings) {
       findings.is_sound("fem.size"))
     findings.add("mesh", "finite elements need a size: give 'size' in [mesh], or in [fem]");
   if (findings.is_sound("fem.from") && findings.is_sound("fem.to") && data.fem.from >= data.fem.to)
-    findings.add(
-        findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
-        fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to));
+    findings.add(findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
+                 "'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to);
 }
 
 void check_bounds_need(const Case& data, Findings& findings) {
@@ -118,8 +118,8 @@ void check_bounds_need(const Case& data, Findings& findings) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength != material::Strength::hidden && !material.traits().serves_slices &&
         findings.is_sound(path))
-      findings.add(path, fmt::format("material '{}' has no cohesion and friction angle for proven bounds; they take {}",
-                                     name, material::list_sliceable()));
+      findings.add(path, "material '{}' has no cohesion and friction angle for proven bounds; they take {}", name,
+                   material::list_sliceable());
   }
 }
 
@@ -134,9 +134,10 @@ void check_has_strength(const Case& data, Findings& findings) {
 void check_pressure_ratio(const Material& m, const std::string& name, Findings& findings) {
   const std::string path = "materials." + name + ".pore_pressure_ratio";
   if (m.slices.pore_pressure_ratio != 0 && m.water.is_wet() && findings.is_sound(path))
-    findings.add(path, fmt::format("material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give "
-                                   "one of them where material points calculate",
-                                   name, name));
+    findings.add(path,
+                 "material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give one of them where "
+                 "material points calculate",
+                 name, name);
 }
 
 /// Returns the lowest level of a material's regions [m]; infinity if there is none.
@@ -156,17 +157,14 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
   if (findings.places.is_given(path + ".cohesion_gradient") != findings.places.is_given(path + ".cohesion_level"))
     return findings.add(
         findings.places.is_given(path + ".cohesion_level") ? path + ".cohesion_level" : path + ".cohesion_gradient",
-        fmt::format("'cohesion_gradient' and 'cohesion_level' of material '{}' belong together; give "
-                    "both or none",
-                    name));
+        "'cohesion_gradient' and 'cohesion_level' of material '{}' belong together; give both or none", name);
   if (s.cohesion_gradient >= 0 || data.mesh.polygons.empty() || !findings.is_sound("geometry.polygon")) return;
   const double bottom = find_bottom(data, name);
   if (!std::isfinite(bottom)) return;
   const double least = m.cohesion + s.find_extra(bottom);
   if (least < 0 && findings.is_sound(path + ".cohesion"))
-    findings.add(path + ".cohesion_gradient",
-                 fmt::format("the cohesion of material '{}' would be negative, {} at y = {}", name,
-                             format_value(least, data.units().stress), format_coordinate(bottom, data.units().length)));
+    findings.add(path + ".cohesion_gradient", "the cohesion of material '{}' would be negative, {} at y = {}", name,
+                 format_value(least, data.units().stress), format_coordinate(bottom, data.units().length));
 }
 
 void check_weight(const Case& data, const Material& m, const std::string& name, Findings& findings) {
@@ -176,24 +174,22 @@ void check_weight(const Case& data, const Material& m, const std::string& name, 
   if (s.unit_weight && s.saturated_unit_weight && *s.saturated_unit_weight < *s.unit_weight &&
       findings.is_sound(path + ".saturated_unit_weight") && findings.is_sound(path + ".unit_weight"))
     findings.add(path + ".saturated_unit_weight",
-                 fmt::format("'saturated_unit_weight' is {:.6g} kN/m3; it must not be smaller than the unit weight, "
-                             "{:.6g} kN/m3",
-                             *s.saturated_unit_weight / 1e3, *s.unit_weight / 1e3));
+                 "'saturated_unit_weight' is {:.6g} kN/m3; it must not be smaller than the unit weight, {:.6g} kN/m3",
+                 *s.saturated_unit_weight / 1e3, *s.unit_weight / 1e3);
   if (!s.unit_weight || !findings.is_sound(path + ".unit_weight") || !findings.is_sound(path + ".grain_density"))
     return;
   if (!m.water.is_wet()) {
     if (is_given(".grain_density"))
       findings.add(path + ".grain_density",
-                   fmt::format("material '{}' has both a unit weight and a grain density; give one of them", name));
+                   "material '{}' has both a unit weight and a grain density; give one of them", name);
     return;
   }
   // LEM and FEM use the given unit weight; MPM requires grain density and porosity.
   if (uses(data, Method::mpm) && !is_given(".grain_density"))
-    findings.add(
-        path + ".unit_weight",
-        fmt::format("the pore water of material '{}' moves, so that its weight changes: give 'grain_density' and "
-                    "'porosity' as well",
-                    name));
+    findings.add(path + ".unit_weight",
+                 "the pore water of material '{}' moves, so that its weight changes: give 'grain_density' and "
+                 "'porosity' as well",
+                 name);
 }
 
 void check_suction(const Material& m, const std::string& name, Findings& findings) {
@@ -202,17 +198,16 @@ void check_suction(const Material& m, const std::string& name, Findings& finding
   const RetentionCurve curve = m.water.retention;
   if (m.slices.suction_strength == SuctionStrength::saturation && findings.is_sound("materials." + name + ".water") &&
       (curve == RetentionCurve::dry || curve == RetentionCurve::saturated))
-    findings.add(path, fmt::format("suction_strength = \"saturation\" needs the retention curve of material '{}', in "
-                                   "[materials.{}.water]",
-                                   name, name));
+    findings.add(
+        path, "suction_strength = \"saturation\" needs the retention curve of material '{}', in [materials.{}.water]",
+        name, name);
   if (m.slices.suction_strength == SuctionStrength::phi_b && m.friction_angle > 0 &&
       m.slices.phi_b > m.friction_angle && findings.is_sound("materials." + name + ".phi_b") &&
       findings.is_sound("materials." + name + ".friction_angle"))
-    findings.add(
-        "materials." + name + ".phi_b",
-        fmt::format("'phi_b' of material '{}' is greater than its friction angle; suction adds at most as much "
-                    "as the same effective stress would",
-                    name));
+    findings.add("materials." + name + ".phi_b",
+                 "'phi_b' of material '{}' is greater than its friction angle; suction adds at most as much as the "
+                 "same effective stress would",
+                 name);
 }
 
 }  // namespace
@@ -242,6 +237,24 @@ void check_methods(const Case& data, Findings& findings) {
       data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 || data.timeline;
   if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))
     findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
+}
+
+// [bounds]: default size of the first mesh.
+
+namespace {
+
+/// Fractions of the section's height.
+constexpr double first_size = 1.0 / 6, first_size_with_water = 1.0 / 12;
+
+}  // namespace
+
+double find_bounds_size(const Case& data) {
+  if (data.bounds.size) return *data.bounds.size;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const mesh::Polygon& polygon : data.mesh.polygons)
+    for (const auto& x : polygon.points) low = std::min(low, x[1]), high = std::max(high, x[1]);
+  const bool has_water = data.initial.water.pressure != InitialPressure::zero;
+  return (has_water ? first_size_with_water : first_size) * (high - low);
 }
 
 }  // namespace talus::input

@@ -18,8 +18,7 @@ struct Project {
   std::string name, client, author, checked_by, revision, notes;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Project& p) {
+void describe(auto& v, Project& p) {
   v.key("name", p.name, plain().example(R"("Bypass, cut 3")"), "Name or number of the project.");
   v.key("client", p.client, plain().example(R"("County road office")"), "For whom.");
   v.key("author", p.author, plain().example(R"("A. Engineer")"), "Who prepared the case.");
@@ -56,15 +55,13 @@ struct Output {
   std::string length_unit = "m", displacement_unit = "mm", stress_unit = "kPa";
 };
 
-template <class Visitor>
-void describe(Visitor& v, Monitor& m) {
+void describe(auto& v, Monitor& m) {
   v.key("name", m.name, plain().required().example(R"("crest")"), "Name of the monitor in the histories.");
   v.key("at", m.at, quantity("m").required().example("[12, 15]"),
         "The nearest material point at the start is followed.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, SectionLine& s) {
+void describe(auto& v, SectionLine& s) {
   v.key("name", s.name, plain().required().example(R"("A")"), "Name of the section, and of its file in sections/.");
   v.key("from", s.from, quantity("m").required().example("[6, 0]"), "Where the line begins.");
   v.key("to", s.to, quantity("m").required().example("[6, 5]"), "Where it ends.");
@@ -73,8 +70,7 @@ void describe(Visitor& v, SectionLine& s) {
         "size of the elements with soil.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Output& o) {
+void describe(auto& v, Output& o) {
   v.key("frame_interval", o.frame_interval, quantity("s").at_least(0),
         "Simulated time between stored frames; 0: only at the end of each stage.");
   v.key("history_interval", o.history_interval, quantity("s").at_least(0),
@@ -86,14 +82,12 @@ void describe(Visitor& v, Output& o) {
   v.key("displacement_unit", o.displacement_unit, plain(),
         "Unit of displacements in histories, study tables and plots.");
   v.key("stress_unit", o.stress_unit, plain(), "Unit of stresses in histories and plots.");
-  v.key(
-      "count_from", o.count_from, plain().example(R"("rain")"),
-      "Stage at whose start the clock of onset, sections and pictures stands at zero; if not given, the last one with "
-      "reset_displacement = true, or the first.");
+  v.key("count_from", o.count_from, plain().example(R"("rain")"),
+        "Stage at whose start the clock of onset, sections and pictures stands at zero; if not given, the last one "
+        "with reset_displacement = true, or the first.");
   v.key("onset_displacement", o.onset_displacement, quantity("m").above(0).example(R"("5 cm")"),
         "A monitor has begun to move when its displacement in these stages exceeds this, and soil whose displacement "
-        "does "
-        "counts in the runout. Give more than what settlement or wetting alone does.");
+        "does counts in the runout. Give more than what settlement or wetting alone does.");
   v.key("onset_ratio", o.onset_ratio,
         plain().above(0).allowed_without("onset_displacement", o.onset_displacement.has_value()),
         "The same as a share of the relief of the ground.");

@@ -1,75 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "input/case/partial_factors.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace talus::input {
 namespace {
 
-// Values of tables A.3, A.4 and A.14 of EN 1997-1:2004.
-void take_actions_1(PartialFactorValues& v) {
-  v.permanent_load = 1.35;
-  v.variable_load = 1.5;
-}
-
-void take_actions_2(PartialFactorValues& v) {
-  v.permanent_load = 1;
-  v.variable_load = 1.3;
-}
-
-void take_materials_2(PartialFactorValues& v) {
-  v.friction = 1.25;
-  v.cohesion = 1.25;
-  v.undrained = 1.4;
-  v.weight = 1;
-}
-
-PartialFactorValues take_set(DesignApproach set) {
-  PartialFactorValues v;
-  switch (set) {
-    case DesignApproach::none:
-      break;
-    case DesignApproach::da1_1:
-      v.set = "DA1-1";
-      take_actions_1(v);
-      break;
-    case DesignApproach::da1_2:
-      v.set = "DA1-2";
-      take_actions_2(v);
-      take_materials_2(v);
-      break;
-    case DesignApproach::da2:
-      v.set = "DA2";
-      take_actions_1(v);
-      v.resistance = 1.1;
-      break;
-    case DesignApproach::da3:
-      v.set = "DA3";
-      take_actions_2(v);
-      take_materials_2(v);
-      break;
-    case DesignApproach::en_1998_5:
-      v.set = "EN 1998-5";
-      take_materials_2(v);
-      break;
-    case DesignApproach::aashto_75:
-      v.set = "AASHTO LRFD, φ = 0.75";
-      v.resistance = 1 / 0.75;
-      break;
-    case DesignApproach::aashto_65:
-      v.set = "AASHTO LRFD, φ = 0.65";
-      v.resistance = 1 / 0.65;
-      break;
-    case DesignApproach::by_hand:
-      v.set = "by hand";
-      break;
-  }
-  return v;
-}
+// Values of tables A.3, A.4 and A.14 of EN 1997-1:2004, and of the other standards.
+struct FactorSet {
+  DesignApproach word;
+  PartialFactorValues values;
+};
+const std::array sets{
+    // cohesion, friction, undrained, weight, permanent load, variable load, resistance
+    FactorSet{DesignApproach::da1_1, {"DA1-1", 1, 1, 1, 1, 1.35, 1.5, 1}},
+    FactorSet{DesignApproach::da1_2, {"DA1-2", 1.25, 1.25, 1.4, 1, 1, 1.3, 1}},
+    FactorSet{DesignApproach::da2, {"DA2", 1, 1, 1, 1, 1.35, 1.5, 1.1}},
+    FactorSet{DesignApproach::da3, {"DA3", 1.25, 1.25, 1.4, 1, 1, 1.3, 1}},
+    FactorSet{DesignApproach::en_1998_5, {"EN 1998-5", 1.25, 1.25, 1.4, 1, 1, 1, 1}},
+    FactorSet{DesignApproach::aashto_75, {"AASHTO LRFD, φ = 0.75", 1, 1, 1, 1, 1, 1, 1 / 0.75}},
+    FactorSet{DesignApproach::aashto_65, {"AASHTO LRFD, φ = 0.65", 1, 1, 1, 1, 1, 1, 1 / 0.65}},
+    FactorSet{DesignApproach::by_hand, {"by hand"}},
+};
 
 }  // namespace
 
 PartialFactorValues find_partial_factors(const PartialFactors& given) {
-  PartialFactorValues v = take_set(given.set);
-  if (!v.is_active()) return v;
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const FactorSet& s) { return s.word == given.set; });
+  if (found == sets.end()) return {};
+  PartialFactorValues v = found->values;
   v.cohesion = given.cohesion.value_or(v.cohesion);
   v.friction = given.friction.value_or(v.friction);
   v.undrained = given.undrained.value_or(v.undrained);

@@ -44,8 +44,7 @@ inline constexpr auto choices<DesignApproach> = std::array{
     Choice{DesignApproach::by_hand, "by_hand", "the factors below; those not given are 1"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, PartialFactors& p) {
+void describe(auto& v, PartialFactors& p) {
   const auto none = DesignApproach::none;
   v.key("set", p.set, plain(),
         "Partial factors of a code: DA1 to DA3 are those of EN 1997-1:2004, Annex A (recommended values). Factors that "
@@ -58,11 +57,10 @@ void describe(Visitor& v, PartialFactors& p) {
         "γ_cu, which divides the cohesion of soils with φ = 0. M1: 1, M2: 1.4.");
   v.key("weight", p.weight, plain().above(0).allowed_unless("set", p.set, none).example("1.0"),
         "γ_γ, which divides the unit weight. M1 and M2: 1.");
-  v.key(
-      "permanent_load", p.permanent_load, plain().above(0).allowed_unless("set", p.set, none).example("1.35"),
-      "γ_G of permanent actions: surcharges, and the weight of soil and water, whose driving and resisting parts come "
-      "from one source and share one factor (2.4.2(9)P). A1: 1.35, A2: 1. As only ratios count, strengths in kPa are "
-      "divided by γ_G, permanent actions keep their value, and variable ones are multiplied by γ_Q/γ_G.");
+  v.key("permanent_load", p.permanent_load, plain().above(0).allowed_unless("set", p.set, none).example("1.35"),
+        "γ_G of permanent actions: surcharges, and the weight of soil and water, whose driving and resisting parts "
+        "come from one source and share one factor (2.4.2(9)P). A1: 1.35, A2: 1. As only ratios count, strengths in "
+        "kPa are divided by γ_G, permanent actions keep their value, and variable ones are multiplied by γ_Q/γ_G.");
   v.key("variable_load", p.variable_load, plain().above(0).allowed_unless("set", p.set, none).example("1.5"),
         "γ_Q of variable surcharges, which are to stand only where they are unfavourable. A1: 1.5, A2: 1.3.");
   v.key("resistance", p.resistance, plain().above(0).allowed_unless("set", p.set, none).example("1.1"),

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "base/text.hpp"
@@ -13,15 +12,8 @@
 namespace talus::input {
 namespace {
 
-/// A test and its path in the case.
-struct Subject {
+struct Subject : BlockFindings {
   const PointTest& test;
-  std::string path;  ///< "test.0"
-  Findings& findings;
-
-  bool is_sound(const char* key) const { return findings.is_sound(path + "." + key); }
-  bool is_given(const char* key) const { return findings.places.is_given(path + "." + key); }
-  void report(const char* key, const std::string& sentence) const { findings.add(path + "." + key, sentence); }
 };
 
 const char* find_goal(const PointTest& test) {
@@ -37,17 +29,17 @@ void check_goals(const Subject& s) {
   const char* why = s.test.kind == PointTestKind::wetting    ? "a wetting test follows it"
                     : s.test.control == PointControl::strain ? "control = \"strain\" needs it"
                                                              : "control = \"stress\" needs it";
-  if (!s.is_given(goal.c_str())) s.report(goal.c_str(), fmt::format("missing key '{}' in [[test]]; {}", goal, why));
+  if (!s.is_given(goal)) s.report(goal, "missing key '{}' in [[test]]; {}", goal, why);
   for (const char* key : {"axial_strain", "shear_strain", "axial_stress", "shear_stress"})
     if (key != goal && s.is_given(key) && s.is_sound(key))
-      s.report(key, fmt::format("'{}' in [[test]] has no meaning here; this test follows '{}'", key, goal));
+      s.report(key, "'{}' in [[test]] has no meaning here; this test follows '{}'", key, goal);
 }
 
 void check_start(const Subject& s) {
   if (!s.is_sound("kind") || !s.is_sound("k0") || s.test.has_cell() || s.test.k0) return;
   s.report("k0",
-           "missing key 'k0' in [[test]], for example k0 = 0.5; a test with a vertical stress needs the radial "
-           "stress at its start");
+           "missing key 'k0' in [[test]], for example k0 = 0.5; a test with a vertical stress needs the radial stress "
+           "at its start");
 }
 
 void check_suction(const Subject& s, const Case& data) {
@@ -57,31 +49,23 @@ void check_suction(const Subject& s, const Case& data) {
     return s.report("suction",
                     "'suction' of a wetting test is its path and needs at least two values, such as [60, 0]");
   if (!wets && s.test.suction.size() > 1)
-    return s.report("suction",
-                    fmt::format("'suction' has {} values; only kind = \"wetting\" has a path of it, elsewhere "
-                                "it is one value, which stays",
-                                s.test.suction.size()));
+    return s.report(
+        "suction",
+        "'suction' has {} values; only kind = \"wetting\" has a path of it, elsewhere it is one value, which stays",
+        s.test.suction.size());
   const bool is_dry = *std::max_element(s.test.suction.begin(), s.test.suction.end()) == 0;
   if (s.test.kind == PointTestKind::undrained_triaxial && !is_dry)
     return s.report("suction", "an undrained test is one of saturated soil: its 'suction' must be 0");
   const auto soil = data.materials.find(s.test.material);
   if (is_dry || soil == data.materials.end() || soil->second.water.is_wet()) return;
-  s.report("suction",
-           fmt::format("a suction needs the retention curve of the soil: add [materials.{}.water]", s.test.material));
+  s.report("suction", "a suction needs the retention curve of the soil: add [materials.{}.water]", s.test.material);
 }
 
 void check_material(const Subject& s, const Case& data) {
   if (!s.is_sound("material") || !s.findings.is_sound("materials") || data.materials.count(s.test.material)) return;
   std::vector<std::string> names;
-  std::string list;
-  for (const auto& [name, material] : data.materials) {
-    names.push_back(name);
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  const std::string near = find_nearest(s.test.material, names);
-  s.report("material", fmt::format("there is no material '{}'; {}", s.test.material,
-                                   near.empty() ? "known: " + (list.empty() ? "there are none" : list)
-                                                : fmt::format("did you mean '{}'?", near)));
+  for (const auto& entry : data.materials) names.push_back(entry.first);
+  s.report("material", "there is no material '{}'; {}", s.test.material, talus::suggest(s.test.material, names));
 }
 
 }  // namespace
@@ -132,14 +116,14 @@ PointQuantityKind find_point_quantity_kind(const std::string& name) {
 void check_point_tests(const Case& data, Findings& findings) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < data.tests.size(); ++i) {
-    const Subject subject{data.tests[i], fmt::format("test.{}", i), findings};
+    const Subject subject{{findings, fmt::format("test.{}", i)}, data.tests[i]};
     const std::string& name = subject.test.name;
     if (subject.is_sound("name")) {
       // Names of results have the form test[NAME].q[0.1].
       if (name.find_first_of("[]/") != std::string::npos)
-        subject.report("name", fmt::format("the name '{}' must not hold any of [ ] /", name));
+        subject.report("name", "the name '{}' must not hold any of [ ] /", name);
       else if (!names.insert(name).second)
-        subject.report("name", fmt::format("there are two tests named '{}'", name));
+        subject.report("name", "there are two tests named '{}'", name);
     }
     check_material(subject, data);
     check_goals(subject);

@@ -74,8 +74,7 @@ inline constexpr auto choices<PointTestKind> = std::array{
     Choice{PointTestKind::k0_compression, "k0_compression", "axial and radial stress keep their ratio k0"},
     Choice{PointTestKind::oedometer, "oedometer", "no lateral strain"},
     Choice{PointTestKind::drained_triaxial, "drained_triaxial",
-           "axial compression or extension at constant radial "
-           "stress"},
+           "axial compression or extension at constant radial stress"},
     Choice{PointTestKind::undrained_triaxial, "undrained_triaxial",
            "axial compression or extension at constant volume and constant total radial stress"},
     Choice{PointTestKind::simple_shear, "simple_shear", "shear without lateral strain"},
@@ -94,8 +93,7 @@ inline constexpr auto choices<ShearDrainage> = std::array{
     Choice{ShearDrainage::constant_volume, "constant_volume", "the height stays constant"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, PointTest& t) {
+void describe(auto& v, PointTest& t) {
   v.key("name", t.name, plain().required().example(R"("cell 100 kPa")"), "Name of the test in tables and pictures.");
   v.key("material", t.material, plain().required().example(R"("sand")"), "Its soil.");
   v.key("kind", t.kind, plain().required().example(R"("drained_triaxial")"), "What is done to the soil.");

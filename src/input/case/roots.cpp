@@ -30,10 +30,10 @@ bool gives_cohesion(const Roots& roots) {
 }
 
 /// Check of one block of [[roots]].
-class Block {
+class Block : BlockFindings {
  public:
-  Block(const Case& data, const Roots& roots, const std::string& path, Findings& findings)
-      : data_(data), roots_(roots), path_(path), findings_(findings) {}
+  Block(const Case& data, const Roots& roots, const std::string& block, Findings& all)
+      : BlockFindings{all, block}, data_(data), roots_(roots) {}
 
   void check() const {
     check_kind();
@@ -45,29 +45,26 @@ class Block {
   }
 
  private:
-  bool is_sound(const std::string& key) const { return findings_.is_sound(path_ + "." + key); }
-  void report(const std::string& key, const std::string& sentence) const { findings_.add(path_ + "." + key, sentence); }
-
   void check_kind() const {
     if (!is_sound("content") || !is_sound("cohesion") || !is_sound("bundle")) return;
     const int kinds =
         int(roots_.content.has_value()) + int(roots_.cohesion.has_value()) + int(roots_.bundle.has_value());
     if (kinds == 0 && !roots_.transpiration && is_sound("transpiration"))
-      findings_.add(path_,
-                    fmt::format("[[roots]] does not say what roots there are: give 'content' for {}, or 'cohesion' or "
-                                "[roots.bundle] for {}",
-                                find_word(RootEffect::content), find_word(RootEffect::cohesion)));
+      findings.add(
+          path,
+          "[[roots]] does not say what roots there are: give 'content' for {}, or 'cohesion' or [roots.bundle] for {}",
+          find_word(RootEffect::content), find_word(RootEffect::cohesion));
     if (kinds > 1)
-      findings_.add(path_,
-                    "[[roots]] has more than one of 'content', 'cohesion' and [roots.bundle]; give one of them, "
-                    "and another [[roots]] for another soil");
+      findings.add(path,
+                   "[[roots]] has more than one of 'content', 'cohesion' and [roots.bundle]; give one of them, and "
+                   "another [[roots]] for another soil");
   }
 
   void check_soil() const {
-    if (!findings_.is_sound("materials")) return;
+    if (!findings.is_sound("materials")) return;
     const auto need = [&](const char* key, RootEffect effect) {
       if (is_sound(key) && !has_soil(data_, effect))
-        report(key, fmt::format("'{}' of [[roots]] needs a material with model = \"{}\"", key, find_word(effect)));
+        report(key, "'{}' of [[roots]] needs a material with model = \"{}\"", key, find_word(effect));
     };
     if (roots_.content) need("content", RootEffect::content);
     if (roots_.cohesion) need("cohesion", RootEffect::cohesion);
@@ -82,8 +79,8 @@ class Block {
     const auto compare = [&](const char* key, std::size_t count) {
       if (count != classes)
         report(fmt::format("bundle.{}", key),
-               fmt::format("'{}' has {} numbers and 'area_ratios' has {}; each class of roots needs one of both", key,
-                           count, classes));
+               "'{}' has {} numbers and 'area_ratios' has {}; each class of roots needs one of both", key, count,
+               classes);
     };
     compare("strengths", bundle.strengths.size());
     if (bundle.model == RootBundleModel::fibre_bundle || !bundle.diameters.empty())
@@ -94,17 +91,17 @@ class Block {
                   const std::vector<std::array<double, 2>>& rows) const {
     if (!is_sound(key) || !is_sound(table) || time.has_value() != rows.empty()) return;
     if (time)
-      report(key, fmt::format("'{}' needs '{}', the share of the roots at different times", key, table));
+      report(key, "'{}' needs '{}', the share of the roots at different times", key, table);
     else
-      report(table, fmt::format("'{}' has no meaning without '{}'", table, key));
+      report(table, "'{}' has no meaning without '{}'", table, key);
   }
 
   void check_transpiration() const {
     if (!roots_.transpiration || !is_sound("transpiration")) return;
-    if (!is_wet(data_) && findings_.is_sound("materials"))
-      return report("transpiration",
-                    "[roots.transpiration] has no meaning: no material has pore water; add a table "
-                    "[materials.NAME.water]");
+    if (!is_wet(data_) && findings.is_sound("materials"))
+      return report(
+          "transpiration",
+          "[roots.transpiration] has no meaning: no material has pore water; add a table [materials.NAME.water]");
     const std::vector<double>& times = roots_.transpiration->rate.time;
     if (roots_.transpiration->series == SeriesShape::steps &&
         std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
@@ -113,8 +110,6 @@ class Block {
 
   const Case& data_;
   const Roots& roots_;
-  const std::string path_;
-  Findings& findings_;
 };
 
 /// Checks that a rooted soil is given roots, even if their content is zero.
@@ -127,9 +122,9 @@ void check_rooted_soil(const Case& data, const std::string& name, const Material
   if (std::any_of(data.roots.begin(), data.roots.end(),
                   [&](const Roots& r) { return takes_content ? r.content.has_value() : gives_cohesion(r); }))
     return;
-  findings.add(path, fmt::format("material '{}' is rooted, but nothing says by how much: give '{}' (0 for none), or a "
-                                 "[[roots]] with '{}'",
-                                 name, key, takes_content ? "content" : "cohesion"));
+  findings.add(
+      path, "material '{}' is rooted, but nothing says by how much: give '{}' (0 for none), or a [[roots]] with '{}'",
+      name, key, takes_content ? "content" : "cohesion");
 }
 
 void check_equilibrium(const Case& data, Findings& findings) {
@@ -138,7 +133,7 @@ void check_equilibrium(const Case& data, Findings& findings) {
   if (stage.empty() || !findings.is_sound(path)) return;
   if (findings.is_sound("stage") &&
       std::none_of(data.stages.begin(), data.stages.end(), [&](const Stage& s) { return s.name == stage; }))
-    return findings.add(path, fmt::format("there is no stage '{}'", stage));
+    return findings.add(path, "there is no stage '{}'", stage);
   if (findings.is_sound("materials") &&
       std::none_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
         return material::needs<material::Preconsolidation>(entry.second.model) && entry.second.preconsolidation_ratio;

@@ -65,8 +65,7 @@ inline constexpr auto choices<RootBundleModel> = std::array{
            "they break one after the other and hand their load on, as Pollen and Simon have it"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, RootBundle& b) {
+void describe(auto& v, RootBundle& b) {
   v.key("model", b.model, plain().required().example(R"("fibre_bundle")"), "How the roots add up.");
   v.key("diameters", b.diameters, quantity("mm").above(0).example("[0.5, 1, 2]"),
         "Diameters of the classes of roots that cross a shear plane; the fibre bundle needs them.");
@@ -78,8 +77,7 @@ void describe(Visitor& v, RootBundle& b) {
         "cos θ tan φ + sin θ of roots that are drawn to the angle θ in the shear zone, 1.0 to 1.3 in most soils.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Transpiration& t) {
+void describe(auto& v, Transpiration& t) {
   Series rate{t.rate};
   v.key("rate", rate, quantity("mm/day").at_least(0).required().example("4"),
         "Potential transpiration per horizontal area of ground, or rows of time and rate.");
@@ -89,8 +87,7 @@ void describe(Visitor& v, Transpiration& t) {
         "between the second and the third, and straight lines in between.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Roots& r) {
+void describe(auto& v, Roots& r) {
   v.key("ground", r.ground, plain().required().example(R"("crest")"),
         "The named line that the roots grow under: depth is the distance from it, normal to it.");
   v.key("depth", r.depth, quantity("m").above(0).required().example("0.5"), "Below this there are none.");
@@ -110,8 +107,7 @@ void describe(Visitor& v, Roots& r) {
   PerCent<std::optional<double>> content{r.content};
   v.key("content", content, quantity("%").at_least(0).below(100).example("0.88"),
         "m_r at the ground, for rooted_cam_clay. A plain number is per cent. One of `content`, `cohesion` and "
-        "[roots.bundle] "
-        "is needed, unless the plants only transpire.");
+        "[roots.bundle] is needed, unless the plants only transpire.");
   v.key("cohesion", r.cohesion, quantity("kPa").at_least(0).example("5"),
         "c_r at the ground, for rooted_mohr_coulomb.");
   v.key("age", r.age, quantity("year").at_least(0).example("3"), "Time since planting.");
@@ -123,10 +119,9 @@ void describe(Visitor& v, Roots& r) {
   v.optional_table(
       "bundle", r.bundle,
       "The roots that cross a shear plane, in the place of their cohesion; belongs to the [[roots]] before it.");
-  v.optional_table(
-      "transpiration", r.transpiration,
-      "Water that the plants draw from the soil where their roots are; belongs to the [[roots]] before it. "
-      "Without this block they draw none.");
+  v.optional_table("transpiration", r.transpiration,
+                   "Water that the plants draw from the soil where their roots are; belongs to the [[roots]] before "
+                   "it. Without this block they draw none.");
 }
 
 }  // namespace talus::input

@@ -32,10 +32,6 @@ std::string_view take_part(std::string_view& text, char separator) {
   return part;
 }
 
-[[noreturn]] void report_fault(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
 TextTable::Heading read_heading(std::string_view cell) {
   const auto bracket = cell.find('[');
   if (bracket == std::string_view::npos || cell.back() != ']') return {std::string(cell), ""};
@@ -50,10 +46,10 @@ constexpr std::size_t most_columns = 10000;
 
 TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
   if (const auto fault = try_user_file(path, largest_file::table, text_))
-    report_fault(fault->is_missing ? fmt::format("there is no table '{}'; its path is relative to the case file", file_)
-                                   : fmt::format("the table '{}' cannot be read: {}", file_, fault->why));
+    fail_input(fault->is_missing ? fmt::format("there is no table '{}'; its path is relative to the case file", file_)
+                                 : fmt::format("the table '{}' cannot be read: {}", file_, fault->why));
   if (is_utf16(std::string_view(text_).substr(0, text_.find('\n'))))
-    report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
+    fail_input("'{}' is in UTF-16; save it as UTF-8", file_);
   std::string_view rest = text_;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, which spreadsheets write
   for (int number = 1; !rest.empty(); ++number) {
@@ -71,8 +67,7 @@ void TextTable::read_header(std::string_view line) {
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
   separator_ = has(';') ? ';' : has('\t') ? '\t' : ',';
   const auto columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), separator_)) + 1;
-  if (columns > most_columns)
-    report_fault(fmt::format("'{}' has {} columns; a table has at most {}", file_, columns, most_columns));
+  if (columns > most_columns) fail_input("'{}' has {} columns; a table has at most {}", file_, columns, most_columns);
   for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
 }
 
@@ -91,8 +86,8 @@ std::size_t TextTable::find_column(const std::string& name) const {
   if (found == names.end()) {
     // For names of one or two letters, edit distance is no measure of similarity: p is one letter from q.
     const std::string near = name.size() < 3 ? "" : find_nearest(name, names);
-    report_fault(fmt::format("'{}' has no column '{}'; {}", file_, name,
-                             near.empty() ? "it has " + list : fmt::format("is it '{}'?", near)));
+    fail_input("'{}' has no column '{}'; {}", file_, name,
+               near.empty() ? "it has " + list : fmt::format("is it '{}'?", near));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -109,7 +104,7 @@ double TextTable::number(std::size_t row, std::size_t column) const {
   double value = 0;
   const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
   if (parse_number(begin, text.data() + text.size(), value) != text.data() + text.size() || !std::isfinite(value))
-    report_fault(fmt::format("{}: '{}' is no number", place(row), text));
+    fail_input("{}: '{}' is no number", place(row), text);
   return value;
 }
 
@@ -122,10 +117,6 @@ namespace {
 /// If this fraction of the intervals between rows is equal, an interval longer by the second factor is a gap.
 constexpr double regular = 0.8, longer = 1.5;
 constexpr std::size_t least_intervals = 4;
-
-[[noreturn]] void reject(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
 
 /// Returns the sampling interval of a regular series; std::nullopt for an irregular one.
 std::optional<double> find_interval(const std::vector<double>& times) {
@@ -204,15 +195,15 @@ std::vector<double> fill_missing(const TextTable& table, const std::string& name
                        is_row ? "the rows after it are missing" : fmt::format("no value of '{}'", name));
   };
   if (count > 0 && fill.empty())
-    reject(
-        fmt::format("{}; {} of {} values are missing. Correct the table, or write fill = \"zero\", \"previous\" or "
-                    "\"linear\" beside 'column'",
-                    format_first(), count, column.values.size()));
+    fail_input(
+        "{}; {} of {} values are missing. Correct the table, or write fill = \"zero\", \"previous\" or \"linear\" "
+        "beside 'column'",
+        format_first(), count, column.values.size());
   for (std::size_t i = 0; i < column.values.size(); ++i) {
     const auto value = column.values[i] ? column.values[i] : find_filling(column, i, fill);
     if (!value)
-      reject(fmt::format("{}: fill = \"{}\" has no value {} it", table.place(column.rows[i]), fill,
-                         fill == "previous" ? "before" : "on both sides of"));
+      fail_input("{}: fill = \"{}\" has no value {} it", table.place(column.rows[i]), fill,
+                 fill == "previous" ? "before" : "on both sides of");
     values.push_back(*value);
   }
   if (count > 0)
@@ -253,27 +244,25 @@ std::vector<Wanted> list_series(Case& data) {
 /// Returns the times of the rows [s], which must increase. A column `date` requires the date of time 0.
 std::vector<double> read_times(const TextTable& table, const std::optional<Date>& zero) {
   const bool dated = table.has_column("date");
-  if (!dated && !table.has_column("time"))
-    reject(fmt::format("'{}' has no column 'date' and no column 'time'", table.file()));
+  if (!dated && !table.has_column("time")) fail_input("'{}' has no column 'date' and no column 'time'", table.file());
   const std::size_t column = table.find_column(dated ? "date" : "time");
   const std::string& unit = table.header()[column].unit;
-  if (dated && !zero) reject(fmt::format("'{}' has dates: [initial] date must say which one is time 0", table.file()));
+  if (dated && !zero) fail_input("'{}' has dates: [initial] date must say which one is time 0", table.file());
   if (!dated && unit.empty())
-    reject(fmt::format("the column 'time' of '{}' has no unit; head it 'time [h]' or 'time [day]'", table.file()));
+    fail_input("the column 'time' of '{}' has no unit; head it 'time [h]' or 'time [day]'", table.file());
   const double second = dated ? 1 : units::parse_as_si("1 " + unit, "s", "time");
   std::vector<double> times;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (dated) {
       const std::string& text = table.cell(i, column);
       const auto date = parse_date(text);
-      if (!date)
-        reject(fmt::format("{}: '{}' is no date; write it as 2023-07-01 or 2023-07-01 06:00", table.place(i), text));
+      if (!date) fail_input("{}: '{}' is no date; write it as 2023-07-01 or 2023-07-01 06:00", table.place(i), text);
       times.push_back(*date - zero->seconds);
     } else {
       times.push_back(second * table.number(i, column));
     }
     if (i > 0 && times[i] <= times[i - 1])
-      reject(fmt::format("{}: its {} is not after that of the row before", table.place(i), dated ? "date" : "time"));
+      fail_input("{}: its {} is not after that of the row before", table.place(i), dated ? "date" : "time");
   }
   return times;
 }
@@ -286,7 +275,7 @@ MeasuredColumn read_column(const TextTable& table, const std::vector<double>& ti
   const std::string& unit = table.header()[column].unit;
   const char* example = wanted == "m/s" ? "mm" : wanted == "Pa" ? "kPa" : "m";
   if (unit.empty())
-    reject(fmt::format("the column '{0}' of '{1}' has no unit; head it '{0} [{2}]'", name, table.file(), example));
+    fail_input("the column '{0}' of '{1}' has no unit; head it '{0} [{2}]'", name, table.file(), example);
   is_amount = wanted == "m/s" && units::get_dimension_name(unit) == units::get_dimension_name("m");
   const double factor = units::parse_as_si("1 " + unit, is_amount ? "m" : wanted,
                                            fmt::format("the column '{}' of '{}'", name, table.file()));
@@ -304,7 +293,7 @@ MeasuredColumn read_column(const TextTable& table, const std::vector<double>& ti
 /// Converts amounts to rates, each constant from its row to the next.
 void spread_amounts(const TextTable& table, std::vector<double>& times, std::vector<double>& values) {
   if (times.size() < 2)
-    reject(fmt::format("'{}' has amounts and a single row, so that nothing says how long it lasts", table.file()));
+    fail_input("'{}' has amounts and a single row, so that nothing says how long it lasts", table.file());
   times.push_back(2 * times.back() - times[times.size() - 2]);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] /= times[i + 1] - times[i];
   values.push_back(0);
@@ -314,7 +303,7 @@ void load(const Wanted& wanted, const std::filesystem::path& folder, const std::
           Findings& findings) {
   const SeriesFile source = *wanted.table.source;
   const TextTable table((folder / source.file).lexically_normal());
-  if (table.rows() == 0) reject(fmt::format("the table '{}' has no row", table.file()));
+  if (table.rows() == 0) fail_input("the table '{}' has no row", table.file());
   const std::vector<double> rows = read_times(table, zero);
   bool is_amount = false;
   const MeasuredColumn column = read_column(table, rows, source.column, wanted.unit, is_amount);
@@ -329,12 +318,12 @@ void load(const Wanted& wanted, const std::filesystem::path& folder, const std::
     const std::vector<double> less = fill_missing(table, source.minus, source.fill, other, note);
     if (!note.empty()) findings.warn(wanted.path, note);
     if (is_amount != is_other_amount)
-      reject(fmt::format("'{}' and '{}' of '{}' have different dimensions", source.column, source.minus, table.file()));
+      fail_input("'{}' and '{}' of '{}' have different dimensions", source.column, source.minus, table.file());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] -= less[i];
   }
   if (wanted.positive_only)
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < 0) reject(fmt::format("{}: '{}' is below zero", table.place(column.rows[i]), source.column));
+      if (values[i] < 0) fail_input("{}: '{}' is below zero", table.place(column.rows[i]), source.column);
   if (is_amount) {
     spread_amounts(table, times, values);
     wanted.shape = SeriesShape::steps;
@@ -349,11 +338,10 @@ void check_span(const Case& data, const Wanted& wanted, const std::string& file,
     return data.initial.date ? format_date(data.initial.date->seconds + t) : units::format_time(t);
   };
   if (const double first = wanted.table.time.front(); first > from)
-    findings.add(wanted.path, fmt::format("'{}' begins at {}, after {}, where the water is first asked for", file,
-                                          say(first), say(from)));
+    findings.add(wanted.path, "'{}' begins at {}, after {}, where the water is first asked for", file, say(first),
+                 say(from));
   if (const double last = wanted.table.time.back(); last < to)
-    findings.add(wanted.path,
-                 fmt::format("'{}' ends at {}, before {}, where the timeline ends", file, say(last), say(to)));
+    findings.add(wanted.path, "'{}' ends at {}, before {}, where the timeline ends", file, say(last), say(to));
 }
 
 /// Converts times that are given as dates to times relative to time 0.
@@ -361,7 +349,7 @@ void find_moments(Case& data, Findings& findings) {
   if (!findings.is_sound("initial.date")) return;
   Timeline& timeline = *data.timeline;
   const auto is_dated = [&](const std::string& path, const char* what) {
-    if (!data.initial.date) findings.add(path, fmt::format("{} needs [initial] date, the date of time 0", what));
+    if (!data.initial.date) findings.add(path, "{} needs [initial] date, the date of time 0", what);
     return data.initial.date.has_value();
   };
   const auto since_start = [&](const Date& date) { return date.seconds - data.initial.date->seconds; };
@@ -387,9 +375,8 @@ void find_duration(Case& data, Findings& findings) {
     return findings.add("timeline.until", "a timeline that ends at a date needs [initial] date, the date of time 0");
   timeline.duration = timeline.until->seconds - data.initial.date->seconds;
   if (timeline.duration <= 0)
-    findings.add("timeline.until",
-                 fmt::format("the timeline ends at {}, not after time 0, {}", format_date(timeline.until->seconds),
-                             format_date(data.initial.date->seconds)));
+    findings.add("timeline.until", "the timeline ends at {}, not after time 0, {}",
+                 format_date(timeline.until->seconds), format_date(data.initial.date->seconds));
   timeline.until.reset();
 }
 

@@ -101,8 +101,7 @@ inline constexpr auto choices<DampedForce> = std::array{
            "the force without drag; in steady flow this acts like a lower conductivity"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, StepSettings& s) {
+void describe(auto& v, StepSettings& s) {
   v.key("damping", s.damping, plain().at_least(0).below(1),
         "Local damping: this share of the out-of-balance force acts against the motion.");
   v.key("mass_scaling", s.mass_scaling, plain().at_least(1),
@@ -131,8 +130,7 @@ void describe(Visitor& v, StepSettings& s) {
         "Multiplies every conductivity, to reach a steady flow sooner.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Stage& s) {
+void describe(auto& v, Stage& s) {
   v.key("name", s.name, plain().required().example(R"("gravity")"), "Name of the stage in the results.");
   v.key("duration", s.duration, quantity("s").above(0).required().example("10"),
         "Simulated time; with until = \"rest\" the longest time allowed.");
@@ -142,15 +140,13 @@ void describe(Visitor& v, Stage& s) {
         "Gravity grows linearly from its value before the stage (zero before the first) over this time; 0: at once.");
   v.key("cohesion", s.cohesion, quantity("kPa").at_least(0).example("100"),
         "Replaces the cohesion of every Mohr–Coulomb material in this stage; if not given, the materials keep theirs.");
-  v.key(
-      "strength_factor", s.strength_factor, plain().above(0).example("1.2"),
-      "Divides c, tan φ and the cohesion of roots in this stage, and in Cam-clay soils tan φ of the critical state; if "
-      "not given, the strength is whole.");
+  v.key("strength_factor", s.strength_factor, plain().above(0).example("1.2"),
+        "Divides c, tan φ and the cohesion of roots in this stage, and in Cam-clay soils tan φ of the critical state; "
+        "if not given, the strength is whole.");
   v.key("reset_displacement", s.reset_displacement, plain(), "Count displacements from the start of this stage.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, RestCriterion& r) {
+void describe(auto& v, RestCriterion& r) {
   v.key("force_ratio", r.force_ratio, plain().above(0), "Largest out-of-balance force over the external force.");
   v.key("speed_ratio", r.speed_ratio, plain().above(0),
         "Largest nodal speed over √(gH), H being the relief of the ground (of the soil when it is level).");

@@ -81,14 +81,12 @@ inline constexpr auto choices<InitialStress> = std::array{
            "that of finite elements in equilibrium, which begin with the stress of \"k0\""},
 };
 
-template <class Visitor>
-void describe(Visitor& v, Gravity& g) {
+void describe(auto& v, Gravity& g) {
   v.key("acceleration", g.acceleration, quantity("m/s2").at_least(0), "Acceleration of gravity.");
   v.key("direction", g.direction, plain(), "Direction in which it acts, of any length but zero.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Initial& i) {
+void describe(auto& v, Initial& i) {
   v.key("result", i.result, plain().example(R"("gravity_results")"),
         "A folder of results (relative to the case file) whose state at the end of its stages is the start: mesh, "
         "points, stress, pore water, velocities and plastic strain are those of the result. Time, displacements and "

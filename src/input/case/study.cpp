@@ -45,9 +45,9 @@ void check_method(const Case& data, Findings& findings) {
   if (data.study.mode != StudyMode::sample || !findings.is_sound("study") || !findings.is_sound("analysis")) return;
   const Method method = find_method(data.study.sampling.method);
   if (!uses(data, method))
-    findings.add("study.method", fmt::format("the samples are to be calculated by \"{}\", which 'methods' in "
-                                             "[analysis] does not name",
-                                             get_word(method)));
+    findings.add("study.method",
+                 "the samples are to be calculated by \"{}\", which 'methods' in [analysis] does not name",
+                 get_word(method));
 }
 
 /// Returns the index of a key among the uncertain numbers; std::nullopt and a finding if it is not one of them.
@@ -56,8 +56,8 @@ std::optional<int> find_place(const std::string& key, const std::vector<std::str
   const auto at = std::find(keys.begin(), keys.end(), key);
   if (at != keys.end()) return static_cast<int>(at - keys.begin());
   const std::string near = find_nearest(key, keys);
-  findings.add(path, fmt::format("'{}' is the key of no [[study.random]]{}", key,
-                                 near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+  findings.add(path, "'{}' is the key of no [[study.random]]{}", key,
+               near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
   return std::nullopt;
 }
 
@@ -79,7 +79,7 @@ void check_correlations(const Sampling& sampling, Findings& findings) {
     const auto b = find_place(c.keys[1], keys, path + ".keys.1", findings);
     if (!a || !b) continue;
     if (!pairs.insert(std::minmax(*a, *b)).second)
-      findings.add(path + ".keys", fmt::format("there are two correlations of '{}' and '{}'", c.keys[0], c.keys[1]));
+      findings.add(path + ".keys", "there are two correlations of '{}' and '{}'", c.keys[0], c.keys[1]);
     const auto row = static_cast<std::size_t>(*a), column = static_cast<std::size_t>(*b);
     matrix[row * size + column] = matrix[column * size + row] = c.coefficient;
   }
@@ -101,12 +101,11 @@ void check_sampling(const Case& data, Findings& findings) {
   for (std::size_t i = 0; i < study.sampling.numbers.size(); ++i)
     if (const std::string path = fmt::format("study.random.{}.key", i);
         findings.is_sound(path) && !keys.insert(study.sampling.numbers[i].key).second)
-      findings.add(path, fmt::format("there are two uncertain numbers of the key '{}'", study.sampling.numbers[i].key));
+      findings.add(path, "there are two uncertain numbers of the key '{}'", study.sampling.numbers[i].key);
   if (findings.is_sound("study.random")) check_correlations(study.sampling, findings);
   if (study.extrapolate.empty() || !findings.is_sound("study.vary") || !findings.is_sound("study.extrapolate")) return;
   if (std::none_of(study.vary.begin(), study.vary.end(), [&](const Vary& v) { return v.key == study.extrapolate; }))
-    findings.add("study.extrapolate",
-                 fmt::format("'{}' is extrapolated, but no [[study.vary]] varies it", study.extrapolate));
+    findings.add("study.extrapolate", "'{}' is extrapolated, but no [[study.vary]] varies it", study.extrapolate);
 }
 
 }  // namespace talus::input

@@ -64,8 +64,7 @@ inline constexpr auto choices<SamplePlan> = std::array{
     Choice{SamplePlan::random, "random", "independent draws"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, RandomNumber& r) {
+void describe(auto& v, RandomNumber& r) {
   using D = Distribution;
   const auto by_mean = {D::normal, D::lognormal};
   v.key("key", r.key, plain().required().example(R"("materials.sand.cohesion")"),
@@ -85,8 +84,7 @@ void describe(Visitor& v, RandomNumber& r) {
   v.key("highest", highest, plain().example("15"), "Highest value, like the lowest.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Correlation& c) {
+void describe(auto& v, Correlation& c) {
   v.key("keys", c.keys, plain().required().example(R"(["materials.sand.cohesion", "materials.sand.friction_angle"])"),
         "Keys of two of the [[study.random]].");
   v.key("coefficient", c.coefficient, plain().above(-1).below(1).required().example("-0.5"),
@@ -119,8 +117,7 @@ inline constexpr auto choices<StudyMode> = std::array{
     Choice{StudyMode::sample, "sample", "values drawn at random for the keys of [[study.random]]"},
 };
 
-template <class Visitor>
-void describe_sampling(Visitor& v, Study& s) {
+void describe_sampling(auto& v, Study& s) {
   const auto sample = StudyMode::sample;
   Sampling& a = s.sampling;
   v.key("samples", a.samples, plain().at_least(2).allowed_with("mode", s.mode, sample), "Samples.");
@@ -134,8 +131,7 @@ void describe_sampling(Visitor& v, Study& s) {
         "With material points: distances whose probability of being exceeded is told; empty: chosen from the samples.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Vary& w) {
+void describe(auto& v, Vary& w) {
   v.key("key", w.key, plain().required().example(R"("materials.sand.cohesion")"),
         "The key to vary, written as for --set.");
   TomlTexts values{w.values};
@@ -145,15 +141,14 @@ void describe(Visitor& v, Vary& w) {
         "Names of the variants with these values, for tables, charts and folders; if not given, \"cohesion = 5\".");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Study& s) {
+void describe(auto& v, Study& s) {
   v.key("mode", s.mode, plain(), "How the values of several keys are combined.");
   v.key("factors", s.factors, plain().above(0).example("[1.2, 1.4]"),
         "Strength reduction factors whose displacement the table of the study lists.");
   v.key("base_name", s.base_name, plain(), "Name of the case as the file has it.");
   v.key("reference", s.reference, plain(),
-        "The variant that the displacements of the monitors are divided by: its name in the table, such as "
-        "\"content = 0.51\", or that of its folder.");
+        "The variant that the displacements of the monitors are divided by: its name in the table, such as \"content = "
+        "0.51\", or that of its folder.");
   v.key("extrapolate", s.extrapolate, plain().example(R"("mesh.size")"),
         "One of the varied keys, to whose value zero the factors of safety are extrapolated (Richardson).");
   describe_sampling(v, s);

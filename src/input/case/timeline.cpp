@@ -37,11 +37,10 @@ void check_release(const Case& data, Findings& findings) {
                  "the time of the release is given, so no criterion finds it; take one of the two out");
   const double at = *timeline.release->time;
   if (at < 0 || at > timeline.duration * (1 + 1e-12))
-    findings.add(path,
-                 fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s", at, timeline.duration));
+    findings.add(path, "{:g} s is outside the timeline, which lasts from 0 to {:g} s", at, timeline.duration);
   else if (!timeline.times.empty() && at > 0 &&
            std::find(timeline.times.begin(), timeline.times.end(), at) == timeline.times.end())
-    findings.add(path, fmt::format("{:g} s is not one of [timeline] times", at));
+    findings.add(path, "{:g} s is not one of [timeline] times", at);
 }
 
 void check_element_times(const Case& data, Findings& findings) {
@@ -54,12 +53,11 @@ void check_element_times(const Case& data, Findings& findings) {
     findings.add(path, "the times must increase");
   for (const double t : *timeline.element_times) {
     if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
-      findings.add(
-          path, fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
-                            timeline.duration));
+      findings.add(path, "{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
+                   timeline.duration);
     else if (!timeline.times.empty() &&
              std::find(timeline.times.begin(), timeline.times.end(), t) == timeline.times.end())
-      findings.add(path, fmt::format("{:g} s is not one of [timeline] times", t));
+      findings.add(path, "{:g} s is not one of [timeline] times", t);
   }
 }
 
@@ -81,9 +79,9 @@ void check_timeline(const Case& data, Findings& findings) {
   if (timeline.pool_loading && findings.is_sound("materials") &&
       std::none_of(data.materials.begin(), data.materials.end(),
                    [](const auto& m) { return m.second.water.compressibility > 0; }))
-    findings.add("timeline.pool_loading",
-                 "pools load the pore water of soil that gives way: a `compressibility` in [materials.NAME.water] is "
-                 "missing");
+    findings.add(
+        "timeline.pool_loading",
+        "pools load the pore water of soil that gives way: a `compressibility` in [materials.NAME.water] is missing");
   if (findings.is_sound("timeline.duration")) check_release(data, findings);
   const std::string path = find_path(findings, "times", "dates");
   if (!findings.is_sound(path) || !findings.is_sound("timeline.duration")) return;
@@ -92,9 +90,8 @@ void check_timeline(const Case& data, Findings& findings) {
   check_element_times(data, findings);
   for (const double t : times)
     if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
-      findings.add(
-          path, fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
-                            timeline.duration));
+      findings.add(path, "{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
+                   timeline.duration);
 }
 
 }  // namespace talus::input

@@ -45,8 +45,7 @@ struct Timeline {
   std::optional<Release> release;
 };
 
-template <class Visitor>
-void describe(Visitor& v, Release& r) {
+void describe(auto& v, Release& r) {
   v.key("criterion", r.criterion, plain(), "What lets material points take over, where no time is given.");
   v.key("time", r.time, quantity("day").at_least(0).example(R"("17 h")"),
         "When material points take over; if not given, at the first time at which the criterion holds.");
@@ -57,8 +56,7 @@ void describe(Visitor& v, Release& r) {
         "nearest times at which the water is kept. If not given, the next ones; 0: neither.");
 }
 
-template <class Visitor>
-void describe(Visitor& v, Timeline& t) {
+void describe(auto& v, Timeline& t) {
   v.key("until", t.until, plain().example("2023-07-31"),
         "The date of its end, in place of `duration`; [initial] date says when it begins.");
   v.key("duration", t.duration,
@@ -80,12 +78,10 @@ void describe(Visitor& v, Timeline& t) {
   v.key("element_dates", t.element_dates,
         plain().allowed_without("element_times", t.element_times.has_value()).example("[2023-07-04]"),
         "The same as dates, in place of `element_times`.");
-  v.key(
-      "pool_loading", t.pool_loading, plain(),
-      "The weight of pools that rise or fall compresses the saturated soil under them, so that its pore pressure "
-      "follows "
-      "at once (vertical compression; B̄ = m_v / (m_v + n / K_w)). Without it the total stress is taken as constant, as "
-      "seepage programs do.");
+  v.key("pool_loading", t.pool_loading, plain(),
+        "The weight of pools that rise or fall compresses the saturated soil under them, so that its pore pressure "
+        "follows at once (vertical compression; B̄ = m_v / (m_v + n / K_w)). Without it the total stress is taken as "
+        "constant, as seepage programs do.");
   v.optional_table("release", t.release,
                    "Material points take over at a time: the stages of the case, which begin with the pore water of "
                    "that time and go on with the rain and the pools that follow. Let the first of them hold the slope "

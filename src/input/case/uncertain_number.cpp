@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -34,8 +33,7 @@ class NumberVisitor {
     else if constexpr (std::is_same_v<Value, PerCent<double>> || std::is_same_v<Value, PerCent<std::optional<double>>>)
       take_(prefix_ + name, member.value, spec, 1.0);
   }
-  template <class T>
-  void table(const std::string& name, T&& block, const char* /*meaning*/) {
+  void table(const std::string& name, auto&& block, const char* /*meaning*/) {
     NumberVisitor inner(take_, prefix_ + name + ".");
     describe(inner, block);
   }
@@ -83,7 +81,7 @@ void set_number(Material& material, const std::string& path, double value) {
   };
   NumberVisitor visitor(take);
   describe(visitor, material);
-  if (!found) throw Error(ExitCode::wrong_input, fmt::format("a material has no number '{}'", path));
+  if (!found) fail_input("a material has no number '{}'", path);
   if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
 }
 
@@ -91,31 +89,11 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void fail(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
-std::optional<std::size_t> read_index(const std::string& step, std::size_t size) {
-  std::size_t number = 0;
-  const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
-  const bool is_number = failure == std::errc{} && end == step.data() + step.size();
-  return is_number && number < size ? std::optional(number) : std::nullopt;
-}
-
-/// Returns the entry of a list of blocks that `step` identifies in --set; nullptr if there is none.
-const json* find_block(const json& list, const std::string& step) {
-  if (const auto index = read_index(step, list.size())) return &list[*index];
-  for (const json& block : list)
-    for (const char* label : {"name", "on", "ground"})
-      if (block.contains(label) && block[label].value("value", json()) == step) return &block;
-  return nullptr;
-}
-
 /// Converts a TOML text to a number in `unit`.
 double read_value(const std::string& text, const std::string& unit, const std::string& key, const char* what) {
   const json value = json::parse(text, nullptr, false);
   if (value.is_number()) return value.get<double>();
-  if (!value.is_string()) fail(fmt::format("'{}' of '{}' is no number: {}", what, key, text));
+  if (!value.is_string()) fail_input("'{}' of '{}' is no number: {}", what, key, text);
   const double si = units::parse_as_si(value.get<std::string>(), unit, what);
   return si / (unit.empty() ? 1.0 : units::get_si_factor(unit));
 }
@@ -133,27 +111,26 @@ void cut_at_range(UncertainNumber& u, const Case& data) {
 void check(const UncertainNumber& u) {
   switch (u.distribution) {
     case Distribution::lognormal:
-      if (u.mean <= 0)
-        fail(fmt::format("the mean of '{}' is {:g}; a lognormal number has a mean above 0", u.key, u.mean));
+      if (u.mean <= 0) fail_input("the mean of '{}' is {:g}; a lognormal number has a mean above 0", u.key, u.mean);
       [[fallthrough]];
     case Distribution::normal:
       if (!(u.deviation > 0))
-        fail(fmt::format("the deviation of '{}' is {:g}; an uncertain number has one above 0", u.key, u.deviation));
+        fail_input("the deviation of '{}' is {:g}; an uncertain number has one above 0", u.key, u.deviation);
       if (u.mean < u.lowest || u.mean > u.highest)
-        fail(fmt::format("the mean of '{}' is {:g}, which is not between its limits {:g} and {:g}", u.key, u.mean,
-                         u.lowest, u.highest));
+        fail_input("the mean of '{}' is {:g}, which is not between its limits {:g} and {:g}", u.key, u.mean, u.lowest,
+                   u.highest);
       break;
     case Distribution::triangular:
       if (u.mode < u.lowest || u.mode > u.highest)
-        fail(fmt::format("the mode of '{}' is {:g}, which is not between lowest and highest, {:g} and {:g}", u.key,
-                         u.mode, u.lowest, u.highest));
+        fail_input("the mode of '{}' is {:g}, which is not between lowest and highest, {:g} and {:g}", u.key, u.mode,
+                   u.lowest, u.highest);
       break;
     case Distribution::uniform:
       break;
   }
   if (!(u.lowest < u.highest))
-    fail(fmt::format("'lowest' of '{}' is {:g} and 'highest' is {:g}; the lowest value is the smaller one", u.key,
-                     u.lowest, u.highest));
+    fail_input("'lowest' of '{}' is {:g} and 'highest' is {:g}; the lowest value is the smaller one", u.key, u.lowest,
+               u.highest);
 }
 
 }  // namespace
@@ -170,15 +147,15 @@ EchoedNumber find_number(const json& echo, const std::string& key) {
     if (at->is_object() && at->contains(step))
       next = &(*at)[step];
     else if (at->is_array())
-      next = find_block(*at, step);
-    if (next == nullptr) fail(fmt::format("the case has no number '{}'", key));
+      next = find_entry(*at, step);
+    if (next == nullptr) fail_input("the case has no number '{}'", key);
     at = next;
   }
   if (at->is_object() && at->contains("given") && at->contains("value")) {
     unit = at->value("unit", "");
     at = &(*at)["value"];
   }
-  if (!at->is_number() && !at->is_null()) fail(fmt::format("'{}' holds no number that could be uncertain", key));
+  if (!at->is_number() && !at->is_null()) fail_input("'{}' holds no number that could be uncertain", key);
   return {unit, at->is_number() ? std::optional(at->get<double>()) : std::nullopt};
 }
 
@@ -193,14 +170,14 @@ UncertainNumber resolve(const RandomNumber& number, const Case& data, const json
   };
   const auto take = [&](const std::string& text, const char* what) {
     if (!text.empty()) return read(text, what);
-    if (!own.value) fail(fmt::format("'{}' has no value in the case; give its '{}'", number.key, what));
+    if (!own.value) fail_input("'{}' has no value in the case; give its '{}'", number.key, what);
     return *own.value;
   };
   const bool is_bounded =
       number.distribution == Distribution::triangular || number.distribution == Distribution::uniform;
   if (is_bounded && (number.lowest.empty() || number.highest.empty()))
-    fail(fmt::format("'{}' has no '{}', which this distribution needs", number.key,
-                     number.lowest.empty() ? "lowest" : "highest"));
+    fail_input("'{}' has no '{}', which this distribution needs", number.key,
+               number.lowest.empty() ? "lowest" : "highest");
   if (!number.lowest.empty()) u.lowest = read(number.lowest, "lowest");
   if (!number.highest.empty()) u.highest = read(number.highest, "highest");
   if (is_bounded) {
@@ -208,8 +185,8 @@ UncertainNumber resolve(const RandomNumber& number, const Case& data, const json
   } else {
     u.mean = take(number.mean, "mean");
     if (number.deviation.empty() == !number.variation)
-      fail(fmt::format("'{}' has {}; give one of 'deviation' and 'variation'", number.key,
-                       number.variation ? "a deviation and a variation" : "no deviation"));
+      fail_input("'{}' has {}; give one of 'deviation' and 'variation'", number.key,
+                 number.variation ? "a deviation and a variation" : "no deviation");
     u.deviation = number.variation ? *number.variation * std::abs(u.mean) : read(number.deviation, "deviation");
     cut_at_range(u, data);
   }

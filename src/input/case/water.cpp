@@ -16,16 +16,10 @@ namespace {
 /// Upper limit of K_w [Pa], a thousand times that of water: larger values only reduce the time step.
 constexpr double largest_bulk_modulus = 2.2e12;
 
-/// The water of one material and its keys.
-struct Soil {
+/// The findings of [materials.NAME.water].
+struct Soil : BlockFindings {
   const std::string& name;
   const Material& material;
-  std::string path;  ///< materials.NAME.water
-  Findings& findings;
-
-  bool is_sound(const char* key) const { return findings.is_sound(path + "." + key); }
-  bool is_given(const char* key) const { return findings.places.is_given(path + "." + key); }
-  void report(const std::string& key, const std::string& sentence) const { findings.add(path + "." + key, sentence); }
 };
 
 void check_limits(const Soil& soil) {
@@ -34,10 +28,9 @@ void check_limits(const Soil& soil) {
   if (curve == RetentionCurve::saturated || curve == RetentionCurve::table) return;
   if (!soil.is_sound("minimum_saturation") || !soil.is_sound("maximum_saturation")) return;
   if (water.minimum_saturation < water.maximum_saturation) return;
-  soil.report(
-      soil.is_given("minimum_saturation") ? "minimum_saturation" : "maximum_saturation",
-      fmt::format("'minimum_saturation' is {:.6g} and 'maximum_saturation' is {:.6g}; the minimum must be smaller",
-                  water.minimum_saturation, water.maximum_saturation));
+  soil.report(soil.is_given("minimum_saturation") ? "minimum_saturation" : "maximum_saturation",
+              "'minimum_saturation' is {:.6g} and 'maximum_saturation' is {:.6g}; the minimum must be smaller",
+              water.minimum_saturation, water.maximum_saturation);
 }
 
 /// Converts suctions to kPa, the unit of the file and of messages.
@@ -52,7 +45,7 @@ void check_table(const Soil& soil, const char* key, const std::function<void()>&
   try {
     make();
   } catch (const Error& error) {
-    soil.report(key, fmt::format("'{}' is no falling curve over suctions in kPa: {}", key, error.what()));
+    soil.report(key, "'{}' is no falling curve over suctions in kPa: {}", key, error.what());
   }
 }
 
@@ -63,7 +56,7 @@ void check_curves(const Soil& soil) {
       const auto curve =
           material::make_retention_table(in_kilopascals(water.retention_table), material::Interpolation::smooth);
       if (curve.minimum == curve.maximum)
-        throw Error(ExitCode::wrong_input, "The saturation is the same everywhere; use retention = \"saturated\".");
+        fail_input("The saturation is the same everywhere; use retention = \"saturated\".");
     });
   if (water.relative_conductivity == ConductivityCurve::table && soil.is_sound("relative_conductivity"))
     check_table(soil, "conductivity_table", [&] {
@@ -76,12 +69,12 @@ void check_conductivity(const Soil& soil) {
   if (!soil.is_sound("conductivity") || !soil.is_sound("permeability")) return;
   if (!water.conductivity && !water.permeability)
     soil.findings.add(
-        soil.path, fmt::format("material '{}' has pore water; give its 'conductivity', for example 1e-5 (m/s), or its "
-                               "'permeability' (m2)",
-                               soil.name));
+        soil.path,
+        "material '{}' has pore water; give its 'conductivity', for example 1e-5 (m/s), or its 'permeability' (m2)",
+        soil.name);
   else if (water.conductivity && water.permeability)
-    soil.report("permeability",
-                fmt::format("material '{}' has both a conductivity and a permeability; give one of them", soil.name));
+    soil.report("permeability", "material '{}' has both a conductivity and a permeability; give one of them",
+                soil.name);
 }
 
 void check_porosity(const Soil& soil) {
@@ -89,13 +82,14 @@ void check_porosity(const Soil& soil) {
   const std::string path = "materials." + soil.name + (by_ratio ? ".void_ratio" : ".porosity");
   const double n = soil.material.porosity;
   if (!soil.findings.is_sound(path) || (n > 0 && n < 1)) return;
-  soil.findings.add(path,
-                    by_ratio ? fmt::format("'void_ratio' is 0; material '{}' has pore water, which needs pores: a void "
-                                           "ratio above 0",
-                                           soil.name)
-                             : fmt::format("'porosity' is {:.6g}; material '{}' has pore water, which needs pores: a "
-                                           "porosity above 0 and below 1",
-                                           n, soil.name));
+  soil.findings.add(
+      path,
+      by_ratio
+          ? fmt::format("'void_ratio' is 0; material '{}' has pore water, which needs pores: a void ratio above 0",
+                        soil.name)
+          : fmt::format(
+                "'porosity' is {:.6g}; material '{}' has pore water, which needs pores: a porosity above 0 and below 1",
+                n, soil.name));
 }
 
 /// Warns of an infinite slope of k_r at saturation in transient seepage.
@@ -105,9 +99,9 @@ void warn_of_air_entry(const Case& data, const Soil& soil) {
   if (!in_time || soil.material.water.air_entry || !safe.air_entry || !soil.is_sound("lambda")) return;
   soil.findings.warn(
       soil.path + ".relative_conductivity",
-      fmt::format("material '{}': Mualem's conductivity with lambda = {:.3g} falls with infinite slope at saturation; "
-                  "seepage over time uses air_entry = {}. Give 'air_entry' to choose another, or 0 for none",
-                  soil.name, soil.material.water.lambda, format_value(*safe.air_entry, data.units().stress)));
+      "material '{}': Mualem's conductivity with lambda = {:.3g} falls with infinite slope at saturation; seepage over "
+      "time uses air_entry = {}. Give 'air_entry' to choose another, or 0 for none",
+      soil.name, soil.material.water.lambda, format_value(*safe.air_entry, data.units().stress));
 }
 
 /// Checks the upper limit of K_w: below the water table retention curves are flat, so that storage is due to the
@@ -117,11 +111,11 @@ void check_bulk_modulus(const Case& data, Findings& findings) {
   if (!findings.is_sound(path) || data.water.bulk_modulus <= largest_bulk_modulus) return;
   for (const auto& [name, material] : data.materials)
     if (material.water.is_wet())
-      return findings.add(
-          path, fmt::format("'bulk_modulus' is {:.6g} kPa, but the retention curve of material '{}' is flat at "
-                            "saturation, so that only the compression of the water stores any: a "
-                            "change of volume needs a finite modulus, at most {:.6g} kPa (water has 2.2e6)",
-                            data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3));
+      return findings.add(path,
+                          "'bulk_modulus' is {:.6g} kPa, but the retention curve of material '{}' is flat at "
+                          "saturation, so that only the compression of the water stores any: a change of volume needs "
+                          "a finite modulus, at most {:.6g} kPa (water has 2.2e6)",
+                          data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3);
 }
 
 /// Reports keys of a stage that were changed without effect: those of pore water in dry soil, and those of the
@@ -139,12 +133,12 @@ void report_meaningless(const StepSettings& step, const StepSettings& usual, con
   for (const auto& [key, is_changed] : changes) {
     const std::string at = path + "." + key;
     if (!is_changed || !findings.places.is_given(at) || !findings.is_sound(at)) continue;
-    findings.add(at, seeps ? fmt::format("'{}' has no meaning with water = \"seeps\"{}: water has no velocity of its "
-                                         "own there. It needs water = \"flows\"",
-                                         key, findings.places.is_given(path + ".water") ? "" : ", the default")
-                           : fmt::format("'{}' has no meaning here: no material has pore water, see "
-                                         "[materials.NAME.water]",
-                                         key));
+    findings.add(
+        at, seeps
+                ? fmt::format("'{}' has no meaning with water = \"seeps\"{}: water has no velocity of its own there. "
+                              "It needs water = \"flows\"",
+                              key, findings.places.is_given(path + ".water") ? "" : ", the default")
+                : fmt::format("'{}' has no meaning here: no material has pore water, see [materials.NAME.water]", key));
   }
 }
 
@@ -156,8 +150,8 @@ void check_step(const Case& data, const StepSettings& step, const StepSettings& 
   if (!findings.is_sound(path + ".water") || !findings.is_sound(path + ".geometry")) return;
   const char* key = findings.places.is_given(path + ".water") ? "water" : "geometry";
   findings.add(path + "." + key,
-               "water = \"held\" needs geometry = \"frozen\": pore pressures that stay as they are belong to soil "
-               "that keeps its place");
+               "water = \"held\" needs geometry = \"frozen\": pore pressures that stay as they are belong to soil that "
+               "keeps its place");
 }
 
 }  // namespace
@@ -169,13 +163,13 @@ bool is_wet(const Case& data) {
 
 void check_water(const Case& data, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
-    const Soil soil{name, material, "materials." + name + ".water", findings};
+    const Soil soil{{findings, "materials." + name + ".water"}, name, material};
     if (!material.water.is_wet() || !soil.is_sound("retention")) continue;
     if (!material.traits().takes_water) {
       findings.add(soil.path,
-                   fmt::format("material '{}' is described in total stresses, model = \"{}\": it has no pore "
-                               "water of its own; take [{}] out",
-                               name, material.traits().word, soil.path));
+                   "material '{}' is described in total stresses, model = \"{}\": it has no pore water of its own; "
+                   "take [{}] out",
+                   name, material.traits().word, soil.path);
       continue;
     }
     check_limits(soil);

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "input/language/forms.hpp"
@@ -77,8 +76,7 @@ inline constexpr auto choices<BishopChi> = std::array{
     Choice{BishopChi::khalili_khabbaz, "khalili_khabbaz", "χ = (s/s_e)^(-0.55) above the air entry s_e, 1 below"},
 };
 
-template <class Visitor>
-void describe(Visitor& v, Water& w) {
+void describe(auto& v, Water& w) {
   v.key("density", w.density, quantity("kg/m3").above(0).usual(950, 1250, {{"g/cm3", 1e3}, {"kN/m3", 101.972}}),
         "Density of the water at zero pressure.");
   v.key("bulk_modulus", w.bulk_modulus, quantity("kPa").above(0).or_infinite(),
@@ -90,9 +88,8 @@ void describe(Visitor& v, Water& w) {
         "were measured at rest.");
 }
 
-template <class Visitor>
 // NOLINTNEXTLINE(readability-function-size): a list of keys
-void describe(Visitor& v, PoreWater& w) {
+void describe(auto& v, PoreWater& w) {
   using R = RetentionCurve;
   using K = ConductivityCurve;
   v.key("retention", w.retention, plain().example(R"("van_genuchten")"), "How the saturation follows the suction s.");
@@ -131,15 +128,14 @@ void describe(Visitor& v, PoreWater& w) {
   v.key("dry_suction", w.dry_suction,
         quantity("kPa").above(0).needed_with("retention", w.retention, R::linear).example("100"),
         "Suction at which the straight line reaches S_min.");
-  v.key(
-      "decay", w.decay,
-      quantity("kPa-1")
-          .above(0)
-          .needed_with("retention", w.retention, R::exponential)
-          .or_with("relative_conductivity", w.relative_conductivity, K::exponential)
-          .example("0.1"),
-      "α of the exponential laws: one over the suction at which they have fallen to 37 %. Tables of others give it per "
-      "metre of head; divide that by the unit weight of water.");
+  v.key("decay", w.decay,
+        quantity("kPa-1")
+            .above(0)
+            .needed_with("retention", w.retention, R::exponential)
+            .or_with("relative_conductivity", w.relative_conductivity, K::exponential)
+            .example("0.1"),
+        "α of the exponential laws: one over the suction at which they have fallen to 37 %. Tables of others give it "
+        "per metre of head; divide that by the unit weight of water.");
   SuctionCurve retention{w.retention_table}, conductivity{w.conductivity_table};
   v.key("retention_table", retention,
         quantity("kPa")
@@ -177,15 +173,14 @@ void describe(Visitor& v, PoreWater& w) {
   v.key("exponent", w.exponent,
         plain().at_least(0).needed_with("relative_conductivity", w.relative_conductivity, K::hillel).example("3"),
         "r of Hillel's conductivity.");
-  v.key(
-      "air_entry", w.air_entry,
-      quantity("kPa")
-          .at_least(0)
-          .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
-          .example("2"),
-      "Mualem's conductivity falls from this suction on only. For λ < 1/2 it would fall with infinite slope from zero, "
-      "which stops seepage over time: there (initial.season, [timeline]) 0.2 kPa (2 cm of water) are used where no "
-      "value is given (Vogel et al. 2001). 0: none.");
+  v.key("air_entry", w.air_entry,
+        quantity("kPa")
+            .at_least(0)
+            .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .example("2"),
+        "Mualem's conductivity falls from this suction on only. For λ < 1/2 it would fall with infinite slope from "
+        "zero, which stops seepage over time: there (initial.season, [timeline]) 0.2 kPa (2 cm of water) are used "
+        "where no value is given (Vogel et al. 2001). 0: none.");
   v.key("conductivity_table", conductivity,
         quantity("kPa")
             .at_least(0)

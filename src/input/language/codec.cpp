@@ -35,12 +35,6 @@ std::string name_type(const toml::node& node) {
   }
 }
 
-std::string join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string write_unit(const Spec& spec) {
   return spec.unit.empty() ? "" : " [" + spec.unit + "]";
 }
@@ -49,55 +43,48 @@ std::string write_unit(const Spec& spec) {
 constexpr std::size_t most_entries = 10000;
 
 /// Returns a list of `least` to `most` entries; nullptr and a finding otherwise.
-const toml::array* find_list(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
-                             std::size_t most, const std::string& wanted) {
-  const toml::array* list = node.as_array();
+const toml::array* find_list(const Decoding& in, std::size_t least, std::size_t most, const std::string& wanted) {
+  const toml::array* list = in.node.as_array();
   if (list == nullptr || list->size() < least || list->size() > most) {
-    in.fail_type(node, path, wanted);
+    in.fail_type(wanted);
     return nullptr;
   }
   if (list->size() > most_entries) {
-    in.fail(node, path,
-            fmt::format("'{}' has {} entries, and at most {} are read; a table in time may stand in a CSV file", in.key,
-                        list->size(), most_entries));
+    in.fail("'{}' has {} entries, and at most {} are read; a table in time may stand in a CSV file", in.key,
+            list->size(), most_entries);
     return nullptr;
   }
   return list;
 }
 
-bool decode_point(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out) {
+bool decode_point(const Decoding& in, std::array<double, 2>& out) {
   std::vector<double> xy;
-  const toml::array* list = node.as_array();
+  const toml::array* list = in.node.as_array();
   // [4,98, 5] is a point whose x was written with a decimal comma.
   if (list != nullptr && (list->size() == 3 || list->size() == 4) && list->is_homogeneous<int64_t>())
-    return in.fail(node, path,
-                   fmt::format("'{}' must be points [x, y], not a list of {}; decimals have a point, not a comma",
-                               in.key, list->size()));
-  if (!decode_numbers(in, node, path, 2, 2, "points [x, y]", xy)) return false;
-  in.record(node, path);
+    return in.fail("'{}' must be points [x, y], not a list of {}; decimals have a point, not a comma", in.key,
+                   list->size());
+  if (!decode_numbers(in, 2, 2, "points [x, y]", xy)) return false;
+  in.record();
   out = {xy[0], xy[1]};
   return true;
 }
 
 }  // namespace
 
-std::string write_item_path(const std::string& path, std::size_t i) {
-  return path + "." + std::to_string(i);
-}
-
-bool Decoding::fail(const toml::node& node, const std::string& path, const std::string& sentence) const {
+bool Decoding::fail(const std::string& sentence) const {
   const toml::source_position at = node.source().begin;
   findings.add_at(findings.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path, sentence);
   return false;
 }
 
-bool Decoding::fail_type(const toml::node& node, const std::string& path, const std::string& wanted) const {
+bool Decoding::fail_type(const std::string& wanted) const {
   const toml::array* list = node.as_array();
   const std::string given = list == nullptr ? name_type(node) : fmt::format("a list of {}", list->size());
-  return fail(node, path, fmt::format("'{}' must be {}, not {}", key, wanted, given));
+  return fail("'{}' must be {}, not {}", key, wanted, given);
 }
 
-void Decoding::record(const toml::node& node, const std::string& path) const {
+void Decoding::record() const {
   const toml::source_position at = node.source().begin;
   findings.places.record(path, static_cast<int>(at.line), static_cast<int>(at.column));
 }
@@ -135,73 +122,66 @@ std::string write_toml(const toml::node& node) {
   return date.str();
 }
 
-bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
+bool decode_number(const Decoding& in, double& out) {
   const std::string& unit = in.spec.unit;
   double value = 0;
   double shown = 0;  // in the unit of the manual, as the range is
-  if (const auto number = node.value<double>(); number && !node.is_boolean()) {
+  if (const auto number = in.node.value<double>(); number && !in.node.is_boolean()) {
     shown = *number;
     if (std::isnan(shown) || (std::isinf(shown) && !in.spec.allows_infinity))
-      return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+      return in.fail("'{}' must be a finite number", in.key);
     value = unit.empty() ? shown : shown * units::get_si_factor(unit);
-  } else if (const auto* text = node.as_string(); text != nullptr && !unit.empty()) {
+  } else if (const auto* text = in.node.as_string(); text != nullptr && !unit.empty()) {
     try {
       value = units::parse_as_si(text->get(), unit, in.key);
     } catch (const Error& error) {
-      return in.fail(node, path, error.what());
+      return in.fail(error.what());
     }
     shown = encode_number(value, in.spec).get<double>();
   } else {
-    return in.fail_type(node, path,
-                        unit.empty()
+    return in.fail_type(unit.empty()
                             ? "a number"
                             : fmt::format("{} (a number in {} or a text such as \"{}\")",
                                           units::get_dimension_name(unit), unit, units::get_dimension_example(unit)));
   }
   if (!in.spec.allows(shown))
-    return in.fail(node, path,
-                   fmt::format("'{}' is {:.15g}{}; it must be {}", in.key, shown, unit.empty() ? "" : " " + unit,
-                               in.spec.write_range()));
-  if (const std::string oddity = in.spec.find_oddity(path, shown, !node.is_string()); !oddity.empty())
-    in.findings.warn(path, oddity);
+    return in.fail("'{}' is {:.15g}{}; it must be {}", in.key, shown, unit.empty() ? "" : " " + unit,
+                   in.spec.write_range());
+  if (const std::string oddity = in.spec.find_oddity(in.path, shown, !in.node.is_string()); !oddity.empty())
+    in.findings.warn(in.path, oddity);
   out = value;
   return true;
 }
 
-bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
-                    std::size_t most, const std::string& wanted, std::vector<double>& out) {
-  const toml::array* list = find_list(in, node, path, least, most, wanted);
+bool decode_numbers(const Decoding& in, std::size_t least, std::size_t most, const std::string& wanted,
+                    std::vector<double>& out) {
+  const toml::array* list = find_list(in, least, most, wanted);
   if (list == nullptr) return false;
   out.assign(list->size(), 0.0);
   bool is_good = true;
-  for (std::size_t i = 0; i < list->size(); ++i)
-    is_good = decode_number(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  for (std::size_t i = 0; i < list->size(); ++i) is_good = decode_number(in.item(i), out[i]) && is_good;
   return is_good;
 }
 
-bool decode_points(const Decoding& in, const toml::node& node, const std::string& path,
-                   std::vector<std::array<double, 2>>& out) {
-  const toml::array* list = find_list(in, node, path, 0, std::size_t(-1), "a list of points [x, y]");
+bool decode_points(const Decoding& in, std::vector<std::array<double, 2>>& out) {
+  const toml::array* list = find_list(in, 0, std::size_t(-1), "a list of points [x, y]");
   if (list == nullptr) return false;
   out.assign(list->size(), {});
   bool is_good = true;
-  for (std::size_t i = 0; i < list->size(); ++i)
-    is_good = decode_point(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  for (std::size_t i = 0; i < list->size(); ++i) is_good = decode_point(in.item(i), out[i]) && is_good;
   return is_good;
 }
 
-bool decode_word(const Decoding& in, const toml::node& node, const std::string& path,
-                 const std::vector<std::string>& words, std::size_t& out) {
-  const auto* text = node.as_string();
-  if (text == nullptr) return in.fail_type(node, path, "one of the words " + join(words));
+bool decode_word(const Decoding& in, const std::vector<std::string>& words, std::size_t& out) {
+  const auto* text = in.node.as_string();
+  if (text == nullptr) return in.fail_type(fmt::format("one of the words {}", fmt::join(words, ", ")));
   for (out = 0; out < words.size(); ++out)
     if (words[out] == text->get()) return true;
   const std::string near = find_nearest(text->get(), words);
   std::string hint = near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
   if (near.empty() && in.findings.describe_owners)
     if (const std::string owners = in.findings.describe_owners(text->get()); !owners.empty()) hint = owners + "; ";
-  return in.fail(node, path,
-                 fmt::format("'{}' is no choice for '{}'; {}choose one of {}", text->get(), in.key, hint, join(words)));
+  return in.fail("'{}' is no choice for '{}'; {}choose one of {}", text->get(), in.key, hint, fmt::join(words, ", "));
 }
 
 json encode_number(double si, const Spec& spec) {
@@ -231,12 +211,12 @@ std::string Codec<double>::name(const Spec& spec) {
   return "number" + write_unit(spec);
 }
 
-bool Codec<int>::decode(const Decoding& in, const toml::node& node, const std::string& path, int& out) {
-  const auto* number = node.as_integer();
-  if (number == nullptr) return in.fail_type(node, path, "a whole number");
+bool Codec<int>::decode(const Decoding& in, int& out) {
+  const auto* number = in.node.as_integer();
+  if (number == nullptr) return in.fail_type("a whole number");
   const auto value = static_cast<double>(number->get());
   if (!in.spec.allows(value) || std::abs(value) > 1e9)
-    return in.fail(node, path, fmt::format("'{}' is {}; it must be {}", in.key, number->get(), in.spec.write_range()));
+    return in.fail("'{}' is {}; it must be {}", in.key, number->get(), in.spec.write_range());
   out = static_cast<int>(number->get());
   return true;
 }
@@ -247,28 +227,26 @@ json Codec<int>::schema(const Spec& spec) {
   return schema;
 }
 
-bool Codec<bool>::decode(const Decoding& in, const toml::node& node, const std::string& path, bool& out) {
-  const auto* truth = node.as_boolean();
-  if (truth == nullptr) return in.fail_type(node, path, "true or false");
+bool Codec<bool>::decode(const Decoding& in, bool& out) {
+  const auto* truth = in.node.as_boolean();
+  if (truth == nullptr) return in.fail_type("true or false");
   out = truth->get();
   return true;
 }
 
-bool Codec<std::string>::decode(const Decoding& in, const toml::node& node, const std::string& path, std::string& out) {
-  const auto* text = node.as_string();
-  if (text == nullptr) return in.fail_type(node, path, "a text in quotation marks");
-  if (text->get().empty() && in.spec.is_required)
-    return in.fail(node, path, fmt::format("'{}' must not be empty", in.key));
+bool Codec<std::string>::decode(const Decoding& in, std::string& out) {
+  const auto* text = in.node.as_string();
+  if (text == nullptr) return in.fail_type("a text in quotation marks");
+  if (text->get().empty() && in.spec.is_required) return in.fail("'{}' must not be empty", in.key);
   if (in.key == "name" && text->get().find_first_of("\n\r") != std::string::npos)
-    return in.fail(node, path, "'name' must be one line");
+    return in.fail("'name' must be one line");
   out = text->get();
   return true;
 }
 
-bool Codec<std::array<double, 3>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                          std::array<double, 3>& out) {
+bool Codec<std::array<double, 3>>::decode(const Decoding& in, std::array<double, 3>& out) {
   std::vector<double> parts;
-  if (!decode_numbers(in, node, path, 2, 3, "a vector [x, y] or [x, y, z]", parts)) return false;
+  if (!decode_numbers(in, 2, 3, "a vector [x, y] or [x, y, z]", parts)) return false;
   out = {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0.0};
   return true;
 }
@@ -283,20 +261,8 @@ std::string Codec<std::array<double, 3>>::name(const Spec& spec) {
   return "[x, y] or [x, y, z]" + write_unit(spec);
 }
 
-json Codec<std::vector<double>>::encode(const std::vector<double>& value, const Spec& spec) {
-  json list = json::array();
-  for (const double x : value) list.push_back(encode_number(x, spec));
-  return list;
-}
-
 std::string Codec<std::vector<double>>::name(const Spec& spec) {
   return "list of numbers" + write_unit(spec);
-}
-
-json Codec<std::vector<std::array<double, 2>>>::encode(const Points& value, const Spec& spec) {
-  json list = json::array();
-  for (const auto& p : value) list.push_back(json::array({encode_number(p[0], spec), encode_number(p[1], spec)}));
-  return list;
 }
 
 std::string Codec<std::vector<std::array<double, 2>>>::name(const Spec& spec) {
@@ -307,14 +273,14 @@ json Codec<std::vector<std::array<double, 2>>>::schema(const Spec& spec) {
   return write_array_schema(write_array_schema(write_number_schema(spec), 2, 2), 1, -1);
 }
 
-bool Codec<Corners>::decode(const Decoding& in, const toml::node& node, const std::string& path, Corners& out) {
+bool Codec<Corners>::decode(const Decoding& in, Corners& out) {
   const std::string wanted = "two corners [[x_min, y_min], [x_max, y_max]]";
-  const toml::array* list = find_list(in, node, path, 2, 2, wanted);
+  const toml::array* list = find_list(in, 2, 2, wanted);
   if (list == nullptr) return false;
   std::vector<std::array<double, 2>> corners;
-  if (!decode_points(in, node, path, corners)) return false;
+  if (!decode_points(in, corners)) return false;
   if (!(corners[0][0] < corners[1][0] && corners[0][1] < corners[1][1]))
-    return in.fail(node, path, fmt::format("'{}' is empty: it must be {}, the smaller corner first", in.key, wanted));
+    return in.fail("'{}' is empty: it must be {}, the smaller corner first", in.key, wanted);
   out.min = corners[0];
   out.max = corners[1];
   return true;
@@ -332,25 +298,23 @@ json Codec<Corners>::schema(const Spec& spec) {
   return write_array_schema(write_array_schema(write_number_schema(spec), 2, 2), 2, 2);
 }
 
-bool Codec<TimeTable>::decode(const Decoding& in, const toml::node& node, const std::string& path, TimeTable& out) {
+bool Codec<TimeTable>::decode(const Decoding& in, TimeTable& out) {
   const std::string wanted = "a table of rows [time, factor]";
-  const toml::array* rows = find_list(in, node, path, 0, std::size_t(-1), wanted);
+  const toml::array* rows = find_list(in, 0, std::size_t(-1), wanted);
   if (rows == nullptr) return false;
   const Spec no_unit;
-  const Decoding factor{no_unit, in.key, in.findings};
   bool is_good = true;
   out = {};
   for (std::size_t i = 0; i < rows->size(); ++i) {
-    const std::string row_path = write_item_path(path, i);
-    const toml::array* row = find_list(in, *rows->get(i), row_path, 2, 2, wanted);
+    const Decoding place = in.item(i);
+    const toml::array* row = find_list(place, 2, 2, wanted);
     double t = 0, f = 0;
-    if (row == nullptr || !decode_number(in, *row->get(0), row_path + ".0", t) ||
-        !decode_number(factor, *row->get(1), row_path + ".1", f)) {
+    if (row == nullptr || !decode_number(place.item(0), t) || !decode_number(place.with(no_unit).item(1), f)) {
       is_good = false;
       continue;
     }
     if (!out.time.empty() && t <= out.time.back())
-      is_good = in.fail(*row, row_path, fmt::format("the times of '{}' must increase from row to row", in.key));
+      is_good = place.fail("the times of '{}' must increase from row to row", in.key);
     out.time.push_back(t);
     out.value.push_back(f);
   }
@@ -374,24 +338,23 @@ json Codec<TimeTable>::schema(const Spec& spec) {
   return write_array_schema(row, 1, -1);
 }
 
-bool Codec<Amount>::decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out) {
-  if (const auto number = node.value<double>(); number && !node.is_boolean()) {
-    if (!std::isfinite(*number)) return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+bool Codec<Amount>::decode(const Decoding& in, Amount& out) {
+  if (const auto number = in.node.value<double>(); number && !in.node.is_boolean()) {
+    if (!std::isfinite(*number)) return in.fail("'{}' must be a finite number", in.key);
     out = {*number, "", fmt::format("{:.15g}", *number)};
-  } else if (const auto* text = node.as_string()) {
+  } else if (const auto* text = in.node.as_string()) {
     try {
       const units::Quantity quantity = units::parse_quantity(text->get());
       units::get_si_factor(quantity.unit);
       out = {quantity.value, quantity.unit, text->get()};
     } catch (const Error& error) {
-      return in.fail(node, path, error.what());
+      return in.fail(error.what());
     }
   } else {
-    return in.fail_type(node, path, "a number or a text with a unit, such as \"212 mm\"");
+    return in.fail_type("a number or a text with a unit, such as \"212 mm\"");
   }
-  if (!in.spec.allows(out.number))
-    return in.fail(node, path, fmt::format("'{}' is {}; it must be {}", in.key, out.text, in.spec.write_range()));
-  in.record(node, path);
+  if (!in.spec.allows(out.number)) return in.fail("'{}' is {}; it must be {}", in.key, out.text, in.spec.write_range());
+  in.record();
   return true;
 }
 
@@ -399,12 +362,12 @@ nlohmann::json Codec<Amount>::encode(const Amount& value, const Spec&) {
   return value.unit.empty() ? json(value.number) : json(value.text);
 }
 
-bool Codec<TomlTexts>::decode(const Decoding& in, const toml::node& node, const std::string& path, TomlTexts& out) {
-  const toml::array* list = find_list(in, node, path, 1, std::size_t(-1), "a list of at least one value");
+bool Codec<TomlTexts>::decode(const Decoding& in, TomlTexts& out) {
+  const toml::array* list = find_list(in, 1, std::size_t(-1), "a list of at least one value");
   if (list == nullptr) return false;
   out.texts.clear();
   for (std::size_t i = 0; i < list->size(); ++i) {
-    in.record(*list->get(i), write_item_path(path, i));
+    in.item(i).record();
     out.texts.push_back(write_toml(*list->get(i)));
   }
   return true;

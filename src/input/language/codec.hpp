@@ -20,17 +20,31 @@
 
 namespace talus::input {
 
-/// The key that is being decoded.
+/// A node that is being decoded as the value of a key, or as a part of it.
 struct Decoding {
   const Spec& spec;
   std::string key;
   Findings& findings;
+  const toml::node& node;
+  std::string path;
+
+  /// The same for a part of the node, whose path has one step more.
+  Decoding at(const toml::node& part, const std::string& step) const {
+    return {spec, key, findings, part, path + "." + step};
+  }
+  /// The same for the i-th item of a list.
+  Decoding item(std::size_t i) const { return at(*node.as_array()->get(i), std::to_string(i)); }
+  Decoding with(const Spec& other) const { return {other, key, findings, node, path}; }
 
   /// Reports `sentence` at the node and returns false.
-  bool fail(const toml::node& node, const std::string& path, const std::string& sentence) const;
+  bool fail(const std::string& sentence) const;
+  template <class First, class... Rest>
+  bool fail(fmt::format_string<First, Rest...> sentence, First&& first, Rest&&... rest) const {
+    return fail(fmt::format(sentence, std::forward<First>(first), std::forward<Rest>(rest)...));
+  }
   /// Reports that the node must be `wanted` ("a number") and returns false.
-  bool fail_type(const toml::node& node, const std::string& path, const std::string& wanted) const;
-  void record(const toml::node& node, const std::string& path) const;
+  bool fail_type(const std::string& wanted) const;
+  void record() const;
 };
 
 /// Returns the TOML text of a JSON value: 44, "frontal", [0, -1].
@@ -38,17 +52,22 @@ std::string write_toml(const nlohmann::json& value);
 /// Returns the TOML text of a TOML node.
 std::string write_toml(const toml::node& node);
 
-/// Returns the path of the i-th item of a list.
-std::string write_item_path(const std::string& path, std::size_t i);
-bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out);
-bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
-                    std::size_t most, const std::string& wanted, std::vector<double>& out);
-bool decode_points(const Decoding& in, const toml::node& node, const std::string& path,
-                   std::vector<std::array<double, 2>>& out);
-bool decode_word(const Decoding& in, const toml::node& node, const std::string& path,
-                 const std::vector<std::string>& words, std::size_t& out);
+bool decode_number(const Decoding& in, double& out);
+bool decode_numbers(const Decoding& in, std::size_t least, std::size_t most, const std::string& wanted,
+                    std::vector<double>& out);
+bool decode_points(const Decoding& in, std::vector<std::array<double, 2>>& out);
+bool decode_word(const Decoding& in, const std::vector<std::string>& words, std::size_t& out);
 /// Returns `si` in the unit of `spec`, rounded to remove conversion errors.
 nlohmann::json encode_number(double si, const Spec& spec);
+/// Returns a list of what encode(value) returns for each of `values`.
+nlohmann::json encode_list(const auto& values, const auto& encode) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& value : values) list.push_back(encode(value));
+  return list;
+}
+nlohmann::json encode_numbers(const auto& values, const Spec& spec) {
+  return encode_list(values, [&](double value) { return encode_number(value, spec); });
+}
 nlohmann::json write_number_schema(const Spec& spec);
 nlohmann::json write_array_schema(const nlohmann::json& items, int least, int most);
 
@@ -57,9 +76,7 @@ struct Codec;
 
 template <>
 struct Codec<double> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
-    return decode_number(in, node, path, out);
-  }
+  static bool decode(const Decoding& in, double& out) { return decode_number(in, out); }
   static nlohmann::json encode(double value, const Spec& spec) { return encode_number(value, spec); }
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec) { return write_number_schema(spec); }
@@ -67,9 +84,7 @@ struct Codec<double> {
 
 template <class T>
 struct Codec<std::optional<T>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::optional<T>& out) {
-    return Codec<T>::decode(in, node, path, out.emplace());
-  }
+  static bool decode(const Decoding& in, std::optional<T>& out) { return Codec<T>::decode(in, out.emplace()); }
   static nlohmann::json encode(const std::optional<T>& value, const Spec& spec) {
     return value ? Codec<T>::encode(*value, spec) : nlohmann::json();
   }
@@ -79,7 +94,7 @@ struct Codec<std::optional<T>> {
 
 template <>
 struct Codec<int> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, int& out);
+  static bool decode(const Decoding& in, int& out);
   static nlohmann::json encode(int value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "whole number"; }
   static nlohmann::json schema(const Spec& spec);
@@ -87,7 +102,7 @@ struct Codec<int> {
 
 template <>
 struct Codec<bool> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, bool& out);
+  static bool decode(const Decoding& in, bool& out);
   static nlohmann::json encode(bool value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "true or false"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "boolean"}}; }
@@ -95,7 +110,7 @@ struct Codec<bool> {
 
 template <>
 struct Codec<std::string> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::string& out);
+  static bool decode(const Decoding& in, std::string& out);
   static nlohmann::json encode(const std::string& value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "text"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "string"}}; }
@@ -110,9 +125,9 @@ struct Codec {
     for (const auto& choice : choices<E>) list.emplace_back(choice.word);
     return list;
   }
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, E& out) {
+  static bool decode(const Decoding& in, E& out) {
     std::size_t index = 0;
-    if (!decode_word(in, node, path, words(), index)) return false;
+    if (!decode_word(in, words(), index)) return false;
     out = choices<E>[index].value;
     return true;
   }
@@ -124,7 +139,7 @@ struct Codec {
 /// A vector of two components (the third is zero) or three.
 template <>
 struct Codec<std::array<double, 3>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 3>& out);
+  static bool decode(const Decoding& in, std::array<double, 3>& out);
   static nlohmann::json encode(const std::array<double, 3>& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 2, 3); }
@@ -132,10 +147,12 @@ struct Codec<std::array<double, 3>> {
 
 template <>
 struct Codec<std::vector<double>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<double>& out) {
-    return decode_numbers(in, node, path, 0, std::size_t(-1), "a list of numbers", out);
+  static bool decode(const Decoding& in, std::vector<double>& out) {
+    return decode_numbers(in, 0, std::size_t(-1), "a list of numbers", out);
   }
-  static nlohmann::json encode(const std::vector<double>& value, const Spec& spec);
+  static nlohmann::json encode(const std::vector<double>& value, const Spec& spec) {
+    return encode_numbers(value, spec);
+  }
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 0, -1); }
 };
@@ -144,17 +161,17 @@ struct Codec<std::vector<double>> {
 template <>
 struct Codec<std::vector<std::array<double, 2>>> {
   using Points = std::vector<std::array<double, 2>>;
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Points& out) {
-    return decode_points(in, node, path, out);
+  static bool decode(const Decoding& in, Points& out) { return decode_points(in, out); }
+  static nlohmann::json encode(const Points& value, const Spec& spec) {
+    return encode_list(value, [&](const auto& point) { return encode_numbers(point, spec); });
   }
-  static nlohmann::json encode(const Points& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
 };
 
 template <>
 struct Codec<Corners> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Corners& out);
+  static bool decode(const Decoding& in, Corners& out);
   static nlohmann::json encode(const Corners& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -163,7 +180,7 @@ struct Codec<Corners> {
 /// A factor over time: [[time, factor], ...]; the unit of the key is the unit of time.
 template <>
 struct Codec<TimeTable> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TimeTable& out);
+  static bool decode(const Decoding& in, TimeTable& out);
   static nlohmann::json encode(const TimeTable& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -172,7 +189,7 @@ struct Codec<TimeTable> {
 /// A number, or a text of a number and a unit of any dimension.
 template <>
 struct Codec<Amount> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out);
+  static bool decode(const Decoding& in, Amount& out);
   static nlohmann::json encode(const Amount& value, const Spec& spec);
   static std::string name(const Spec&) { return "number or text with unit"; }
   static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
@@ -180,7 +197,7 @@ struct Codec<Amount> {
 
 template <>
 struct Codec<TomlTexts> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlTexts& out);
+  static bool decode(const Decoding& in, TomlTexts& out);
   static nlohmann::json encode(const TomlTexts& value, const Spec&) { return value.texts; }
   static std::string name(const Spec&) { return "list of values"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "array"}, {"minItems", 1}}; }

@@ -14,76 +14,64 @@ namespace {
 
 using nlohmann::json;
 
-const toml::array* find_list(const Decoding& in, const toml::node& node, const std::string& path,
-                             const std::string& wanted) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr) in.fail_type(node, path, wanted);
+const toml::array* find_list(const Decoding& in, const std::string& wanted) {
+  const toml::array* list = in.node.as_array();
+  if (list == nullptr) in.fail_type(wanted);
   return list;
 }
 
 }  // namespace
 
-bool decode_words(const Decoding& in, const toml::node& node, const std::string& path,
-                  const std::vector<std::string>& words, std::vector<std::size_t>& out) {
-  const toml::array* list = find_list(in, node, path, "a list of words");
+bool decode_words(const Decoding& in, const std::vector<std::string>& words, std::vector<std::size_t>& out) {
+  const toml::array* list = find_list(in, "a list of words");
   if (list == nullptr) return false;
   bool is_good = true;
   out.assign(list->size(), 0);
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const std::string item_path = fmt::format("{}.{}", path, i);
-    is_good = decode_word(in, *list->get(i), item_path, words, out[i]) && is_good;
-    in.record(*list->get(i), item_path);
+    is_good = decode_word(in.item(i), words, out[i]) && is_good;
+    in.item(i).record();
   }
   return is_good;
 }
 
-bool Codec<std::vector<std::string>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                             std::vector<std::string>& out) {
-  const toml::array* list = find_list(in, node, path, "a list of texts");
+bool Codec<std::vector<std::string>>::decode(const Decoding& in, std::vector<std::string>& out) {
+  const toml::array* list = find_list(in, "a list of texts");
   if (list == nullptr) return false;
   out.clear();
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::node& item = *list->get(i);
-    const std::string item_path = fmt::format("{}.{}", path, i);
-    const auto* text = item.as_string();
-    if (text == nullptr) return in.fail_type(item, item_path, "a list of texts in quotation marks");
-    in.record(item, item_path);
+    const Decoding item = in.item(i);
+    const auto* text = item.node.as_string();
+    if (text == nullptr) return item.fail_type("a list of texts in quotation marks");
+    item.record();
     out.push_back(text->get());
   }
   return true;
 }
 
-bool Codec<std::array<double, 2>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                          std::array<double, 2>& out) {
+bool Codec<std::array<double, 2>>::decode(const Decoding& in, std::array<double, 2>& out) {
   std::vector<double> xy;
-  if (!decode_numbers(in, node, path, 2, 2, "a point [x, y]", xy)) return false;
+  if (!decode_numbers(in, 2, 2, "a point [x, y]", xy)) return false;
   out = {xy[0], xy[1]};
   return true;
-}
-
-json Codec<std::array<double, 2>>::encode(const std::array<double, 2>& value, const Spec& spec) {
-  return json::array({encode_number(value[0], spec), encode_number(value[1], spec)});
 }
 
 std::string Codec<std::array<double, 2>>::name(const Spec& spec) {
   return spec.unit.empty() ? "[x, y]" : fmt::format("[x, y] [{}]", spec.unit);
 }
 
-bool Codec<std::uint64_t>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                  std::uint64_t& out) {
-  const auto* number = node.as_integer();
-  if (number == nullptr) return in.fail_type(node, path, "a whole number");
-  if (number->get() < 0)
-    return in.fail(node, path, fmt::format("'{}' is {}; it must be at least 0", in.key, number->get()));
+bool Codec<std::uint64_t>::decode(const Decoding& in, std::uint64_t& out) {
+  const auto* number = in.node.as_integer();
+  if (number == nullptr) return in.fail_type("a whole number");
+  if (number->get() < 0) return in.fail("'{}' is {}; it must be at least 0", in.key, number->get());
   out = static_cast<std::uint64_t>(number->get());
   return true;
 }
 
-bool Codec<TomlText>::decode(const Decoding& in, const toml::node& node, const std::string& path, TomlText& out) {
-  if (!node.is_number() && !node.is_string())
-    return in.fail_type(node, path, "a number, or a text with a unit such as \"2 kPa\"");
-  in.record(node, path);
-  out.text = write_toml(node);
+bool Codec<TomlText>::decode(const Decoding& in, TomlText& out) {
+  if (!in.node.is_number() && !in.node.is_string())
+    return in.fail_type("a number, or a text with a unit such as \"2 kPa\"");
+  in.record();
+  out.text = write_toml(in.node);
   return true;
 }
 
@@ -95,7 +83,6 @@ json Codec<TomlText>::encode(const TomlText& value, const Spec&) {
 
 namespace {
 
-using nlohmann::json;
 using Pairs = std::vector<std::array<double, 2>>;
 
 const Spec seconds = quantity("s");
@@ -106,7 +93,7 @@ const std::vector<std::string> fillings{"zero", "previous", "linear"};
 
 constexpr const char* file_form = "{ file = \"station.csv\", column = \"rain\" }";
 
-bool decode_file(const Decoding& in, const toml::table& table, const std::string& path, SeriesFile& out) {
+bool decode_file(const Decoding& in, const toml::table& table, SeriesFile& out) {
   bool is_good = true;
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
@@ -115,43 +102,45 @@ bool decode_file(const Decoding& in, const toml::table& table, const std::string
                         : name == "minus"  ? &out.minus
                         : name == "fill"   ? &out.fill
                                            : nullptr;
+    const Decoding place = in.at(node, name);
     if (part == nullptr)
-      is_good =
-          in.fail(node, path,
-                  fmt::format("'{}' from a file has 'file', 'column', 'minus' and 'fill', and no '{}'", in.key, name));
+      is_good = place.fail("'{}' from a file has 'file', 'column', 'minus' and 'fill', and no '{}'", in.key, name);
     else if (const auto* text = node.as_string(); text != nullptr && !text->get().empty())
       *part = text->get();
     else
-      is_good = in.fail_type(node, fmt::format("{}.{}", path, name), "a text in quotation marks");
+      is_good = place.fail_type("a text in quotation marks");
   }
   if (std::size_t word = 0; is_good && !out.fill.empty())
-    is_good = decode_word(in, *table.get("fill"), path + ".fill", fillings, word);
+    is_good = decode_word(in.at(*table.get("fill"), "fill"), fillings, word);
   if (is_good && (out.file.empty() || out.column.empty()))
-    return in.fail(table, path, fmt::format("'{}' from a file needs 'file' and 'column', as in {}", in.key, file_form));
-  if (is_good) in.record(table, path);
+    return in.fail("'{}' from a file needs 'file' and 'column', as in {}", in.key, file_form);
+  if (is_good) in.record();
   return is_good;
+}
+
+/// The unit of `spec` is that of the first column.
+json encode_pairs(const Pairs& rows, const Spec& spec) {
+  return encode_list(rows, [&](const auto& row) { return json::array({encode_number(row[0], spec), row[1]}); });
 }
 
 }  // namespace
 
-bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
-                  const Spec& second, const std::string& wanted, Pairs& out) {
-  const toml::array* rows = node.as_array();
-  if (rows == nullptr || rows->empty()) return in.fail_type(node, path, wanted);
-  const Decoding left{first, in.key, in.findings}, right{second, in.key, in.findings};
+bool decode_pairs(const Decoding& in, const Spec& first, const Spec& second, const std::string& wanted, Pairs& out) {
+  const toml::array* rows = in.node.as_array();
+  if (rows == nullptr || rows->empty()) return in.fail_type(wanted);
   bool is_good = true;
   out.clear();
   for (std::size_t i = 0; i < rows->size(); ++i) {
-    const std::string row_path = fmt::format("{}.{}", path, i);
-    const toml::array* row = rows->get(i)->as_array();
+    const Decoding place = in.item(i);
+    const toml::array* row = place.node.as_array();
     if (row == nullptr || row->size() != 2) {
-      is_good = in.fail_type(*rows->get(i), row_path, wanted);
+      is_good = place.fail_type(wanted);
       continue;
     }
-    in.record(*row, row_path);
+    place.record();
     auto& pair = out.emplace_back();
-    is_good = decode_number(left, *row->get(0), row_path + ".0", pair[0]) && is_good;
-    is_good = decode_number(right, *row->get(1), row_path + ".1", pair[1]) && is_good;
+    is_good = decode_number(place.with(first).item(0), pair[0]) && is_good;
+    is_good = decode_number(place.with(second).item(1), pair[1]) && is_good;
   }
   return is_good;
 }
@@ -162,26 +151,23 @@ json write_pair_schema(const Spec& first, const Spec& second) {
   return write_array_schema(row, 1, -1);
 }
 
-bool Codec<Series>::decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out) {
+bool Codec<Series>::decode(const Decoding& in, Series& out) {
   out.table = {};
-  if (const toml::table* file = node.as_table()) return decode_file(in, *file, path, out.table.source.emplace());
-  if (!node.is_array()) {
+  if (const toml::table* file = in.node.as_table()) return decode_file(in, *file, out.table.source.emplace());
+  if (!in.node.is_array()) {
     double value = 0;
-    if (!decode_number(in, node, path, value)) return false;
+    if (!decode_number(in, value)) return false;
     out.table = {{0.0}, {value}};
     return true;
   }
   Pairs rows;
-  if (!decode_pairs(in, node, path, seconds, in.spec, fmt::format("a value, rows [time, value], or {}", file_form),
-                    rows))
+  if (!decode_pairs(in, seconds, in.spec, fmt::format("a value, rows [time, value], or {}", file_form), rows))
     return false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && rows[i][0] < rows[i - 1][0])
-      return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
-                     fmt::format("the times of '{}' must not decrease from row to row", in.key));
+      return in.item(i).fail("the times of '{}' must not decrease from row to row", in.key);
     if (i > 1 && rows[i][0] == rows[i - 2][0])
-      return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
-                     fmt::format("'{}' has three rows at one time; two are a jump", in.key));
+      return in.item(i).fail("'{}' has three rows at one time; two are a jump", in.key);
     out.table.time.push_back(rows[i][0]);
     out.table.value.push_back(rows[i][1]);
   }
@@ -215,16 +201,16 @@ json Codec<Series>::schema(const Spec& spec) {
   return {{"anyOf", choices}};
 }
 
-bool Codec<Date>::decode(const Decoding& in, const toml::node& node, const std::string& path, Date& out) {
+bool Codec<Date>::decode(const Decoding& in, Date& out) {
   std::string text;
-  if (const auto* word = node.as_string())
+  if (const auto* word = in.node.as_string())
     text = word->get();
-  else if (node.is_date() || node.is_date_time())
-    text = write_toml(node);
+  else if (in.node.is_date() || in.node.is_date_time())
+    text = write_toml(in.node);
   const auto seconds = parse_date(text);
-  if (!seconds) return in.fail_type(node, path, "a date such as 2023-07-01 or \"2023-07-01 06:00\"");
+  if (!seconds) return in.fail_type("a date such as 2023-07-01 or \"2023-07-01 06:00\"");
   out.seconds = *seconds;
-  in.record(node, path);
+  in.record();
   return true;
 }
 
@@ -236,39 +222,32 @@ json Codec<Date>::schema(const Spec&) {
   return {{"type", "string"}};
 }
 
-bool Codec<std::vector<Date>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                      std::vector<Date>& out) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr) return in.fail_type(node, path, "a list of dates");
-  in.record(node, path);
+bool Codec<std::vector<Date>>::decode(const Decoding& in, std::vector<Date>& out) {
+  const toml::array* list = in.node.as_array();
+  if (list == nullptr) return in.fail_type("a list of dates");
+  in.record();
   out.assign(list->size(), {});
   bool is_good = true;
-  for (std::size_t i = 0; i < list->size(); ++i)
-    is_good = Codec<Date>::decode(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  for (std::size_t i = 0; i < list->size(); ++i) is_good = Codec<Date>::decode(in.item(i), out[i]) && is_good;
   return is_good;
 }
 
 json Codec<std::vector<Date>>::encode(const std::vector<Date>& value, const Spec& spec) {
   if (value.empty()) return {};
-  json list = json::array();
-  for (const Date& date : value) list.push_back(Codec<Date>::encode(date, spec));
-  return list;
+  return encode_list(value, [&](const Date& date) { return Codec<Date>::encode(date, spec); });
 }
 
 json Codec<std::vector<Date>>::schema(const Spec& spec) {
   return write_array_schema(Codec<Date>::schema(spec), 0, -1);
 }
 
-bool Codec<SuctionCurve>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                 SuctionCurve& out) {
-  return decode_pairs(in, node, path, in.spec, share, "rows [suction, value]", out.pairs);
+bool Codec<SuctionCurve>::decode(const Decoding& in, SuctionCurve& out) {
+  return decode_pairs(in, in.spec, share, "rows [suction, value]", out.pairs);
 }
 
 json Codec<SuctionCurve>::encode(const SuctionCurve& value, const Spec& spec) {
   if (value.pairs.empty()) return {};
-  json list = json::array();
-  for (const auto& [suction, y] : value.pairs) list.push_back(json::array({encode_number(suction, spec), y}));
-  return list;
+  return encode_pairs(value.pairs, spec);
 }
 
 std::string Codec<SuctionCurve>::name(const Spec& spec) {
@@ -281,37 +260,31 @@ json Codec<SuctionCurve>::schema(const Spec& spec) {
 
 namespace {
 
-using nlohmann::json;
-
 const Spec any_share = plain().at_least(0);
 
 }  // namespace
 
-bool decode_per_cent(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
-  if (!node.is_number() && !node.is_string())
-    return in.fail_type(node, path, "a number of per cent, or a text such as \"0.88 %\"");
+bool decode_per_cent(const Decoding& in, double& out) {
+  if (!in.node.is_number() && !in.node.is_string())
+    return in.fail_type("a number of per cent, or a text such as \"0.88 %\"");
   double fraction = 0;
-  if (!decode_number(in, node, path, fraction)) return false;
+  if (!decode_number(in, fraction)) return false;
   // The fraction of 0.88 % converts back to 0.8800000000000001; the conversions preserve fifteen digits.
   out = round_to_digits(100 * fraction, 15);
   return true;
 }
 
-bool Codec<ShareTable>::decode(const Decoding& in, const toml::node& node, const std::string& path, ShareTable& out) {
-  if (!decode_pairs(in, node, path, in.spec, any_share, "rows of two numbers, the second a share", out.rows))
-    return false;
+bool Codec<ShareTable>::decode(const Decoding& in, ShareTable& out) {
+  if (!decode_pairs(in, in.spec, any_share, "rows of two numbers, the second a share", out.rows)) return false;
   for (std::size_t i = 1; i < out.rows.size(); ++i)
     if (out.rows[i][0] <= out.rows[i - 1][0])
-      return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
-                     fmt::format("the first numbers of '{}' must increase from row to row", in.key));
+      return in.item(i).fail("the first numbers of '{}' must increase from row to row", in.key);
   return true;
 }
 
 json Codec<ShareTable>::encode(const ShareTable& value, const Spec& spec) {
   if (value.rows.empty()) return {};
-  json list = json::array();
-  for (const auto& [place, part] : value.rows) list.push_back(json::array({encode_number(place, spec), part}));
-  return list;
+  return encode_pairs(value.rows, spec);
 }
 
 std::string Codec<ShareTable>::name(const Spec& spec) {
@@ -322,23 +295,14 @@ json Codec<ShareTable>::schema(const Spec& spec) {
   return write_pair_schema(spec, any_share);
 }
 
-bool Codec<std::array<double, 4>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                          std::array<double, 4>& out) {
+bool Codec<std::array<double, 4>>::decode(const Decoding& in, std::array<double, 4>& out) {
   std::vector<double> numbers;
-  if (!decode_numbers(in, node, path, 4, 4, "a list of four increasing numbers", numbers)) return false;
+  if (!decode_numbers(in, 4, 4, "a list of four increasing numbers", numbers)) return false;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (i > 0 && numbers[i] <= numbers[i - 1])
-      return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
-                     fmt::format("the four numbers of '{}' must increase", in.key));
+    if (i > 0 && numbers[i] <= numbers[i - 1]) return in.item(i).fail("the four numbers of '{}' must increase", in.key);
     out[i] = numbers[i];
   }
   return true;
-}
-
-json Codec<std::array<double, 4>>::encode(const std::array<double, 4>& value, const Spec& spec) {
-  json list = json::array();
-  for (const double x : value) list.push_back(encode_number(x, spec));
-  return list;
 }
 
 std::string Codec<std::array<double, 4>>::name(const Spec& spec) {
@@ -346,8 +310,6 @@ std::string Codec<std::array<double, 4>>::name(const Spec& spec) {
 }
 
 namespace {
-
-using nlohmann::json;
 
 void collect(const toml::table& table, const std::string& prefix, std::vector<PointSetting>& out) {
   for (const auto& [key, node] : table) {
@@ -361,11 +323,11 @@ void collect(const toml::table& table, const std::string& prefix, std::vector<Po
 
 }  // namespace
 
-bool Codec<Turns>::decode(const Decoding& in, const toml::node& node, const std::string& path, Turns& out) {
-  if (node.is_array())
-    return decode_numbers(in, node, path, 1, std::size_t(-1), "a number or a list of at least one number", out.values);
+bool Codec<Turns>::decode(const Decoding& in, Turns& out) {
+  if (in.node.is_array())
+    return decode_numbers(in, 1, std::size_t(-1), "a number or a list of at least one number", out.values);
   double value = 0;
-  if (!decode_number(in, node, path, value)) return false;
+  if (!decode_number(in, value)) return false;
   out.values = {value};
   return true;
 }
@@ -387,11 +349,10 @@ json Codec<Turns>::schema(const Spec& spec) {
   return {{"anyOf", choices}};
 }
 
-bool Codec<std::vector<PointSetting>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
-                                              std::vector<PointSetting>& out) {
-  const toml::table* table = node.as_table();
-  if (table == nullptr) return in.fail_type(node, path, "a table of the material's keys, such as { porosity = 0.4 }");
-  in.record(node, path);
+bool Codec<std::vector<PointSetting>>::decode(const Decoding& in, std::vector<PointSetting>& out) {
+  const toml::table* table = in.node.as_table();
+  if (table == nullptr) return in.fail_type("a table of the material's keys, such as { porosity = 0.4 }");
+  in.record();
   out.clear();
   collect(*table, "", out);
   return true;

@@ -8,24 +8,21 @@
 
 namespace talus::input {
 
-bool decode_words(const Decoding& in, const toml::node& node, const std::string& path,
-                  const std::vector<std::string>& words, std::vector<std::size_t>& out);
+bool decode_words(const Decoding& in, const std::vector<std::string>& words, std::vector<std::size_t>& out);
 
 /// A list of words of an enumeration.
 template <class E>
 requires std::is_enum_v<E>
 struct Codec<std::vector<E>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<E>& out) {
+  static bool decode(const Decoding& in, std::vector<E>& out) {
     std::vector<std::size_t> indices;
-    if (!decode_words(in, node, path, Codec<E>::words(), indices)) return false;
+    if (!decode_words(in, Codec<E>::words(), indices)) return false;
     out.clear();
     for (const std::size_t i : indices) out.push_back(choices<E>[i].value);
     return true;
   }
   static nlohmann::json encode(const std::vector<E>& value, const Spec& spec) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const E word : value) list.push_back(Codec<E>::encode(word, spec));
-    return list;
+    return encode_list(value, [&](E word) { return Codec<E>::encode(word, spec); });
   }
   static std::string name(const Spec&) { return "list of words"; }
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(Codec<E>::schema(spec), 0, -1); }
@@ -45,8 +42,7 @@ using WordOf = typename WordType<T>::Type;
 
 template <>
 struct Codec<std::vector<std::string>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path,
-                     std::vector<std::string>& out);
+  static bool decode(const Decoding& in, std::vector<std::string>& out);
   static nlohmann::json encode(const std::vector<std::string>& value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "list of texts"; }
   static nlohmann::json schema(const Spec&) { return write_array_schema({{"type", "string"}}, 0, -1); }
@@ -55,15 +51,17 @@ struct Codec<std::vector<std::string>> {
 /// A point in the plane: [x, y].
 template <>
 struct Codec<std::array<double, 2>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out);
-  static nlohmann::json encode(const std::array<double, 2>& value, const Spec& spec);
+  static bool decode(const Decoding& in, std::array<double, 2>& out);
+  static nlohmann::json encode(const std::array<double, 2>& value, const Spec& spec) {
+    return encode_numbers(value, spec);
+  }
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 2, 2); }
 };
 
 template <>
 struct Codec<std::uint64_t> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::uint64_t& out);
+  static bool decode(const Decoding& in, std::uint64_t& out);
   static nlohmann::json encode(std::uint64_t value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "whole number"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "integer"}, {"minimum", 0}}; }
@@ -71,7 +69,7 @@ struct Codec<std::uint64_t> {
 
 template <>
 struct Codec<TomlText> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlText& out);
+  static bool decode(const Decoding& in, TomlText& out);
   static nlohmann::json encode(const TomlText& value, const Spec&);
   static std::string name(const Spec&) { return "number or text with unit"; }
   static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
@@ -80,13 +78,13 @@ struct Codec<TomlText> {
 // Codecs of dates, series in time and curves over suction, i.e. pairs whose two numbers have different units.
 
 /// Decodes rows of two numbers, each with the unit and range of its column.
-bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
-                  const Spec& second, const std::string& wanted, std::vector<std::array<double, 2>>& out);
+bool decode_pairs(const Decoding& in, const Spec& first, const Spec& second, const std::string& wanted,
+                  std::vector<std::array<double, 2>>& out);
 nlohmann::json write_pair_schema(const Spec& first, const Spec& second);
 
 template <>
 struct Codec<Series> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out);
+  static bool decode(const Decoding& in, Series& out);
   static nlohmann::json encode(const Series& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -94,7 +92,7 @@ struct Codec<Series> {
 
 template <>
 struct Codec<Date> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Date& out);
+  static bool decode(const Decoding& in, Date& out);
   static nlohmann::json encode(const Date& value, const Spec& spec);
   static std::string name(const Spec&) { return "date"; }
   static nlohmann::json schema(const Spec& spec);
@@ -102,7 +100,7 @@ struct Codec<Date> {
 
 template <>
 struct Codec<std::vector<Date>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<Date>& out);
+  static bool decode(const Decoding& in, std::vector<Date>& out);
   static nlohmann::json encode(const std::vector<Date>& value, const Spec& spec);
   static std::string name(const Spec&) { return "list of dates"; }
   static nlohmann::json schema(const Spec& spec);
@@ -110,7 +108,7 @@ struct Codec<std::vector<Date>> {
 
 template <>
 struct Codec<SuctionCurve> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, SuctionCurve& out);
+  static bool decode(const Decoding& in, SuctionCurve& out);
   static nlohmann::json encode(const SuctionCurve& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -118,13 +116,13 @@ struct Codec<SuctionCurve> {
 
 // Codecs of contents in per cent, fractions over depth or age, and the four suctions of Feddes.
 
-bool decode_per_cent(const Decoding& in, const toml::node& node, const std::string& path, double& out);
+bool decode_per_cent(const Decoding& in, double& out);
 
 template <class T>
 struct Codec<PerCent<T>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, PerCent<T>& out) {
+  static bool decode(const Decoding& in, PerCent<T>& out) {
     double value = 0;
-    if (!decode_per_cent(in, node, path, value)) return false;
+    if (!decode_per_cent(in, value)) return false;
     out.value = value;
     return true;
   }
@@ -138,7 +136,7 @@ struct Codec<PerCent<T>> {
 
 template <>
 struct Codec<ShareTable> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, ShareTable& out);
+  static bool decode(const Decoding& in, ShareTable& out);
   static nlohmann::json encode(const ShareTable& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -147,8 +145,10 @@ struct Codec<ShareTable> {
 /// Four increasing numbers.
 template <>
 struct Codec<std::array<double, 4>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 4>& out);
-  static nlohmann::json encode(const std::array<double, 4>& value, const Spec& spec);
+  static bool decode(const Decoding& in, std::array<double, 4>& out);
+  static nlohmann::json encode(const std::array<double, 4>& value, const Spec& spec) {
+    return encode_numbers(value, spec);
+  }
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 4, 4); }
 };
@@ -157,7 +157,7 @@ struct Codec<std::array<double, 4>> {
 
 template <>
 struct Codec<Turns> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Turns& out);
+  static bool decode(const Decoding& in, Turns& out);
   static nlohmann::json encode(const Turns& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
@@ -166,8 +166,7 @@ struct Codec<Turns> {
 /// A table of keys of the test's material: { cohesion = 5, water.conductivity = 1e-6 }.
 template <>
 struct Codec<std::vector<PointSetting>> {
-  static bool decode(const Decoding& in, const toml::node& node, const std::string& path,
-                     std::vector<PointSetting>& out);
+  static bool decode(const Decoding& in, std::vector<PointSetting>& out);
   static nlohmann::json encode(const std::vector<PointSetting>& value, const Spec& spec);
   static std::string name(const Spec&) { return "table of keys and values"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "object"}}; }

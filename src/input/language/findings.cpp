@@ -19,8 +19,7 @@ bool is_within(const std::string& path, const std::string& parent) {
 
 /// Returns the first of "", "a", "a.b" … up to the path itself for which `holds` is true; std::nullopt if there is
 /// none.
-template <class Holds>
-std::optional<std::string> find_parent(const std::string& path, Holds&& holds) {
+std::optional<std::string> find_parent(const std::string& path, auto&& holds) {
   for (std::size_t end = 0;; end = path.find('.', end + 1)) {
     const std::string parent = path.substr(0, end);
     if (holds(parent)) return parent;

@@ -2,6 +2,8 @@
 #pragma once
 // Places of keys in the file, and the faults and warnings found in a case.
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <map>
 #include <set>
@@ -49,12 +51,21 @@ class Findings {
   /// Adds a fault of `path`, reported where it was given, or at its table if it is missing.
   void add(const std::string& path, const std::string& sentence);
   void add_at(const Place& place, const std::string& path, const std::string& sentence);
+  /// Formats the sentence as fmt::format() does.
+  template <class First, class... Rest>
+  void add(const std::string& path, fmt::format_string<First, Rest...> sentence, First&& first, Rest&&... rest) {
+    add(path, fmt::format(sentence, std::forward<First>(first), std::forward<Rest>(rest)...));
+  }
   /// Adds the fault of a key that does not exist in any case.
   void add_unknown_key(const Place& place, const std::string& path, const std::string& sentence);
   /// Returns true if no fault at, below or above `path` is known, so that it can be checked further.
   bool is_sound(const std::string& path) const;
   /// Adds a warning at the place of `path`: the value is allowed, but probably not intended.
   void warn(const std::string& path, const std::string& sentence);
+  template <class First, class... Rest>
+  void warn(const std::string& path, fmt::format_string<First, Rest...> sentence, First&& first, Rest&&... rest) {
+    warn(path, fmt::format(sentence, std::forward<First>(first), std::forward<Rest>(rest)...));
+  }
   /// Returns all faults in the order of the file, followed by those of --set.
   std::vector<Diagnostic> sort() const;
   /// Returns the warnings in the same order, without those at and below the paths `meant`.
@@ -75,6 +86,21 @@ class Findings {
   std::vector<Diagnostic> diagnostics_;
   std::vector<Warning> warnings_;
   std::set<std::string> faulty_;
+};
+
+/// The findings of one block. Keys are relative to its path.
+struct BlockFindings {
+  Findings& findings;
+  std::string path;  ///< "roots.0"
+
+  bool is_sound(const std::string& key) const { return findings.is_sound(path + "." + key); }
+  bool is_given(const std::string& key) const { return findings.places.is_given(path + "." + key); }
+  void report(const std::string& key, const std::string& sentence) const { findings.add(path + "." + key, sentence); }
+  template <class First, class... Rest>
+  void report(const std::string& key, fmt::format_string<First, Rest...> sentence, First&& first,
+              Rest&&... rest) const {
+    report(key, sentence, std::forward<First>(first), std::forward<Rest>(rest)...);
+  }
 };
 
 /// Writes `file:line:column: warning: sentence`, without the place if there is none.

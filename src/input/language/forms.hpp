@@ -4,7 +4,6 @@
 // them.
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

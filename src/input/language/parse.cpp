@@ -198,25 +198,29 @@ toml::table parse_value(const std::string& text) {
 }
 
 /// Returns the index of the list entry that `step` identifies: by index from 0, or by its `name`, `on` or `ground`.
-std::optional<std::size_t> find_entry(const toml::array& list, const std::string& step) {
+/// has(i, label): entry i has this label with the value `step`.
+std::optional<std::size_t> find_entry(std::size_t size, const std::string& step, const auto& has) {
   std::size_t number = 0;
   const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
   if (failure == std::errc{} && end == step.data() + step.size())
-    return number < list.size() ? std::optional(number) : std::nullopt;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const toml::table* table = list[i].as_table();
-    if (table == nullptr) continue;
+    return number < size ? std::optional(number) : std::nullopt;
+  for (std::size_t i = 0; i < size; ++i)
     for (const char* label : {"name", "on", "ground"})
-      if ((*table)[label].value<std::string>() == step) return i;
-  }
+      if (has(i, label)) return i;
   return std::nullopt;
+}
+std::optional<std::size_t> find_entry(const toml::array& list, const std::string& step) {
+  return find_entry(list.size(), step, [&](std::size_t i, const char* label) {
+    const toml::table* table = list[i].as_table();
+    return table != nullptr && (*table)[label].value<std::string>() == step;
+  });
 }
 
 /// Blocks whose tables have user-defined names.
 const std::set<std::string> blocks_of_names{"materials"};
 
 /// Returns ", did you mean 'sand'?" from the names in a list or table; empty if none is similar.
-std::string suggest(const std::string& step, const std::vector<std::string>& names) {
+std::string add_suggestion(const std::string& step, const std::vector<std::string>& names) {
   const std::string near = find_nearest(step, names);
   return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
@@ -239,22 +243,22 @@ std::vector<std::string> list_labels(const toml::array& list) {
 
 void apply(toml::table& root, const Override& change, Findings& findings) {
   const std::vector<std::string> steps = split_path(change.key);
-  const Place place{"--set " + change.key, 0, 0};
-  if (steps.size() > most_dots)
-    return findings.add_at(place, change.key, fmt::format("the key has more than {} parts", most_dots));
+  const auto fail = [&](const std::string& sentence) {
+    findings.add_at({"--set " + change.key, 0, 0}, change.key, sentence);
+  };
+  if (steps.size() > most_dots) return fail(fmt::format("the key has more than {} parts", most_dots));
   toml::node* at = &root;
   std::string path;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool is_last = i + 1 == steps.size();
     std::string step = steps[i];
-    if (step.empty()) return findings.add_at(place, change.key, "the key has an empty part between its dots");
+    if (step.empty()) return fail("the key has an empty part between its dots");
     if (toml::array* list = at->as_array()) {
       const auto entry = find_entry(*list, step);
       if (!entry)
-        return findings.add_at(place, change.key,
-                               fmt::format("'{}' has no entry '{}' (entries are named by their name, their side, or "
-                                           "their number from 0){}",
-                                           path, step, suggest(step, list_labels(*list))));
+        return fail(fmt::format(
+            "'{}' has no entry '{}' (entries are named by their name, their side, or their number from 0){}", path,
+            step, add_suggestion(step, list_labels(*list))));
       step = std::to_string(*entry);
       path += "." + step;
       toml::node& child = (*list)[*entry];
@@ -275,8 +279,7 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
         if (table->get(step) == nullptr) {
           const std::string parent = path.substr(0, path.size() - step.size() - (path.size() > step.size() ? 1 : 0));
           if (blocks_of_names.count(parent) != 0)
-            return findings.add_at(place, change.key,
-                                   fmt::format("there is no [{}]{}", path, suggest(step, list_names(*table))));
+            return fail(fmt::format("there is no [{}]{}", path, add_suggestion(step, list_names(*table))));
           table->insert(step, toml::table{});
           findings.places.mark_override(path, change.key);
         }
@@ -285,20 +288,26 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
       }
       if (is_removal(change)) {
         if (table->erase(step) == 0)
-          findings.add_at(place, change.key,
-                          fmt::format("the file has no '{}' to remove{}", path, suggest(step, list_names(*table))));
+          fail(fmt::format("the file has no '{}' to remove{}", path, add_suggestion(step, list_names(*table))));
         return;
       }
       toml::table value = parse_value(change.value);
       value.get("v")->visit([&](auto& v) { table->insert_or_assign(step, v); });
     } else {
-      return findings.add_at(place, change.key, fmt::format("'{}' is a value and has no key '{}'", path, step));
+      return fail(fmt::format("'{}' is a value and has no key '{}'", path, step));
     }
   }
   findings.places.mark_override(path, change.key);
 }
 
 }  // namespace
+
+const nlohmann::json* find_entry(const nlohmann::json& list, const std::string& step) {
+  const auto found = find_entry(list.size(), step, [&](std::size_t i, const char* label) {
+    return list[i].contains(label) && list[i][label].value("value", nlohmann::json()) == step;
+  });
+  return found ? &list[*found] : nullptr;
+}
 
 std::vector<std::string> split_path(const std::string& path) {
   std::vector<std::string> steps(1);
@@ -320,9 +329,7 @@ Override parse_override(const std::string& text) {
   Override change;
   if (equals != std::string::npos) change = {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
   if (change.key.empty())
-    throw Error(ExitCode::wrong_input, fmt::format("--set '{}' must be written key=value, for example "
-                                                   "--set materials.sand.cohesion=5",
-                                                   text));
+    fail_input("--set '{}' must be written key=value, for example --set materials.sand.cohesion=5", text);
   return change;
 }
 

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ struct Override {
   std::string key;
   std::string value;
 };
+
+/// Returns the entry of a list in an echo that a step of such a path identifies; nullptr if there is none.
+const nlohmann::json* find_entry(const nlohmann::json& list, const std::string& step);
 
 /// Returns the steps of a dotted path.
 std::vector<std::string> split_path(const std::string& path);

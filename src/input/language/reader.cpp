@@ -12,12 +12,6 @@ namespace {
 
 const toml::table empty_table;
 
-std::string join_quoted(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "'" : ", '") + word + "'";
-  return text;
-}
-
 std::string write_place(const std::string& header) {
   return header.empty() ? "at the top of the file" : "in " + header;
 }
@@ -75,7 +69,7 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
   if (node == nullptr && is_required && !spec.is_waived(methods_)) {
     const std::string example =
         spec.examples.empty() ? "" : fmt::format(", for example {} = {}", name, spec.examples[0]);
-    findings_.add(path, fmt::format("missing key '{}' {}{}{}", name, write_place(scope.header), example, reason));
+    findings_.add(path, "missing key '{}' {}{}{}", name, write_place(scope.header), example, reason);
   }
   return node;
 }
@@ -129,7 +123,7 @@ std::vector<const toml::table*> Reader::find_tables(const std::string& name) {
 bool Reader::is_countable(std::size_t size, const std::string& path) {
   constexpr std::size_t most_tables = 1000;
   if (size > most_tables)
-    findings_.add(path, fmt::format("there are {} of [{}], and a case has at most {}", size, path, most_tables));
+    findings_.add(path, "there are {} of [{}], and a case has at most {}", size, path, most_tables);
   return size <= most_tables;
 }
 
@@ -141,8 +135,7 @@ std::vector<std::string> Reader::enter_names(const std::string& name) {
   for (const auto& [key, node] : *table) {
     names.emplace_back(key.str());
     if (names.back().find_first_of("\n\r") != std::string::npos)
-      findings_.add(write_path(names.back()),
-                    fmt::format("a name {} must be one line", write_place(scopes_.back().header)));
+      findings_.add(write_path(names.back()), "a name {} must be one line", write_place(scopes_.back().header));
   }
   return names;
 }
@@ -166,16 +159,15 @@ void Reader::leave() {
         near.empty() && findings_.describe_owners ? findings_.describe_owners(name) : std::string();
     const std::string path = scope.path.empty() ? name : scope.path + "." + name;
     const toml::source_position at = key.source().begin;
-    findings_.add_unknown_key(findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)),
-                              path,
-                              fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
-                                          !near.empty()     ? fmt::format("did you mean '{}'?", near)
-                                          : !owners.empty() ? owners
-                                                            : "known are " + join_quoted(scope.known)));
+    findings_.add_unknown_key(
+        findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path,
+        fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
+                    !near.empty()     ? fmt::format("did you mean '{}'?", near)
+                    : !owners.empty() ? owners
+                                      : fmt::format("known are '{}'", fmt::join(scope.known, "', '"))));
   }
   if (unknown > most_unknown)
-    findings_.add(scope.path,
-                  fmt::format("{} more unknown keys {}", unknown - most_unknown, write_place(scope.header)));
+    findings_.add(scope.path, "{} more unknown keys {}", unknown - most_unknown, write_place(scope.header));
 }
 
 }  // namespace talus::input

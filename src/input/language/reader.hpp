@@ -24,7 +24,7 @@ class Reader {
   template <class T>
   void key(const char* name, T&& member, const Spec& spec, const char* /*meaning*/) {
     if (const toml::node* node = find_key(name, spec))
-      Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_}, *node, write_path(name), member);
+      Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_, *node, write_path(name)}, member);
   }
 
   /// Sets the blocks at the top level that may be absent.
@@ -33,8 +33,7 @@ class Reader {
   /// Sets the methods of the case: a key that none of them needs is not required.
   void ask_methods(const std::set<std::string>& words) { methods_ = words; }
 
-  template <class T>
-  void table(const char* name, T&& block, const char* /*meaning*/) {
+  void table(const char* name, auto&& block, const char* /*meaning*/) {
     if (is_left_out(name)) return;
     enter(name, find_table(name), write_name(name), false);
     describe(*this, block);
@@ -76,7 +75,7 @@ class Reader {
     for (const std::string& label : enter_names(name)) {
       T value{};
       const toml::node* node = find_key(label, spec);
-      if (node != nullptr && Codec<T>::decode({spec, label, findings_}, *node, write_path(label), value))
+      if (node != nullptr && Codec<T>::decode({spec, label, findings_, *node, write_path(label)}, value))
         values[label] = value;
     }
     scopes_.pop_back();

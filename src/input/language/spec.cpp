@@ -71,13 +71,6 @@ bool Spec::allows(double value) const {
   return !high || (high->open ? value < high->value : value <= high->value);
 }
 
-Spec::Spec() = default;
-Spec::Spec(const Spec&) = default;
-Spec::Spec(Spec&&) noexcept = default;
-Spec& Spec::operator=(const Spec&) = default;
-Spec& Spec::operator=(Spec&&) noexcept = default;
-Spec::~Spec() = default;
-
 Spec Spec::at_least(double value) && {
   return low = Limit{value, false}, std::move(*this);
 }

@@ -166,14 +166,6 @@ struct Spec {
   /// Returns true if `value`, in the unit of the manual, is within the limits.
   bool allows(double value) const;
 
-  // Defined in spec.cpp to reduce compile time: every visitor makes a Spec for each key.
-  Spec();
-  Spec(const Spec&);
-  Spec(Spec&&) noexcept;
-  Spec& operator=(const Spec&);
-  Spec& operator=(Spec&&) noexcept;
-  ~Spec();
-
  private:
   Spec depend(const char* key, std::string value, bool holds, bool required) &&;
   Spec depend_on_any(std::vector<Alternative> others, bool required) &&;
@@ -181,10 +173,7 @@ struct Spec {
 
   static std::string write_value(int value);
   static std::string write_value(const char* word);
-  template <class E>
-  static std::string write_value(E value) {
-    return write_value(get_word(value));
-  }
+  static std::string write_value(auto value) { return write_value(get_word(value)); }
   template <class T>
   static std::vector<Alternative> list_values(const char* key, const T& other, std::initializer_list<T> values) {
     std::vector<Alternative> any;
