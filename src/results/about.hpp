@@ -16,7 +16,6 @@
 #include <array>
 #include <concepts>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -34,32 +33,23 @@ struct About {
 };
 inline constexpr bool can_be_nan = true;
 
-/// One enumerator and its word in result files.
-template <class E>
-struct Word {
-  E value;
-  const char* word;
-};
-template <class E>
-Word(E, const char*) -> Word<E>;  // clang 14 does not deduce the arguments of an aggregate
-
-/// The words of the enumeration E; each enumeration specialises it beside its definition.
+/// The words of the enumeration E in result files, in the order of its enumerators, which count from 0; specialised
+/// beside the definition of E.
 template <class E>
 inline constexpr auto words = nullptr;
 
 /// Returns the word of an enumerator.
 template <class E>
 const char* to_word(E value) {
-  for (const auto& w : words<E>)
-    if (w.value == value) return w.word;
-  return "";
+  const auto i = static_cast<std::size_t>(value);
+  return i < words<E>.size() ? words<E>[i] : "";
 }
 
 /// Returns the enumerator of a word, or nullopt for an unknown word.
 template <class E>
 std::optional<E> from_word(std::string_view word) {
-  for (const auto& w : words<E>)
-    if (w.word == word) return w.value;
+  for (std::size_t i = 0; i < words<E>.size(); ++i)
+    if (words<E>[i] == word) return static_cast<E>(i);
   return std::nullopt;
 }
 

@@ -17,9 +17,7 @@ namespace talus::results {
 /// Classification of a factor by the proven bounds.
 enum class Verdict { possible, too_low, too_high };
 template <>
-inline constexpr auto words<Verdict> =
-    std::array{Word{Verdict::possible, "possible"}, Word{Verdict::too_low, "below_lower_bound"},
-               Word{Verdict::too_high, "above_upper_bound"}};
+inline constexpr auto words<Verdict> = std::array{"possible", "below_lower_bound", "above_upper_bound"};
 
 /// Return a bound as printed, with three decimals. Rounding is away from the middle of the interval, so that the
 /// printed bound is also proven.
@@ -47,8 +45,7 @@ struct Referee {
     return lower && !upper_only && factor < show_lower(*lower) ? Verdict::too_low : Verdict::possible;
   }
 };
-template <class V, As<Referee> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Referee> auto& r) {
   v.maybe("why_not", r.why_not, {"", "why limit analysis cannot judge the factors of limit equilibrium"});
   v.key("lower", r.lower, {"", "proven lower bound for the soil of limit equilibrium"});
   v.key("upper", r.upper, {"", "proven upper bound for the soil of limit equilibrium"});
@@ -69,8 +66,7 @@ struct SideLine {
   int direction = 1;          ///< +1: the soil moves towards larger x
   std::vector<Point> points;  ///< [m]
 };
-template <class V, As<SideLine> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SideLine> auto& r) {
   v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
   v.key("points", r.points, {"m", "its points"});
 }
@@ -80,8 +76,7 @@ struct EarthquakeSide {
   int direction = 0;                   ///< -1: towards smaller x, +1: towards larger x
   std::optional<double> other_stable;  ///< factor at which the slope is stable under the other direction
 };
-template <class V, As<EarthquakeSide> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<EarthquakeSide> auto& r) {
   v.key("direction", r.direction,
         {"", "direction of the earthquake that governs: -1 towards smaller x, 1 towards larger x"});
   v.key(
@@ -101,8 +96,7 @@ struct BoundsMesh {
   int programs = 0, iterations = 0;
   double seconds = 0;  ///< since the start of the first mesh
 };
-template <class V, As<BoundsMesh> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<BoundsMesh> auto& r) {
   v.key("triangles", r.triangles, {"", "triangles"});
   v.key("lower", r.lower, {"", "lower bound proven up to this mesh"});
   v.key("upper", r.upper, {"", "upper bound proven up to this mesh"});
@@ -131,8 +125,7 @@ struct BoundsResult {
   /// Returns true if both bounds were proven.
   bool is_interval() const { return lower && upper; }
 };
-template <class V, As<BoundsResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<BoundsResult> auto& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
   v.key("lower", r.lower, {"", "proven lower bound of the factor of safety"});
@@ -158,8 +151,7 @@ struct HoldingField {
   std::vector<std::vector<double>> stress;  ///< by triangle: effective xx, yy, xy at its corners [Pa], tension positive
   std::vector<double> utilisation;          ///< by triangle: factor of the field over that of its worst corner
 };
-template <class V, As<HoldingField> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<HoldingField> auto& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("triangles", r.triangles, {"", "nodes of the triangles"});
   v.key("stress", r.stress, {"Pa", "effective stress xx, yy, xy at the three corners"});
@@ -173,8 +165,7 @@ struct MovingField {
   std::vector<Point> velocity;     ///< of the nodes, scaled so that the largest is 1
   std::vector<double> shear_rate;  ///< by triangle, scaled so that the largest is 1
 };
-template <class V, As<MovingField> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MovingField> auto& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("triangles", r.triangles, {"", "nodes of the triangles: corners, then middles"});
   v.key("velocity", r.velocity, {"", "velocity of the nodes; the fastest has 1"});
@@ -188,8 +179,7 @@ struct BoundsFile {
   HoldingField holds;
   MovingField moves;
 };
-template <class V, As<BoundsFile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<BoundsFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
   v.key("summary", r.summary, {"", "proven bounds"});
   v.key("holds", r.holds, {"", "stresses of the lower bound"});

@@ -14,28 +14,27 @@
 namespace talus::results {
 
 template <>
-inline constexpr auto words<Method> = std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"},
-                                                 Word{Method::bounds, "bounds"}, Word{Method::mpm, "mpm"}};
+inline constexpr auto words<Method> = std::array{"lem", "fem", "bounds", "mpm"};
 
 /// Origin of the slip surface of a factor.
 enum class SurfaceSource { none, critical, noncircular, given, handed, optimised, band, mechanism, slip_line };
 template <>
-inline constexpr auto words<SurfaceSource> =
-    std::array{Word{SurfaceSource::none, "none"},                // no surface
-               Word{SurfaceSource::critical, "critical"},        // critical circle of LEM
-               Word{SurfaceSource::noncircular, "noncircular"},  // critical polyline of LEM
-               Word{SurfaceSource::given, "given"},              // surface of the case
-               Word{SurfaceSource::handed, "handed"},            // surface of another method, evaluated by LEM
-               Word{SurfaceSource::optimised, "optimised"},      // surface of another method, optimised by LEM
-               Word{SurfaceSource::band, "band"},                // shear band of FEM
-               Word{SurfaceSource::mechanism, "mechanism"},      // mechanism of the upper bound
-               Word{SurfaceSource::slip_line, "slip_line"}};     // slip line of MPM
+inline constexpr auto words<SurfaceSource> = std::array{
+    "none",         // no surface
+    "critical",     // critical circle of LEM
+    "noncircular",  // critical polyline of LEM
+    "given",        // surface of the case
+    "handed",       // surface of another method, evaluated by LEM
+    "optimised",    // surface of another method, optimised by LEM
+    "band",         // shear band of FEM
+    "mechanism",    // mechanism of the upper bound
+    "slip_line",    // slip line of MPM
+};
 
 /// Criterion of a factor of FEM: the largest factor with equilibrium, or the sharp rise of displacement.
 enum class FactorMeasure { equilibrium, displacement };
 template <>
-inline constexpr auto words<FactorMeasure> =
-    std::array{Word{FactorMeasure::equilibrium, "equilibrium"}, Word{FactorMeasure::displacement, "displacement"}};
+inline constexpr auto words<FactorMeasure> = std::array{"equilibrium", "displacement"};
 
 /// One factor of the table of methods.
 struct MethodRow {
@@ -51,8 +50,7 @@ struct MethodRow {
   std::optional<double> seconds;
   std::string note;
 };
-template <class V, As<MethodRow> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MethodRow> auto& r) {
   v.key("method", r.method, {"", "method"});
   v.key("name", r.name, {"", "which of its factors"});
   v.key("title", r.title, {"", "name of the method"});
@@ -85,8 +83,7 @@ struct MethodSurface {
   std::optional<int> direction;       ///< +1: towards larger x; nullopt if all soil moves in one direction
   std::optional<std::string> beside;  ///< name of the other side's surface, which LEM evaluates instead
 };
-template <class V, As<MethodSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MethodSurface> auto& r) {
   v.key("name", r.name, {"", "name of the surface"});
   v.key("title", r.title, {"", "title"});
   v.key("method", r.method, {"", "method"});
@@ -103,8 +100,7 @@ struct HandedSurface {
   std::optional<double> factor;
   std::string refusal;  ///< reason for which a search would reject it; empty if admissible
 };
-template <class V, As<HandedSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<HandedSurface> auto& r) {
   v.key("from", r.from, {"", "name of the surface"});
   v.key("to", r.to, {"", "method of slices"});
   v.key("title", r.title, {"", "title"});
@@ -116,8 +112,7 @@ struct PartialFactor {
   std::string key, title, symbol;
   double value = 1;
 };
-template <class V, As<PartialFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PartialFactor> auto& r) {
   v.key("key", r.key, {"", "key in the case"});
   v.key("title", r.title, {"", "what it divides or multiplies"});
   v.key("symbol", r.symbol, {"", "symbol"});
@@ -129,8 +124,7 @@ struct DesignValue {
   std::string material, quantity, symbol, unit;
   double characteristic = 0, design = 0;  ///< [unit]
 };
-template <class V, As<DesignValue> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DesignValue> auto& r) {
   v.key("material", r.material, {"", "material"});
   v.key("quantity", r.quantity, {"", "quantity"});
   v.key("symbol", r.symbol, {"", "symbol"});
@@ -144,8 +138,7 @@ struct DesignLoad {
   bool variable = false;
   double factor = 1;
 };
-template <class V, As<DesignLoad> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DesignLoad> auto& r) {
   v.key("name", r.name, {"", "surcharge"});
   v.key("variable", r.variable, {"", "whether it is variable"});
   v.key("factor", r.factor, {"", "factor"});
@@ -161,8 +154,7 @@ struct DesignStatement {
   std::string text;
   std::vector<std::string> notes;
 };
-template <class V, As<DesignStatement> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DesignStatement> auto& r) {
   v.key("set", r.set, {"", "set of partial factors"});
   v.key("values", r.values, {"", "partial factors"});
   v.key("materials", r.materials, {"", "design values of the soils"});
@@ -175,17 +167,14 @@ void describe(V& v, R& r) {
 enum class Topic { agreement, slices, elements, bounds, points, mechanism, seconds };
 template <>
 inline constexpr auto words<Topic> =
-    std::array{Word{Topic::agreement, "agreement"}, Word{Topic::slices, "slices"}, Word{Topic::elements, "elements"},
-               Word{Topic::bounds, "bounds"},       Word{Topic::points, "points"}, Word{Topic::mechanism, "mechanism"},
-               Word{Topic::seconds, "seconds"}};
+    std::array{"agreement", "slices", "elements", "bounds", "points", "mechanism", "seconds"};
 
 /// A sentence and its topic.
 struct Remark {
   Topic topic = Topic::agreement;
   std::string text;
 };
-template <class V, As<Remark> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Remark> auto& r) {
   v.key("topic", r.topic, {"", "what it is about"});
   v.key("text", r.text, {"", "sentence"});
 }
@@ -200,17 +189,8 @@ struct MethodComparison {
   std::vector<std::string> warnings;       ///< on factors that differ widely
   std::vector<Remark> remarks;
   std::optional<DesignStatement> partial_factors;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  MethodComparison();
-  MethodComparison(const MethodComparison&);
-  MethodComparison(MethodComparison&&) noexcept;
-  MethodComparison& operator=(const MethodComparison&);
-  MethodComparison& operator=(MethodComparison&&) noexcept;
-  ~MethodComparison();
 };
-template <class V, As<MethodComparison> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MethodComparison> auto& r) {
   v.key("asked", r.asked, {"", "methods that the case asks for"});
   v.key("table", r.table, {"", "factors of all methods"});
   v.key("surfaces", r.surfaces, {"", "surfaces of all methods"});
@@ -226,8 +206,7 @@ struct Unit {
   std::string name;
   double si = 1;
 };
-template <class V, As<Unit> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Unit> auto& r) {
   v.key("name", r.name, {"", "unit"});
   v.key("si", r.si, {"", "one of it in SI"});
 }
@@ -238,8 +217,7 @@ struct NamedResult {
   double value = 0;  ///< [SI]
   Unit unit;         ///< unit of display
 };
-template <class V, As<NamedResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<NamedResult> auto& r) {
   v.key("name", r.name, {"", "name"});
   v.key("title", r.title, {"", "title"});
   v.key("value", r.value, {"", "value in SI"});
@@ -257,8 +235,7 @@ struct Comparison {
   bool passes = false;
   std::string note;
 };
-template <class V, As<Comparison> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Comparison> auto& r) {
   v.key("name", r.name, {"", "name"});
   v.key("title", r.title, {"", "title"});
   v.key("unit", r.unit, {"", "unit that it is shown in"});

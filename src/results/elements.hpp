@@ -15,7 +15,7 @@ namespace talus::results {
 
 enum class Flow { as_given, associated };
 template <>
-inline constexpr auto words<Flow> = std::array{Word{Flow::as_given, "as_given"}, Word{Flow::associated, "associated"}};
+inline constexpr auto words<Flow> = std::array{"as_given", "associated"};
 
 struct ElementTrial {
   double factor = 0;
@@ -25,8 +25,7 @@ struct ElementTrial {
   double displacement = 0;  ///< largest [m]
   double seconds = 0;
 };
-template <class V, As<ElementTrial> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementTrial> auto& r) {
   v.key("factor", r.factor, {"", "factor that the strength is divided by"});
   v.key("converged", r.converged, {"", "whether there is equilibrium"});
   v.key("iterations", r.iterations, {"", "iterations"});
@@ -42,8 +41,7 @@ struct ElementMeshFactor {
   double factor = 0, stable = 0, failed = 0;
   std::optional<double> flowing;  ///< nullopt if all failed trials reached the iteration limit
 };
-template <class V, As<ElementMeshFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementMeshFactor> auto& r) {
   v.key("size", r.size, {"m", "mean size of the elements"});
   v.key("factor", r.factor, {"", "factor of safety on this mesh"});
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
@@ -55,8 +53,7 @@ void describe(V& v, R& r) {
 struct ElementInterval {
   double lower = 0, upper = 0;
 };
-template <class V, As<ElementInterval> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementInterval> auto& r) {
   v.key("lower", r.lower, {"", "lower end of the interval of mesh and search"});
   v.key("upper", r.upper, {"", "upper end of the interval of mesh and search"});
 }
@@ -77,8 +74,7 @@ struct ElementRun {
   std::optional<ElementInterval> interval;   ///< nullopt if the discretisation error is unknown, as with one mesh
   std::optional<Verdict> verdict;            ///< by bounds for the soil with ψ = φ; nullopt if none apply
 };
-template <class V, As<ElementRun> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementRun> auto& r) {
   v.key("flow", r.flow, {"", "flow rule"});
   v.key("psi", r.psi, {"rad", "least and greatest dilatancy angle"});
   v.key("factor", r.factor, {"", "factor of safety"});
@@ -109,8 +105,7 @@ struct ElementResult {
   std::optional<Seepage> seepage;
   std::optional<double> seconds;
 };
-template <class V, As<ElementResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementResult> auto& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
   v.key("elements", r.elements, {"", "elements"});
@@ -130,8 +125,7 @@ struct ElementFields {
   std::vector<double> shear_strain;               ///< nodal
   std::vector<int> yields;                        ///< by element: 1 if most of its integration points yield
 };
-template <class V, As<ElementFields> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementFields> auto& r) {
   v.key("flow", r.flow, {"", "flow rule"});
   v.key("displacement", r.displacement, {"m", "displacement of the nodes"});
   v.key("shear_strain", r.shear_strain, {"", "shear strain at the nodes"});
@@ -143,8 +137,7 @@ struct ElementMesh {
   std::vector<std::vector<int>> elements;  ///< node numbers
   std::vector<ElementFields> runs;
 };
-template <class V, As<ElementMesh> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementMesh> auto& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("elements", r.elements, {"", "nodes of the elements"});
   v.key("runs", r.runs, {"", "fields by flow rule"});
@@ -156,8 +149,7 @@ struct ElementFile {
   ElementResult summary;
   ElementMesh mesh;
 };
-template <class V, As<ElementFile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ElementFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
   v.key("summary", r.summary, {"", "finite elements"});
   describe(v, r.mesh);

@@ -29,25 +29,20 @@ std::optional<T> read_file(const std::filesystem::path& path) {
   std::string text;
   if (const auto fault = try_user_file(path, largest_file::result, text)) {
     if (fault->is_missing) return std::nullopt;
-    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), fault->why));
+    fail_input("cannot read '{}': {}", path.string(), fault->why);
   }
   nlohmann::json tree;
   try {
     tree = nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), error.what()));
+    fail_input("cannot read '{}': {}", path.string(), error.what());
   }
   if constexpr (!is_vector<T>)
-    if (!tree.is_object())
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("'{}' is no result of Talus: it should hold one JSON object", path.string()));
+    if (!tree.is_object()) fail_input("'{}' is no result of Talus: it should hold one JSON object", path.string());
   if constexpr (requires(T result) { result.format; })
     if (const auto found = tree.find("format"); found == tree.end() || *found != result_format)
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("'{}' was written by another version of Talus (result format {}, this is {}): run the case "
-                      "again",
-                      path.string(), found == tree.end() ? std::string("1") : found->dump(), result_format));
+      fail_input("'{}' was written by another version of Talus (result format {}, this is {}): run the case again",
+                 path.string(), found == tree.end() ? std::string("1") : found->dump(), result_format);
   return from_json<T>(tree, path.string());
 }
 
@@ -127,10 +122,7 @@ class SchemaWriter {
   void maybe(const char* name, const std::optional<T>& /*member*/, const About& about) {
     add<T>(name, about);
   }
-  template <class T>
-  void derived(const char* name, const T& value, const About& about) {
-    key(name, value, about);
-  }
+  void derived(const char* name, const auto& value, const About& about) { key(name, value, about); }
   template <class T>
   void merge(const char* /*sign*/, const std::optional<T>& /*block*/) {
     T block{};
@@ -162,7 +154,7 @@ template <class T>
 json write_definition(json& types) {
   if constexpr (std::is_enum_v<T>) {
     json list = json::array();
-    for (const auto& word : words<T>) list.push_back(word.word);
+    for (const char* word : words<T>) list.push_back(word);
     return {{"enum", std::move(list)}};
   } else {
     SchemaWriter writer(types);
@@ -266,10 +258,7 @@ class TableWriter {
   void maybe(const char* name, const std::optional<T>& /*member*/, const About& about) {
     key(name, T{}, about);
   }
-  template <class T>
-  void derived(const char* name, const T& value, const About& about) {
-    key(name, value, about);
-  }
+  void derived(const char* name, const auto& value, const About& about) { key(name, value, about); }
   template <class T>
   void merge(const char* /*sign*/, const std::optional<T>& /*block*/) {
     T block{};

@@ -41,19 +41,13 @@ inline constexpr bool is_map<std::map<std::string, T>> = true;
 /// Writes a struct as an object.
 class JsonWriter {
  public:
-  template <class T>
-  void key(const char* name, const T& member, const About& /*about*/) {
-    object[name] = write_value(member);
-  }
+  void key(const char* name, const auto& member, const About& /*about*/) { object[name] = write_value(member); }
   template <class T>
   void maybe(const char* name, const std::optional<T>& member, const About& about) {
     if (member) key(name, *member, about);
   }
   /// Writes a value that follows from other members; readers ignore it.
-  template <class T>
-  void derived(const char* name, const T& value, const About& about) {
-    key(name, value, about);
-  }
+  void derived(const char* name, const auto& value, const About& about) { key(name, value, about); }
 
   /// Writes the keys of a block beside those of its owner.
   template <class T>
@@ -97,8 +91,7 @@ class JsonPlace {
   JsonPlace(const JsonPlace& owner, std::size_t index) : owner_(&owner), index_(index) {}
 
   [[noreturn]] void refuse(const char* expected) const {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("{} should be {}: it is not as this version writes it", write(), expected));
+    fail_input("{} should be {}: it is not as this version writes it", write(), expected);
   }
 
  private:
@@ -122,8 +115,7 @@ class JsonReader {
  public:
   JsonReader(const nlohmann::json& object, const JsonPlace& place) : object_(object), place_(place) {}
 
-  template <class T>
-  void key(const char* name, T& member, const About& /*about*/) {
+  void key(const char* name, auto& member, const About& /*about*/) {
     const auto found = object_.find(name);
     if (found != object_.end()) read_value(*found, member, JsonPlace(place_, name));
   }
@@ -131,8 +123,7 @@ class JsonReader {
   void maybe(const char* name, std::optional<T>& member, const About& about) {
     key(name, member, about);
   }
-  template <class T>
-  void derived(const char* /*name*/, const T& /*value*/, const About& /*about*/) {}
+  void derived(const char* /*name*/, const auto& /*value*/, const About& /*about*/) {}
   template <class T>
   void merge(const char* sign, std::optional<T>& block) {
     if (object_.contains(sign)) describe(*this, block.emplace());

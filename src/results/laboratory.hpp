@@ -25,8 +25,7 @@ struct PointTest {
   double peak_q_strain = 0;
   std::map<std::string, double> end;  ///< every quantity of the last row [SI]
 };
-template <class V, As<PointTest> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PointTest> auto& r) {
   v.key("name", r.name, {"", "name of the test"});
   v.key("material", r.material, {"", "material"});
   v.key("kind", r.kind, {"", "kind"});
@@ -45,8 +44,7 @@ struct PointPanel {
   std::string x, y;
   bool log_x = false;
 };
-template <class V, As<PointPanel> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PointPanel> auto& r) {
   v.key("x", r.x, {"", "quantity along x"});
   v.key("y", r.y, {"", "quantity along y"});
   v.key("log_x", r.log_x, {"", "whether x is logarithmic"});
@@ -59,8 +57,7 @@ struct PointGroup {
   std::vector<std::size_t> tests;
   std::vector<int> colour, dash;
 };
-template <class V, As<PointGroup> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PointGroup> auto& r) {
   v.key("id", r.id, {"", "group"});
   v.key("title", r.title, {"", "title"});
   v.key("picture", r.picture, {"", "file of the picture"});
@@ -84,17 +81,8 @@ struct PointTests {
   std::vector<std::string> warnings;
   std::vector<Comparison> comparisons;
   Timing timing;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  PointTests();
-  PointTests(const PointTests&);
-  PointTests(PointTests&&) noexcept;
-  PointTests& operator=(const PointTests&);
-  PointTests& operator=(PointTests&&) noexcept;
-  ~PointTests();
 };
-template <class V, As<PointTests> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PointTests> auto& r) {
   v.key("format", r.format, {"", "version of this file"});
   v.key("title", r.title, {"", "title of the case"});
   v.key("project", r.project, {"", "title block"});
@@ -111,8 +99,7 @@ void describe(V& v, R& r) {
 
 enum class AtLimit { no, low, high };
 template <>
-inline constexpr auto words<AtLimit> =
-    std::array{Word{AtLimit::no, "no"}, Word{AtLimit::low, "low"}, Word{AtLimit::high, "high"}};
+inline constexpr auto words<AtLimit> = std::array{"no", "low", "high"};
 
 /// A fitted soil parameter; numbers are in `unit`.
 struct CalibratedParameter {
@@ -123,8 +110,7 @@ struct CalibratedParameter {
   std::optional<double> error;  ///< standard error
   AtLimit limit = AtLimit::no;
 };
-template <class V, As<CalibratedParameter> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<CalibratedParameter> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("unit", r.unit, {"", "unit"});
   v.key("start", r.start, {"", "start"});
@@ -140,8 +126,7 @@ void describe(V& v, R& r) {
 struct ShownQuantity {
   std::string name, title, unit;
 };
-template <class V, As<ShownQuantity> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ShownQuantity> auto& r) {
   v.key("name", r.name, {"", "quantity"});
   v.key("title", r.title, {"", "title"});
   v.key("unit", r.unit, {"", "unit"});
@@ -156,8 +141,7 @@ struct CalibratedCurve {
   double deviation = 0, weight = 1;
   double rms = 0, rms_before = 0, mean = 0, largest = 0, largest_at = 0, missing = 0;
 };
-template <class V, As<CalibratedCurve> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<CalibratedCurve> auto& r) {
   v.key("test", r.test, {"", "test"});
   v.key("x", r.x, {"", "quantity along x"});
   v.key("y", r.y, {"", "quantity along y"});
@@ -185,8 +169,7 @@ struct CalibrationSearch {
   int iterations = 0;
   std::string message;
 };
-template <class V, As<CalibrationSearch> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<CalibrationSearch> auto& r) {
   v.key("from", r.from, {"", "start"});
   v.key("to", r.to, {"", "end"});
   v.key("misfit", r.misfit, {"", "half the sum of the squares at the end"});
@@ -210,8 +193,7 @@ struct Calibration {
   long evaluations = 0, tests = 0;
   std::vector<std::string> findings;
 };
-template <class V, As<Calibration> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Calibration> auto& r) {
   v.key("format", r.format, {"", "version of this file"});
   v.key("title", r.title, {"", "title of the case"});
   v.key("seed", r.seed, {"", "seed of the starts"});

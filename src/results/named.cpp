@@ -32,10 +32,7 @@ struct Member {
     about = described;
     if constexpr (std::is_convertible_v<T, std::optional<double>>) value = member;
   }
-  template <class T>
-  void maybe(const char* name, const T& member, const About& described) {
-    key(name, member, described);
-  }
+  void maybe(const char* name, const auto& member, const About& described) { key(name, member, described); }
 };
 
 /// Returns a description of the slip line `name`.
@@ -70,10 +67,9 @@ class Values {
     }
     for (const CriticalSurface& c : slices.critical) {
       const SliceMethod by = c.surface.method;
-      add({fmt::format("lem.yield_acceleration.{}", to_word(by)),
-           fmt::format("{}, yield acceleration over g of the critical circle", get_title(by)), "",
-           ResultKind::yield_acceleration, "yield_acceleration", by},
-          c.yield_acceleration);
+      add(ResultKind::yield_acceleration, fmt::format("lem.yield_acceleration.{}", to_word(by)),
+          fmt::format("{}, yield acceleration over g of the critical circle", get_title(by)), "", "yield_acceleration",
+          c.yield_acceleration, by);
     }
   }
 
@@ -100,23 +96,16 @@ class Values {
         add_factor("lem.drawdown.undrained", "factor of safety of the same slip surface, second stage",
                    c.drawdown->undrained_factor);
     }
-    add({"lem.yield_acceleration",
-         "yield acceleration over g of the slip surface that governs",
-         "",
-         ResultKind::yield_acceleration,
-         "yield_acceleration",
-         {}},
-        c.yield_acceleration);
+    add(ResultKind::yield_acceleration, "lem.yield_acceleration",
+        "yield acceleration over g of the slip surface that governs", "", "yield_acceleration", c.yield_acceleration);
   }
 
   void add_methods(const MethodComparison& methods) {
     for (const HandedSurface& h : methods.handed) {
       const auto by = from_word<SliceMethod>(h.to);  // nullopt for a surface that was optimised
       const char* line = describe_line(methods, h.from);
-      add({fmt::format("lem.handed[{}].{}", h.from, h.to),
-           by ? fmt::format("{}, factor of safety on {}", get_title(*by), line) : h.title, "", ResultKind::factor,
-           "factor", by},
-          h.factor);
+      add(ResultKind::factor, fmt::format("lem.handed[{}].{}", h.from, h.to),
+          by ? fmt::format("{}, factor of safety on {}", get_title(*by), line) : h.title, "", "factor", h.factor, by);
     }
   }
 
@@ -137,14 +126,10 @@ class Values {
 
   void add_timeline(const Timeline& timeline) {
     add_factor("timeline.least", "least factor of safety in time", timeline.least);
-    add({"timeline.least_time", "when the factor of safety is least", "s", ResultKind::other, "least_time", {}},
+    add(ResultKind::other, "timeline.least_time", "when the factor of safety is least", "s", "least_time",
         timeline.least_time);
-    add({"timeline.failure_time",
-         "time at which the factor of safety is first found below the target",
-         "s",
-         ResultKind::other,
-         "failure_time",
-         {}},
+    add(ResultKind::other, "timeline.failure_time",
+        "time at which the factor of safety is first found below the target", "s", "failure_time",
         timeline.failure ? std::optional(timeline.failure->to) : std::nullopt);
     if (const TimedReduction* elements = find_least_reduction(timeline))
       add_factor("timeline.elements", "least factor of safety of finite elements at later times",
@@ -184,8 +169,7 @@ class Values {
       add_side(path + (side.direction < 0 ? ".left" : ".right"), fmt::format(" {}{}", name_side(side.direction), of),
                side);
   }
-  template <class Side>
-  void add_side(const std::string& path, const std::string& of, const Side& side) {
+  void add_side(const std::string& path, const std::string& of, const auto& side) {
     for (const char* key : {"moved_volume", "front_advance", "toe_distance", "crest_retreat", "centre_advance",
                             "centre_drop", "largest_displacement"})
       add_member(path, side, key, ResultKind::runout, of);
@@ -193,7 +177,7 @@ class Values {
   void add_times(const std::string& path, const std::string& of, std::optional<double> failure, StageEnd end,
                  double time) {
     const auto add_time = [&](const char* key, const char* title, std::optional<double> value) {
-      add({fmt::format("{}.{}", path, key), title + of, "s", ResultKind::runout, key, {}}, value);
+      add(ResultKind::runout, fmt::format("{}.{}", path, key), title + of, "s", key, value);
     };
     add_time("failure_time", "time of failure", failure);
     add_time("rest_time", "time to rest", end == StageEnd::rest ? std::optional(time) : std::nullopt);
@@ -201,51 +185,27 @@ class Values {
 
   void add_motion(const Motion& motion) {
     for (const MonitorMotion& m : motion.monitors) {
-      add({fmt::format("onset[{}]", m.name),
-           fmt::format("onset of movement of '{}' after the start of '{}'", m.name, motion.stage),
-           "s",
-           ResultKind::motion,
-           "onset",
-           {}},
+      add(ResultKind::motion, fmt::format("onset[{}]", m.name),
+          fmt::format("onset of movement of '{}' after the start of '{}'", m.name, motion.stage), "s", "onset",
           m.onset);
-      add({fmt::format("displacement[{}]", m.name),
-           fmt::format("displacement of '{}' at the end", m.name),
-           "m",
-           ResultKind::motion,
-           "displacement",
-           {}},
-          m.displacement);
+      add(ResultKind::motion, fmt::format("displacement[{}]", m.name),
+          fmt::format("displacement of '{}' at the end", m.name), "m", "displacement", m.displacement);
     }
   }
 
   void add_stage(const Stage& stage) {
-    add({fmt::format("stage[{}].displacement", stage.name),
-         fmt::format("largest displacement at the end of '{}'", stage.name),
-         "m",
-         ResultKind::stage,
-         "displacement",
-         {}},
-        stage.displacement);
-    add({fmt::format("stage[{}].time", stage.name),
-         fmt::format("simulated time at the end of '{}'", stage.name),
-         "s",
-         ResultKind::stage,
-         "time",
-         {}},
-        stage.time);
+    add(ResultKind::stage, fmt::format("stage[{}].displacement", stage.name),
+        fmt::format("largest displacement at the end of '{}'", stage.name), "m", "displacement", stage.displacement);
+    add(ResultKind::stage, fmt::format("stage[{}].time", stage.name),
+        fmt::format("simulated time at the end of '{}'", stage.name), "s", "time", stage.time);
   }
 
   void add_water(const WaterBudget& water) {
     for (const SurfaceWater& s : water.surfaces) {
       if (s.name == other_surfaces) continue;
       const auto add_volume = [&](const char* key, const char* title, double mass) {
-        add({fmt::format("water.{}[{}]", key, s.name),
-             fmt::format("{} '{}'", title, s.name),
-             "m3",
-             ResultKind::water,
-             key,
-             {}},
-            mass / water.density);
+        add(ResultKind::water, fmt::format("water.{}[{}]", key, s.name), fmt::format("{} '{}'", title, s.name), "m3",
+            key, mass / water.density);
       };
       add_volume("inflow", "water that came in through", s.entered);
       add_volume("outflow", "water that left through", s.left);
@@ -259,55 +219,44 @@ class Values {
   void add_seepage(const Seepage& seepage) {
     for (const Discharge& d : seepage.discharges) {
       if (d.name == other_surfaces) continue;
-      add({fmt::format("seepage.discharge[{}]", d.name),
-           fmt::format("steady seepage {} through '{}'{}", d.inflow > d.outflow ? "in" : "out", d.name,
-                       d.inflow > d.outflow ? inflow_sign : ""),
-           "m3/s",
-           ResultKind::seepage,
-           "discharge",
-           {}},
-          d.outflow - d.inflow);
+      add(ResultKind::seepage, fmt::format("seepage.discharge[{}]", d.name),
+          fmt::format("steady seepage {} through '{}'{}", d.inflow > d.outflow ? "in" : "out", d.name,
+                      d.inflow > d.outflow ? inflow_sign : ""),
+          "m3/s", "discharge", d.outflow - d.inflow);
     }
     add_member("seepage", seepage, "largest_suction", ResultKind::seepage);
   }
 
   /// Adds the number of `owner` with the key `key`, named `called` or, if that is null, `key`.
-  template <class T>
-  void add_member(const std::string& path, const T& owner, const char* key, ResultKind kind, const std::string& of = "",
-                  const char* called = nullptr) {
+  void add_member(const std::string& path, const auto& owner, const char* key, ResultKind kind,
+                  const std::string& of = "", const char* called = nullptr) {
     Member member{key};
     describe(member, owner);
     const std::string quantity = called != nullptr ? called : key;
-    add({path + "." + quantity, member.about.title + of, member.about.unit, kind, quantity, {}}, member.value);
+    add(kind, path + "." + quantity, member.about.title + of, member.about.unit, quantity, member.value);
   }
 
   void add_over_design(std::optional<double> value) {
-    add({"partial_factors.over_design",
-         "degree of over-design with partial factors",
-         "",
-         ResultKind::over_design,
-         "over_design",
-         {}},
-        value);
+    add(ResultKind::over_design, "partial_factors.over_design", "degree of over-design with partial factors", "",
+        "over_design", value);
   }
 
   std::vector<NamedValue> list;
 
  private:
-  void add(NamedValue named, std::optional<double> value) {
+  void add(ResultKind kind, std::string name, std::string title, std::string unit, std::string quantity,
+           std::optional<double> value, std::optional<SliceMethod> by = {}) {
     if (!value) return;
-    named.value = *value;
-    if (dimension_ == 2 && named.unit.starts_with("m3")) named.unit += "/m";
-    list.push_back(std::move(named));
+    if (dimension_ == 2 && unit.starts_with("m3")) unit += "/m";
+    list.push_back({std::move(name), std::move(title), std::move(unit), kind, std::move(quantity), by, *value});
   }
   void add_factor(std::string name, std::string title, std::optional<double> value) {
-    add({std::move(name), std::move(title), "", ResultKind::factor, "factor", {}}, value);
+    add(ResultKind::factor, std::move(name), std::move(title), "", "factor", value);
   }
   void add_surface(const std::string& path, const CriticalSurface& c, const std::string& of) {
     const SliceMethod by = c.surface.method;
-    add({path + to_word(by), fmt::format("{}, factor of safety of {}", get_title(by), of), "", ResultKind::factor,
-         "factor", by},
-        c.surface.factor);
+    add(ResultKind::factor, path + to_word(by), fmt::format("{}, factor of safety of {}", get_title(by), of), "",
+        "factor", c.surface.factor, by);
   }
 
   int dimension_;

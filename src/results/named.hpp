@@ -12,16 +12,8 @@ namespace talus::results {
 
 enum class ResultKind { factor, yield_acceleration, over_design, runout, motion, stage, mesh, water, seepage, other };
 template <>
-inline constexpr auto words<ResultKind> = std::array{Word{ResultKind::factor, "factor"},
-                                                     Word{ResultKind::yield_acceleration, "yield_acceleration"},
-                                                     Word{ResultKind::over_design, "over_design"},
-                                                     Word{ResultKind::runout, "runout"},
-                                                     Word{ResultKind::motion, "motion"},
-                                                     Word{ResultKind::stage, "stage"},
-                                                     Word{ResultKind::mesh, "mesh"},
-                                                     Word{ResultKind::water, "water"},
-                                                     Word{ResultKind::seepage, "seepage"},
-                                                     Word{ResultKind::other, "other"}};
+inline constexpr auto words<ResultKind> = std::array{
+    "factor", "yield_acceleration", "over_design", "runout", "motion", "stage", "mesh", "water", "seepage", "other"};
 
 /// Discretisation error of a value; nullopt if it was computed on one mesh only.
 struct MeshUncertainty {

@@ -3,8 +3,6 @@
 // The result of a run, summary.json, and the parts of it that belong to no method: title block, provenance, timing,
 // mesh, budgets, and the work of the ranks.
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +25,7 @@ namespace talus::results {
 struct Project {
   std::string title, project, client, author, checked_by, revision, notes;
 };
-template <class V, As<Project> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Project> auto& r) {
   v.key("title", r.title, {"", "title of the case"});
   v.key("project", r.project, {"", "project"});
   v.key("client", r.client, {"", "client"});
@@ -45,8 +42,7 @@ struct Provenance {
   int lane_width = 0, threads = 0;
   std::string device;  ///< GPU of the MPM steps; empty if they ran on the processor
 };
-template <class V, As<Provenance> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Provenance> auto& r) {
   v.key("program", r.program, {"", "program"});
   v.key("version", r.version, {"", "version"});
   v.key("commit", r.commit, {"", "commit"});
@@ -67,8 +63,7 @@ void describe(V& v, R& r) {
 struct DisplayUnits {
   std::string length = "m", displacement = "mm", stress = "kPa";
 };
-template <class V, As<DisplayUnits> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DisplayUnits> auto& r) {
   v.key("length", r.length, {"", "unit of lengths"});
   v.key("displacement", r.displacement, {"", "unit of displacements"});
   v.key("stress", r.stress, {"", "unit of stresses"});
@@ -76,17 +71,14 @@ void describe(V& v, R& r) {
 
 enum class Status { unfinished, finished, interrupted, unstable, failed };
 template <>
-inline constexpr auto words<Status> = std::array{
-    Word{Status::unfinished, "unfinished"}, Word{Status::finished, "finished"},
-    Word{Status::interrupted, "interrupted"}, Word{Status::unstable, "unstable"}, Word{Status::failed, "failed"}};
+inline constexpr auto words<Status> = std::array{"unfinished", "finished", "interrupted", "unstable", "failed"};
 
 /// Time in a part of the calculation, summed over all threads [s].
 struct TimedPart {
   std::string name, title;
   double seconds = 0;
 };
-template <class V, As<TimedPart> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TimedPart> auto& r) {
   v.key("name", r.name, {"", "part"});
   v.key("title", r.title, {"", "what it does"});
   v.key("seconds", r.seconds, {"s", "seconds of all threads"});
@@ -96,8 +88,7 @@ void describe(V& v, R& r) {
 struct StepSeconds {
   double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
 };
-template <class V, As<StepSeconds> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StepSeconds> auto& r) {
   v.key("solve_momentum", r.solve_momentum, {"s", "momentum balance at the nodes"});
   v.key("remap_momentum", r.remap_momentum, {"s", "remapping of the momentum"});
   v.key("smooth_strain", r.smooth_strain, {"s", "smoothing of the strain"});
@@ -111,8 +102,7 @@ struct Timing {
   std::optional<StepSeconds> stage_steps;
   std::optional<std::vector<TimedPart>> parts;
 };
-template <class V, As<Timing> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Timing> auto& r) {
   v.key("wall", r.wall, {"s", "wall time"});
   v.maybe("cpu", r.cpu, {"s", "processor time"});
   v.maybe("stage_steps", r.stage_steps, {"", "seconds of the stages by part of the step"});
@@ -130,8 +120,7 @@ struct Mesh {
   double smallest_angle = 0;                        ///< [deg]
   double critical_time_step = 0;                    ///< [s]
 };
-template <class V, As<Mesh> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Mesh> auto& r) {
   v.key("dimension", r.dimension, {"", "dimension"});
   v.key("critical_time_step", r.critical_time_step, {"s", "critical time step of the mesh"});
   v.key("points", r.points, {"", "material points"});
@@ -151,8 +140,7 @@ struct LostPoint {
   double time = 0;               ///< [s]
   std::vector<double> position;  ///< [m]
 };
-template <class V, As<LostPoint> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<LostPoint> auto& r) {
   v.key("id", r.id, {"", "number of the point"});
   v.key("time", r.time, {"s", "when"});
   v.key("position", r.position, {"m", "where"});
@@ -164,8 +152,7 @@ struct LostPoints {
   std::vector<double> momentum;  ///< [kg m/s]
   std::vector<LostPoint> first;  ///< the first ones, at most 100
 };
-template <class V, As<LostPoints> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<LostPoints> auto& r) {
   v.key("points", r.points, {"", "points that left the grid"});
   v.key("mass", r.mass, {"kg", "their mass"});
   v.key("momentum", r.momentum, {"kg m/s", "their momentum"});
@@ -183,8 +170,7 @@ struct Budgets {
   std::vector<double> momentum;                                         ///< [kg m/s]
   LostPoints lost;
 };
-template <class V, As<Budgets> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Budgets> auto& r) {
   v.key("mass", r.mass, {"kg", "mass"});
   v.key("points", r.points, {"", "points"});
   v.key("kinetic_energy", r.kinetic_energy, {"J", "kinetic energy"});
@@ -206,8 +192,7 @@ struct Origin {
   std::string result, hash, title, input_hash;
   double time = 0;  ///< simulated time at its end [s]
 };
-template <class V, As<Origin> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Origin> auto& r) {
   v.key("result", r.result, {"", "folder of the result"});
   v.key("hash", r.hash, {"", "hash of its state"});
   v.key("title", r.title, {"", "its title"});
@@ -221,8 +206,7 @@ struct StressStart {
   double force_residual = 0;  ///< unbalanced force over the loads
   int elements = 0;
 };
-template <class V, As<StressStart> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StressStart> auto& r) {
   v.key("factor", r.factor, {"", "what the strength was divided by; below 1 where the soil does not stand"});
   v.key("force_residual", r.force_residual, {"", "unbalanced force over the loads"});
   v.key("elements", r.elements, {"", "finite elements"});
@@ -235,8 +219,7 @@ struct RankWork {
   double seconds = 0;  ///< time that rank 0 spent in communication, waiting included [s]
   int hand_overs = 0;  ///< number of load rebalances between ranks
 };
-template <class V, As<RankWork> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<RankWork> auto& r) {
   v.key("ranks", r.ranks, {"", "ranks"});
   v.key("bytes", r.bytes, {"", "bytes that the first rank has sent"});
   v.key("seconds", r.seconds, {"s", "seconds that it spent with it, waiting for others too"});
@@ -285,14 +268,6 @@ struct RunResult {
   std::vector<Comparison> comparisons;
   std::optional<Timing> timing;
   std::optional<RankWork> ranks;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  RunResult();
-  RunResult(const RunResult&);
-  RunResult(RunResult&&) noexcept;
-  RunResult& operator=(const RunResult&);
-  RunResult& operator=(RunResult&&) noexcept;
-  ~RunResult();
 };
 
 /// Returns the units of display of the run, with the derived ones.
@@ -305,8 +280,7 @@ inline ShownUnits read_units(const RunResult& run) {
 /// the lower bound. Returns nullopt if no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
-template <class V, As<RunResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<RunResult> auto& r) {
   v.key("format", r.format, {"", "version of this file"});
   v.key("title", r.title, {"", "title of the case"});
   v.key("project", r.project, {"", "title block"});

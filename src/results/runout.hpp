@@ -19,8 +19,7 @@ struct Clock {
   bool resets = false;              ///< displacements are reset at the start of that stage
   std::vector<double> shown_times;  ///< times of sections and pictures [s]; empty: equally spaced
 };
-template <class V, As<Clock> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Clock> auto& r) {
   v.key("stage", r.stage, {"", "stage at whose start the clock is zero"});
   v.key("start", r.start, {"s", "start of that stage"});
   v.key("resets", r.resets, {"", "whether displacements are counted from there"});
@@ -30,18 +29,14 @@ void describe(V& v, R& r) {
 /// Order in which the monitors began to move.
 enum class MotionPattern { none, single, together, upwards, downwards, mixed };
 template <>
-inline constexpr auto words<MotionPattern> =
-    std::array{Word{MotionPattern::none, "none"},           Word{MotionPattern::single, "single"},
-               Word{MotionPattern::together, "together"},   Word{MotionPattern::upwards, "upwards"},
-               Word{MotionPattern::downwards, "downwards"}, Word{MotionPattern::mixed, "mixed"}};
+inline constexpr auto words<MotionPattern> = std::array{"none", "single", "together", "upwards", "downwards", "mixed"};
 
 struct MonitorMotion {
   std::string name;
   std::optional<double> onset;         ///< time on the clock [s]; nullopt if the monitor did not move
   std::optional<double> displacement;  ///< at the end [m]; nullopt if the point left the grid
 };
-template <class V, As<MonitorMotion> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MonitorMotion> auto& r) {
   v.key("name", r.name, {"", "monitored place"});
   v.key("onset", r.onset, {"s", "onset of movement"});
   v.key("displacement", r.displacement, {"m", "displacement at the end"});
@@ -56,8 +51,7 @@ struct Motion {
   MotionPattern pattern = MotionPattern::none;
   std::string sentence;
 };
-template <class V, As<Motion> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Motion> auto& r) {
   v.key("stage", r.stage, {"", "stage at whose start the clock is zero"});
   v.key("start", r.start, {"s", "start of that stage"});
   v.key("threshold", r.threshold, {"m", "displacement that counts as movement"});
@@ -73,8 +67,7 @@ struct SectionLine {
   std::array<double, 3> from{}, to{};  ///< [m]
   double width = 0;                    ///< width of the band of averaging [m]
 };
-template <class V, As<SectionLine> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SectionLine> auto& r) {
   v.key("name", r.name, {"", "section"});
   v.key("from", r.from, {"m", "one end"});
   v.key("to", r.to, {"m", "other end"});
@@ -86,8 +79,7 @@ struct Profile {
   double bin = 0;                 ///< width of a bin [m]
   std::vector<double> x, height;  ///< bin centres and ground level [m]
 };
-template <class V, As<Profile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Profile> auto& r) {
   v.key("bin", r.bin, {"m", "width of a bin"});
   v.key("x", r.x, {"m", "centres of the bins"});
   v.key("height", r.height, {"m", "level of the ground"});
@@ -98,8 +90,7 @@ struct BoxLimit {
   bool front = false;  ///< moved soil reaches the end of the box in the direction of movement
   bool crest = false;  ///< moved soil reaches the opposite end
 };
-template <class V, As<BoxLimit> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<BoxLimit> auto& r) {
   v.key("front", r.front, {"", "soil that moved lies at the end of the box that it moves to"});
   v.key("crest", r.crest, {"", "soil that moved reaches back to the other end of the box"});
 }
@@ -136,8 +127,7 @@ void describe_side(V& v, R& r) {
   v.key("crest", r.crest, {"m", "x of the crest at the start"});
   v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
 }
-template <class V, As<RunoutSide> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<RunoutSide> auto& r) {
   describe_side(v, r);
 }
 
@@ -147,8 +137,7 @@ struct CoarserRunout {
   double front_advance = 0, toe_distance = 0, crest_retreat = 0, moved_volume = 0,
          highest_ground = 0;  ///< as in Runout
 };
-template <class V, As<CoarserRunout> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<CoarserRunout> auto& r) {
   v.key("size", r.size, {"m", "size of its elements"});
   v.key("front_advance", r.front_advance, {"m", "advance of the front"});
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
@@ -172,8 +161,7 @@ struct Runout : RunoutSide {
   std::optional<CoarserRunout> coarser_mesh;     ///< nullopt if the runout was computed on one mesh only
   std::optional<std::vector<RunoutSide>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
-template <class V, As<Runout> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Runout> auto& r) {
   describe_side(v, r);
   v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
   v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground at the end"});

@@ -15,14 +15,12 @@ namespace talus::results {
 
 enum class SampleDraw { random, latin_hypercube };
 template <>
-inline constexpr auto words<SampleDraw> =
-    std::array{Word{SampleDraw::random, "random"}, Word{SampleDraw::latin_hypercube, "latin_hypercube"}};
+inline constexpr auto words<SampleDraw> = std::array{"random", "latin_hypercube"};
 
 struct SampleMoments {
   double mean = 0, deviation = 0, smallest = 0, largest = 0;
 };
-template <class V, As<SampleMoments> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SampleMoments> auto& r) {
   v.key("mean", r.mean, {"", "mean", can_be_nan});
   v.key("deviation", r.deviation, {"", "standard deviation", can_be_nan});
   v.key("smallest", r.smallest, {"", "smallest", can_be_nan});
@@ -36,8 +34,7 @@ struct UncertainNumber {
   std::optional<double> lowest, highest;  ///< truncation limits; nullopt: unlimited
   SampleMoments sampled;
 };
-template <class V, As<UncertainNumber> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<UncertainNumber> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("unit", r.unit, {"", "unit"});
@@ -54,8 +51,7 @@ struct SampledCorrelation {
   std::array<std::string, 2> keys;
   double asked = 0, sampled = 0;
 };
-template <class V, As<SampledCorrelation> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SampledCorrelation> auto& r) {
   v.key("keys", r.keys, {"", "keys"});
   v.key("asked", r.asked, {"", "correlation that was asked for"});
   v.key("sampled", r.sampled, {"", "correlation of the samples", can_be_nan});
@@ -65,8 +61,7 @@ struct Quantile {
   double share = 0;
   std::optional<double> value;
 };
-template <class V, As<Quantile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Quantile> auto& r) {
   v.key("share", r.share, {"", "share of the samples below it"});
   v.key("value", r.value, {"", "value"});
 }
@@ -75,8 +70,7 @@ struct HistogramCounts {
   std::vector<double> edges;
   std::vector<long> counts;
 };
-template <class V, As<HistogramCounts> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<HistogramCounts> auto& r) {
   v.key("edges", r.edges, {"", "limits of the classes"});
   v.key("counts", r.counts, {"", "samples in each class"});
 }
@@ -90,8 +84,7 @@ struct SampledValues {
   std::vector<Quantile> quantiles;
   HistogramCounts histogram;
 };
-template <class V, As<SampledValues> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SampledValues> auto& r) {
   v.key("count", r.count, {"", "samples with a value"});
   v.key("none", r.none, {"", "samples without one"});
   v.key("mean", r.mean, {"", "mean", can_be_nan});
@@ -109,8 +102,7 @@ struct SampleShare {
   long count = 0, samples = 0;
   double probability = 0, lower = 0, upper = 0;
 };
-template <class V, As<SampleShare> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SampleShare> auto& r) {
   v.key("count", r.count, {"", "samples that count"});
   v.key("samples", r.samples, {"", "samples"});
   v.key("probability", r.probability, {"", "probability"});
@@ -127,8 +119,7 @@ struct FailureProbability {
   std::vector<std::array<double, 4>> growth;      ///< convergence: number of samples, probability, lower and upper end
   std::optional<double> with_largest_difference;  ///< with all factors lowered by SurfaceCheck::largest
 };
-template <class V, As<FailureProbability> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FailureProbability> auto& r) {
   describe(v, r.share);
   v.key("limit", r.limit, {"", "factor below which a sample fails"});
   v.key("confidence", r.confidence, {"", "confidence of the interval"});
@@ -146,8 +137,7 @@ void describe(V& v, R& r) {
 struct FirstOrderEstimate {
   double mean_factor = 0, deviation = 0, index_normal = 0, index_lognormal = 0;
 };
-template <class V, As<FirstOrderEstimate> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FirstOrderEstimate> auto& r) {
   v.key("mean_factor", r.mean_factor, {"", "factor at the means", can_be_nan});
   v.key("deviation", r.deviation, {"", "standard deviation of the factor", can_be_nan});
   v.key("index_normal", r.index_normal, {"", "reliability index, normal factor", can_be_nan});
@@ -158,8 +148,7 @@ struct DesignPointValue {
   std::string key, name, unit;
   double value = 0, importance = 0;
 };
-template <class V, As<DesignPointValue> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DesignPointValue> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("unit", r.unit, {"", "unit"});
@@ -175,8 +164,7 @@ struct DesignPointEstimate {
   double factor = 0;
   std::vector<DesignPointValue> values;
 };
-template <class V, As<DesignPointEstimate> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DesignPointEstimate> auto& r) {
   v.key("index", r.index, {"", "reliability index", can_be_nan});
   v.key("probability", r.probability, {"", "probability of failure", can_be_nan});
   v.key("converged", r.converged, {"", "whether the search converged"});
@@ -188,8 +176,7 @@ void describe(V& v, R& r) {
 struct FittedLaw {
   double index = 0, probability = 0;
 };
-template <class V, As<FittedLaw> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FittedLaw> auto& r) {
   v.key("index", r.index, {"", "reliability index", can_be_nan});
   v.key("probability", r.probability, {"", "probability of failure", can_be_nan});
 }
@@ -198,8 +185,7 @@ void describe(V& v, R& r) {
 struct FittedLaws {
   FittedLaw normal, lognormal;
 };
-template <class V, As<FittedLaws> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FittedLaws> auto& r) {
   v.key("normal", r.normal, {"", "normal"});
   v.key("lognormal", r.lognormal, {"", "lognormal"});
 }
@@ -209,8 +195,7 @@ struct TornadoBar {
   std::string key, name, unit;
   double low_value = 0, high_value = 0, low_factor = 0, high_factor = 0;
 };
-template <class V, As<TornadoBar> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TornadoBar> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("unit", r.unit, {"", "unit"});
@@ -224,8 +209,7 @@ struct RankCorrelation {
   std::string key, name;
   std::optional<double> coefficient;
 };
-template <class V, As<RankCorrelation> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<RankCorrelation> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("name", r.name, {"", "name"});
   v.key("coefficient", r.coefficient, {"", "Spearman's coefficient"});
@@ -236,8 +220,7 @@ struct SurfaceCheck {
   int samples = 0;
   double largest = 0, mean = 0;  ///< relative excess of the factor on the common surfaces
 };
-template <class V, As<SurfaceCheck> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SurfaceCheck> auto& r) {
   v.key("samples", r.samples, {"", "samples that were searched"});
   v.key("largest", r.largest, {"", "largest difference", can_be_nan});
   v.key("mean", r.mean, {"", "mean difference", can_be_nan});
@@ -248,8 +231,7 @@ struct Exceedance {
   SampleShare share;
   double distance = 0;  ///< [m]
 };
-template <class V, As<Exceedance> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Exceedance> auto& r) {
   describe(v, r.share);
   v.key("distance", r.distance, {"m", "distance"});
 }
@@ -261,8 +243,7 @@ struct SampledRunout {
   std::vector<Exceedance> exceedance;
   std::vector<RankCorrelation> ranks;
 };
-template <class V, As<SampledRunout> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SampledRunout> auto& r) {
   describe(v, r.values);
   v.key("name", r.name, {"", "result"});
   v.key("unit", r.unit, {"", "unit"});
@@ -295,17 +276,8 @@ struct Sampling {
   std::optional<SampledValues> failure_time;  ///< over the samples that fail within the timeline [day]
   std::vector<std::string> notes;
   std::string samples_file;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  Sampling();
-  Sampling(const Sampling&);
-  Sampling(Sampling&&) noexcept;
-  Sampling& operator=(const Sampling&);
-  Sampling& operator=(Sampling&&) noexcept;
-  ~Sampling();
 };
-template <class V, As<Sampling> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Sampling> auto& r) {
   v.key("samples", r.samples, {"", "samples"});
   v.key("seed", r.seed, {"", "seed"});
   v.key("plan", r.plan, {"", "how samples were drawn"});

@@ -14,26 +14,22 @@
 
 namespace talus::results {
 
-template <>
-inline constexpr auto words<SliceMethod> = [] {
-  std::array<Word<SliceMethod>, slice_methods.size()> list{};
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = {slice_methods[i].method, slice_methods[i].word};
+template <class Name, std::size_t N>
+constexpr std::array<const char*, N> list_words(const std::array<Name, N>& names) {
+  std::array<const char*, N> list{};
+  for (std::size_t i = 0; i < N; ++i) list[i] = names[i].word;
   return list;
-}();
-
+}
 template <>
-inline constexpr auto words<DrawdownMethod> = [] {
-  std::array<Word<DrawdownMethod>, drawdown_methods.size()> list{};
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = {drawdown_methods[i].method, drawdown_methods[i].word};
-  return list;
-}();
+inline constexpr auto words<SliceMethod> = list_words(slice_methods);
+template <>
+inline constexpr auto words<DrawdownMethod> = list_words(drawdown_methods);
 
 struct Circle {
   Point centre{};     ///< [m]
   double radius = 0;  ///< [m]
 };
-template <class V, As<Circle> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Circle> auto& r) {
   v.key("centre", r.centre, {"m", "centre"});
   v.key("radius", r.radius, {"m", "radius"});
 }
@@ -47,8 +43,7 @@ struct SlipSurface {
   std::vector<Point> points;        ///< [m]
   std::optional<std::string> name;  ///< name in the case, for a given surface
 };
-template <class V, As<SlipSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SlipSurface> auto& r) {
   v.key("method", r.method, {"", "method"});
   v.key("title", r.title, {"", "name of the method"});
   v.key("circular", r.circular, {"", "whether it is a circle"});
@@ -63,8 +58,7 @@ struct SurfaceChecks {
   double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0, residual = 0;
   std::string refusal;  ///< reason for which a search would reject the surface; empty if admissible
 };
-template <class V, As<SurfaceChecks> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SurfaceChecks> auto& r) {
   v.key("smallest_m_alpha", r.smallest_m_alpha, {"", "smallest m_α", can_be_nan});
   v.key("tensile_share", r.tensile_share, {"", "share of the base in tension"});
   v.key("thrust_outside", r.thrust_outside, {"", "share of the sides with the thrust outside the mass"});
@@ -82,8 +76,7 @@ struct SliceTable {
       root_cohesion, suction_strength, tan_friction, normal, shear, m_alpha, normal_right, shear_right, thrust_right;
   std::size_t size() const { return left.size(); }
 };
-template <class V, As<SliceTable> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SliceTable> auto& r) {
   v.key("left", r.left, {"m", "x of the left side"});
   v.key("right", r.right, {"m", "x of the right side"});
   v.key("base_left", r.base_left, {"m", "left end of the base"});
@@ -113,8 +106,7 @@ void describe(V& v, R& r) {
 /// Strength that governs the base of a slice after a drawdown.
 enum class Drainage { drained, undrained };
 template <>
-inline constexpr auto words<Drainage> =
-    std::array{Word{Drainage::drained, "drained"}, Word{Drainage::undrained, "undrained"}};
+inline constexpr auto words<Drainage> = std::array{"drained", "undrained"};
 
 /// Stages of a rapid drawdown for one surface. The lists are by slice and filled by the total-stress methods only.
 struct DrawnSurface {
@@ -124,8 +116,7 @@ struct DrawnSurface {
   std::vector<std::optional<double>> strength;  ///< undrained strength [Pa]; nullopt in soil that drains
   std::vector<Drainage> counts;                 ///< governing strength
 };
-template <class V, As<DrawnSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DrawnSurface> auto& r) {
   v.key("factor_before", r.factor_before, {"", "factor of safety before drawdown"});
   v.maybe("undrained_factor", r.undrained_factor, {"", "factor of safety of the second stage of three"});
   v.key("normal", r.normal, {"Pa", "effective normal stress on the base before drawdown"});
@@ -151,8 +142,7 @@ struct CriticalSurface {
   SliceTable slices;
   std::vector<std::string> warnings;
 };
-template <class V, As<CriticalSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<CriticalSurface> auto& r) {
   describe(v, r.surface);
   v.key("lambda", r.lambda, {"", "λ, the inclination of the forces between slices"});
   v.key("correction", r.correction, {"", "f₀ of Janbu"});
@@ -171,8 +161,7 @@ void describe(V& v, R& r) {
 
 enum class SearchKind { entry_exit, grid };
 template <>
-inline constexpr auto words<SearchKind> =
-    std::array{Word{SearchKind::entry_exit, "entry_exit"}, Word{SearchKind::grid, "grid"}};
+inline constexpr auto words<SearchKind> = std::array{"entry_exit", "grid"};
 
 /// Grid of the centres of trial circles.
 struct GridRange {
@@ -180,8 +169,7 @@ struct GridRange {
   int columns = 0, rows = 0, radii = 0;
   std::optional<Point> levels;  ///< lowest and highest level of the horizontal tangents [m]
 };
-template <class V, As<GridRange> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<GridRange> auto& r) {
   v.key("from", r.from, {"m", "one corner"});
   v.key("to", r.to, {"m", "other corner"});
   v.key("columns", r.columns, {"", "columns"});
@@ -196,8 +184,7 @@ struct SearchRanges {
   std::optional<int> exits, entries, depths;
   std::optional<GridRange> grid;
 };
-template <class V, As<SearchRanges> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SearchRanges> auto& r) {
   v.maybe("exit", r.exit, {"m", "where surfaces leave the ground"});
   v.maybe("entry", r.entry, {"m", "where surfaces enter the ground"});
   v.maybe("exits", r.exits, {"", "exits"});
@@ -211,8 +198,7 @@ struct LimitHit {
   std::string method;  ///< title of the method of slices
   std::string limit;   ///< such as "the critical circle …"
 };
-template <class V, As<LimitHit> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<LimitHit> auto& r) {
   v.key("method", r.method, {"", "name of the method"});
   v.key("limit", r.limit, {"", "which limit"});
 }
@@ -226,8 +212,7 @@ struct SliceSearch {
   double smallest_depth = 0;  ///< smallest depth of a sliding mass that counts [m]
   double seconds = 0, circles_per_second = 0;
 };
-template <class V, As<SliceSearch> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SliceSearch> auto& r) {
   v.key("kind", r.kind, {"", "how circles were chosen"});
   v.key("tried", r.tried, {"", "circles that were tried"});
   v.key("refused", r.refused, {"", "refused surfaces by method and reason"});
@@ -251,17 +236,8 @@ struct SliceResult {
   std::optional<SliceSearch> search;
   std::optional<std::string> trials_file;
   double seconds = 0;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  SliceResult();
-  SliceResult(const SliceResult&);
-  SliceResult(SliceResult&&) noexcept;
-  SliceResult& operator=(const SliceResult&);
-  SliceResult& operator=(SliceResult&&) noexcept;
-  ~SliceResult();
 };
-template <class V, As<SliceResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SliceResult> auto& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
   v.key("methods", r.methods, {"", "methods of slices"});
@@ -283,8 +259,7 @@ struct FactorMap {
   int columns = 0, rows = 0;
   std::vector<std::optional<double>> factor;  ///< row by row; nullopt where no circle was admissible
 };
-template <class V, As<FactorMap> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FactorMap> auto& r) {
   v.key("from", r.from, {"m", "one corner"});
   v.key("to", r.to, {"m", "other corner"});
   v.key("columns", r.columns, {"", "columns"});
@@ -298,8 +273,7 @@ struct SliceTrials {
   std::vector<std::vector<double>> trials;  ///< centre x, y, radius, x range [m], factor by method
   std::map<std::string, FactorMap> maps;    ///< by method
 };
-template <class V, As<SliceTrials> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SliceTrials> auto& r) {
   v.key("methods", r.methods, {"", "methods of slices"});
   v.key("trials", r.trials, {"", "centre x, y, radius, from, to [m], and the factor by each method"});
   v.key("maps", r.maps, {"", "smallest factor over the centres"});
@@ -311,8 +285,7 @@ struct SliceFile {
   SliceResult summary;
   std::optional<SliceTrials> trials;
 };
-template <class V, As<SliceFile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SliceFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
   v.key("summary", r.summary, {"", "slices"});
   v.merge("trials", r.trials);

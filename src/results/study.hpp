@@ -18,8 +18,7 @@ struct StudyKey {
   std::string key, unit;
   std::vector<std::string> values;
 };
-template <class V, As<StudyKey> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyKey> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("unit", r.unit, {"", "unit"});
   v.key("values", r.values, {"", "values"});
@@ -29,8 +28,7 @@ void describe(V& v, R& r) {
 struct StudyCell {
   std::string full, shown;
 };
-template <class V, As<StudyCell> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyCell> auto& r) {
   v.key("full", r.full, {"", "in full, in the unit of its column"});
   v.key("shown", r.shown, {"", "as people read it"});
 }
@@ -39,12 +37,7 @@ void describe(V& v, R& r) {
 /// are extrapolated.
 enum class ColumnKind { other, governing, factor, runout, displacement, ratio };
 template <>
-inline constexpr auto words<ColumnKind> = std::array{Word{ColumnKind::other, "other"},
-                                                     Word{ColumnKind::governing, "governing"},
-                                                     Word{ColumnKind::factor, "factor"},
-                                                     Word{ColumnKind::runout, "runout"},
-                                                     Word{ColumnKind::displacement, "displacement"},
-                                                     Word{ColumnKind::ratio, "ratio"}};
+inline constexpr auto words<ColumnKind> = std::array{"other", "governing", "factor", "runout", "displacement", "ratio"};
 
 struct StudyColumn {
   std::string name;              ///< header in the CSV file, `strength_reduction.curve.damping`
@@ -54,8 +47,7 @@ struct StudyColumn {
   ColumnKind kind = ColumnKind::other;
   std::string by;  ///< method or criterion of a factor of safety
 };
-template <class V, As<StudyColumn> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyColumn> auto& r) {
   v.key("name", r.name, {"", "name"});
   v.key("title", r.title, {"", "title"});
   v.key("unit", r.unit, {"", "unit"});
@@ -66,18 +58,14 @@ void describe(V& v, R& r) {
 
 enum class VariantStatus { not_started, finished, interrupted, unstable, failed };
 template <>
-inline constexpr auto words<VariantStatus> =
-    std::array{Word{VariantStatus::not_started, "not started"}, Word{VariantStatus::finished, "finished"},
-               Word{VariantStatus::interrupted, "interrupted"}, Word{VariantStatus::unstable, "unstable"},
-               Word{VariantStatus::failed, "failed"}};
+inline constexpr auto words<VariantStatus> = std::array{"not started", "finished", "interrupted", "unstable", "failed"};
 
 struct StudyVariant {
   std::string name, folder;
   VariantStatus status = VariantStatus::not_started;
   std::string reason;  ///< why it did not finish
 };
-template <class V, As<StudyVariant> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyVariant> auto& r) {
   v.key("name", r.name, {"", "name"});
   v.key("folder", r.folder, {"", "folder"});
   v.key("status", r.status, {"", "how it went"});
@@ -93,8 +81,7 @@ struct ExtrapolatedFactor {
   double finest_pair = 0;
   std::optional<double> order, by_order;
 };
-template <class V, As<ExtrapolatedFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<ExtrapolatedFactor> auto& r) {
   v.key("criterion", r.criterion, {"", "factor"});
   v.key("by", r.by, {"", "method or criterion"});
   v.key("variant", r.variant, {"", "other keys"});
@@ -111,8 +98,7 @@ struct StudyExtrapolation {
   std::string key, unit;
   std::vector<ExtrapolatedFactor> factors;
 };
-template <class V, As<StudyExtrapolation> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyExtrapolation> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("unit", r.unit, {"", "unit"});
   v.key("factors", r.factors, {"", "factors"});
@@ -123,8 +109,7 @@ struct StudyUnits {
   std::string displacement = "mm", length = "m";
   std::optional<std::string> stress;
 };
-template <class V, As<StudyUnits> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyUnits> auto& r) {
   v.key("displacement", r.displacement, {"", "unit of displacements"});
   v.key("length", r.length, {"", "unit of lengths"});
   v.maybe("stress", r.stress, {"", "unit of stresses"});
@@ -144,17 +129,8 @@ struct StudyResult {
   std::optional<Project> project;
   std::optional<Provenance> provenance;
   std::optional<JsonTree> input;
-
-  // The special members are defined in special_members.cpp, to shorten the compilation of the files that include this.
-  StudyResult();
-  StudyResult(const StudyResult&);
-  StudyResult(StudyResult&&) noexcept;
-  StudyResult& operator=(const StudyResult&);
-  StudyResult& operator=(StudyResult&&) noexcept;
-  ~StudyResult();
 };
-template <class V, As<StudyResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyResult> auto& r) {
   v.key("format", r.format, {"", "version of this file"});
   v.key("title", r.title, {"", "title"});
   v.key("case_file", r.case_file, {"", "case file"});
@@ -179,8 +155,7 @@ void describe(V& v, R& r) {
 struct JobChange {
   std::string key, value;
 };
-template <class V, As<JobChange> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobChange> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("value", r.value, {"", "its value as TOML"});
 }
@@ -189,8 +164,7 @@ void describe(V& v, R& r) {
 struct JobFile {
   std::string name, hash;  ///< name relative to the folder of the jobs
 };
-template <class V, As<JobFile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobFile> auto& r) {
   v.key("name", r.name, {"", "file"});
   v.key("hash", r.hash, {"", "hash of its content"});
 }
@@ -199,8 +173,7 @@ struct JobVariant {
   std::string folder, label;
   std::vector<JobChange> changes;
 };
-template <class V, As<JobVariant> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobVariant> auto& r) {
   v.key("folder", r.folder, {"", "folder"});
   v.key("label", r.label, {"", "name"});
   v.key("changes", r.changes, {"", "what it changes in the case"});
@@ -208,15 +181,13 @@ void describe(V& v, R& r) {
 
 enum class JobWork { runs, slice_samples };
 template <>
-inline constexpr auto words<JobWork> =
-    std::array{Word{JobWork::runs, "runs"}, Word{JobWork::slice_samples, "slice_samples"}};
+inline constexpr auto words<JobWork> = std::array{"runs", "slice_samples"};
 
 /// Part of one job: the variants or samples with the indices [first, end).
 struct JobPart {
   int first = 0, end = 0;
 };
-template <class V, As<JobPart> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobPart> auto& r) {
   v.key("first", r.first, {"", "first variant or sample, counted from 0"});
   v.key("end", r.end, {"", "the one after the last"});
 }
@@ -231,8 +202,7 @@ struct StudyJobs {
   std::vector<JobVariant> variants;  ///< empty for samples evaluated by LEM
   std::vector<JobPart> jobs;
 };
-template <class V, As<StudyJobs> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StudyJobs> auto& r) {
   v.key("version", r.version, {"", "version of the program"});
   v.key("commit", r.commit, {"", "its source"});
   v.key("level", r.level, {"", "its instruction set"});
@@ -252,8 +222,7 @@ struct JobSurface {
   std::vector<std::array<double, 2>> line;      ///< vertices of a polyline [m]
   double from = 0, to = 0;                      ///< range of x [m]
 };
-template <class V, As<JobSurface> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobSurface> auto& r) {
   v.key("name", r.name, {"", "name"});
   v.key("circle", r.circle, {"m", "centre and radius"});
   v.key("line", r.line, {"m", "points of a polyline"});
@@ -266,8 +235,7 @@ struct JobSurfaces {
   std::string study;  ///< hash of jobs.json
   std::vector<JobSurface> surfaces;
 };
-template <class V, As<JobSurfaces> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobSurfaces> auto& r) {
   v.key("study", r.study, {"", "hash of the list of jobs"});
   v.key("surfaces", r.surfaces, {"", "slip surfaces"});
 }
@@ -283,8 +251,7 @@ struct JobResult {
   std::vector<int> codes;              ///< for runs: exit code of each
   std::vector<double> factors;         ///< for samples evaluated by LEM; NaN where a sample has no factor
 };
-template <class V, As<JobResult> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<JobResult> auto& r) {
   v.key("study", r.study, {"", "hash of the list of jobs"});
   v.key("job", r.job, {"", "number of the job"});
   v.key("seconds", r.seconds, {"s", "wall time"});

@@ -24,8 +24,7 @@ struct TimedFactor {
   std::string refusal;             ///< reason for which a search would reject the surface; empty if admissible
   std::optional<Referee> referee;  ///< bounds by limit analysis; computed for the governing times only
 };
-template <class V, As<TimedFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TimedFactor> auto& r) {
   v.key("time", r.time, {"s", "when"});
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("surface", r.surface, {"", "the slip surface that governs"});
@@ -45,8 +44,7 @@ struct FailureTime {
   double earliest = 0;                    ///< last time with a factor above target (1 + search_scatter) [s]
   std::optional<double> latest;           ///< first time with a factor below target (1 - search_scatter) [s]
 };
-template <class V, As<FailureTime> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FailureTime> auto& r) {
   v.key("from", r.from, {"s", "the last time at or above the target"});
   v.key("to", r.to, {"s", "the first time below it"});
   v.key("factor_from", r.factor_from, {"", "factor of safety at the first of them"});
@@ -69,8 +67,7 @@ struct Release {
   std::optional<double> front_uncertainty;  ///< discretisation error of the front advance [m]; nullopt if unknown
   std::optional<BoxLimit> limits;           ///< as in Runout
 };
-template <class V, As<Release> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Release> auto& r) {
   v.key("time", r.time, {"s", "when material points took over"});
   v.key("factor", r.factor, {"", "factor of safety at that time, by slices"});
   v.key("folder", r.folder, {"", "folder of its results; empty: the run itself"});
@@ -94,8 +91,7 @@ struct TimedReduction {
   std::vector<ElementRun> runs;  ///< by flow rule
   std::optional<std::string> error;
 };
-template <class V, As<TimedReduction> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TimedReduction> auto& r) {
   v.key("time", r.time, {"s", "when"});
   v.key("folder", r.folder, {"", "folder of its results"});
   v.key("runs", r.runs, {"", "strength reductions by flow rule"});
@@ -108,8 +104,7 @@ struct EquilibriumLoss {
   std::optional<double> to;    ///< [s]; nullopt if equilibrium is never lost
   int trials = 0;              ///< number of equilibria computed in the bisection
 };
-template <class V, As<EquilibriumLoss> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<EquilibriumLoss> auto& r) {
   v.key("from", r.from, {"s", "the last time with equilibrium"});
   v.key("to", r.to, {"s", "the first time without"});
   v.key("trials", r.trials, {"", "equilibria that were looked for"});
@@ -137,8 +132,7 @@ struct Timeline {
   double step_error = 0;  ///< largest difference between prediction and solution of a seepage step [m of water]
   double seepage_seconds = 0, search_seconds = 0;
 };
-template <class V, As<Timeline> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Timeline> auto& r) {
   v.key("duration", r.duration, {"s", "length of the timeline"});
   v.key("start", r.start, {"", "date of time 0"});
   v.key("target", r.target, {"", "a factor below it is failure"});
@@ -167,8 +161,7 @@ struct SearchedMoment {
   std::vector<SlipSurface> circular, noncircular, given;
   std::string error;  ///< why the search failed; empty if it did not
 };
-template <class V, As<SearchedMoment> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SearchedMoment> auto& r) {
   v.key("time", r.time, {"s", "when"});
   v.key("circular", r.circular, {"", "critical circles"});
   v.key("noncircular", r.noncircular, {"", "critical polylines"});
@@ -181,8 +174,7 @@ struct TimelineFile {
   std::string input_hash;
   std::vector<SearchedMoment> moments;
 };
-template <class V, As<TimelineFile> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TimelineFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
   v.key("moments", r.moments, {"", "times that are searched"});
 }

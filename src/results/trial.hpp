@@ -14,8 +14,7 @@ namespace talus::results {
 
 enum class StageEnd { time, rest, failed };
 template <>
-inline constexpr auto words<StageEnd> =
-    std::array{Word{StageEnd::time, "time"}, Word{StageEnd::rest, "rest"}, Word{StageEnd::failed, "failed"}};
+inline constexpr auto words<StageEnd> = std::array{"time", "rest", "failed"};
 
 /// Preconsolidation pressures set from R₀ at the end of a stage.
 struct Preconsolidation {
@@ -23,8 +22,7 @@ struct Preconsolidation {
   double smallest = 0, largest = 0;  ///< of p'_c, the parts of suction and roots included [Pa]
   int beyond = 0;                    ///< number of these whose stress lies outside the resulting yield surface
 };
-template <class V, As<Preconsolidation> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Preconsolidation> auto& r) {
   v.key("points", r.points, {"", "points"});
   v.key("smallest", r.smallest, {"Pa", "smallest preconsolidation pressure"});
   v.key("largest", r.largest, {"Pa", "largest preconsolidation pressure"});
@@ -38,8 +36,7 @@ struct Retry {
   std::string smoothing;         ///< `smoothing` of the retry, as in the case file
   std::string reason;            ///< what exceeded the limit of speed, and where
 };
-template <class V, As<Retry> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Retry> auto& r) {
   v.key("time", r.time, {"s", "when it became unstable"});
   v.key("back_to", r.back_to, {"s", "where it went on from"});
   v.key("courant", r.courant, {"", "Courant number from there on"});
@@ -54,8 +51,7 @@ struct MovingSoil {
   std::string material;       ///< soil at the fastest node
   double share = 0;           ///< fraction of the mass that moves with at least a tenth of that speed
 };
-template <class V, As<MovingSoil> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MovingSoil> auto& r) {
   v.key("speed", r.speed, {"m/s", "largest nodal speed"});
   v.key("place", r.place, {"m", "where"});
   v.key("material", r.material, {"", "material there"});
@@ -76,8 +72,7 @@ struct Stage {
   std::optional<MovingSoil> moving;            ///< set if the stage was to end at rest but did not
   std::optional<std::vector<Retry>> setbacks;  ///< in order of occurrence
 };
-template <class V, As<Stage> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Stage> auto& r) {
   v.key("name", r.name, {"", "name of the stage"});
   v.key("end", r.end, {"", "what ended it"});
   v.key("start", r.start, {"s", "start"});
@@ -98,8 +93,7 @@ struct StageRecord {
   std::vector<Stage> stages;
   std::vector<std::string> warnings;
 };
-template <class V, As<StageRecord> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StageRecord> auto& r) {
   v.key("stages", r.stages, {"", "stages that are done"});
   v.key("warnings", r.warnings, {"", "warnings"});
 }
@@ -110,8 +104,7 @@ struct SlipLine {
   std::vector<Point> points;                   ///< of the side on which more soil moves [m]
   std::optional<std::vector<SideLine>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
-template <class V, As<SlipLine> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SlipLine> auto& r) {
   v.key("srf", r.factor, {"", "strength reduction factor"});
   v.key("points", r.points, {"m", "its points"});
   v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
@@ -128,8 +121,7 @@ struct Trial {
   double largest_speed = 0;  ///< largest nodal speed during the trial [m/s]
   std::optional<std::vector<Retry>> setbacks;
 };
-template <class V, As<Trial> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Trial> auto& r) {
   v.key("srf", r.factor, {"", "strength reduction factor"});
   v.key("end", r.end, {"", "what ended it"});
   v.key("displacement", r.displacement, {"m", "largest displacement"});
@@ -148,8 +140,7 @@ struct RunoutTrial {
   Profile profile;                     ///< at the end
   std::optional<double> failure_time;  ///< from the start of the trial [s]
 };
-template <class V, As<RunoutTrial> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<RunoutTrial> auto& r) {
   describe(v, r.trial);
   v.key("runout", r.runout, {"", "how far the soil ran"});
   v.key("profile", r.profile, {"", "the ground at the end"});
@@ -162,8 +153,7 @@ struct TrialOutcome {
   std::optional<RunoutTrial> runout;
   std::optional<SlipLine> slip_line;
 };
-template <class V, As<TrialOutcome> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<TrialOutcome> auto& r) {
   v.key("trial", r.trial, {"", "how it ended"});
   v.maybe("runout", r.runout, {"", "where it went on until rest"});
   v.maybe("slip_line", r.slip_line, {"", "of one that failed at frozen geometry"});
@@ -172,9 +162,7 @@ void describe(V& v, R& r) {
 /// Criterion of a factor of safety of MPM.
 enum class CriterionKind { frozen, bilinear, displacement, jump };
 template <>
-inline constexpr auto words<CriterionKind> =
-    std::array{Word{CriterionKind::frozen, "frozen"}, Word{CriterionKind::bilinear, "bilinear"},
-               Word{CriterionKind::displacement, "displacement"}, Word{CriterionKind::jump, "jump"}};
+inline constexpr auto words<CriterionKind> = std::array{"frozen", "bilinear", "displacement", "jump"};
 
 /// A factor of safety and the nearest computed factors on either side of it.
 struct Criterion {
@@ -182,8 +170,7 @@ struct Criterion {
   std::optional<double> factor, lower, upper;  ///< nullopt if the curve does not contain the factor
   std::string note;                            ///< why there is no factor, or a remark
 };
-template <class V, As<Criterion> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Criterion> auto& r) {
   v.key("name", r.kind, {"", "criterion"});
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("lower", r.lower, {"", "computed factor below it"});
@@ -196,8 +183,7 @@ struct Branch {
   double slope = 0, intercept = 0;  ///< [m]
   std::vector<double> factors;
 };
-template <class V, As<Branch> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Branch> auto& r) {
   v.key("slope", r.slope, {"m", "slope over the factor"});
   v.key("intercept", r.intercept, {"m", "displacement at factor zero"});
   v.key("points", r.factors, {"", "factors that it was fitted to"});
@@ -208,8 +194,7 @@ struct BilinearLines {
   double factor = 0;
   Branch first, second;
 };
-template <class V, As<BilinearLines> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<BilinearLines> auto& r) {
   v.key("factor", r.factor, {"", "where the lines meet"});
   v.key("first", r.first, {"", "first line"});
   v.key("second", r.second, {"", "second line"});
@@ -221,8 +206,7 @@ struct DisplacementCurve {
   std::vector<Criterion> criteria;
   std::optional<BilinearLines> bilinear;
 };
-template <class V, As<DisplacementCurve> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<DisplacementCurve> auto& r) {
   v.key("points", r.points, {"", "trials by factor"});
   v.key("criteria", r.criteria, {"", "factors by every criterion"});
   v.maybe("bilinear", r.bilinear, {"", "the two lines"});
@@ -241,8 +225,7 @@ struct MeshFactor {
     return lower && upper ? std::optional(0.5 * (*lower + *upper)) : std::nullopt;
   }
 };
-template <class V, As<MeshFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<MeshFactor> auto& r) {
   v.key("size", r.size, {"m", "size of the elements"});
   v.key("points", r.points, {"", "material points"});
   v.derived("factor", r.factor(), {"", "factor of safety on this mesh"});
@@ -281,8 +264,7 @@ struct FrozenFactor {
     return factor && uncertainty && mesh_effect ? std::optional(*factor + *uncertainty) : std::nullopt;
   }
 };
-template <class V, As<FrozenFactor> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<FrozenFactor> auto& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("note", r.note, {"", "why there is none"});
   v.key("uncertainty", r.uncertainty,
@@ -303,8 +285,7 @@ struct PointFactors {
   std::optional<FrozenFactor> frozen;
   std::optional<std::vector<Criterion>> criteria;  ///< of the displacement curve
 };
-template <class V, As<PointFactors> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PointFactors> auto& r) {
   v.maybe("value", r.value, {"", "factor of safety"});
   v.maybe("frozen", r.frozen, {"", "rest or run-away at frozen geometry"});
   v.maybe("criteria", r.criteria, {"", "constructions on the displacement curve"});

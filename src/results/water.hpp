@@ -12,12 +12,8 @@ namespace talus::results {
 
 enum class SurfaceCondition { open, seepage_face, rain, flux, total_head, pressure };
 template <>
-inline constexpr auto words<SurfaceCondition> = std::array{Word{SurfaceCondition::open, "open"},
-                                                           Word{SurfaceCondition::seepage_face, "seepage_face"},
-                                                           Word{SurfaceCondition::rain, "rain"},
-                                                           Word{SurfaceCondition::flux, "flux"},
-                                                           Word{SurfaceCondition::total_head, "total_head"},
-                                                           Word{SurfaceCondition::pressure, "pressure"}};
+inline constexpr auto words<SurfaceCondition> =
+    std::array{"open", "seepage_face", "rain", "flux", "total_head", "pressure"};
 
 /// Mass of water through one surface [kg; kg/m in plane strain].
 struct SurfaceWater {
@@ -25,8 +21,7 @@ struct SurfaceWater {
   SurfaceCondition condition = SurfaceCondition::open;
   double entered = 0, left = 0, supplied = 0, runoff = 0;
 };
-template <class V, As<SurfaceWater> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SurfaceWater> auto& r) {
   v.key("name", r.name, {"", "surface"});
   v.key("condition", r.condition, {"", "what it is to water"});
   v.key("entered", r.entered, {"kg", "water that came in"});
@@ -45,8 +40,7 @@ struct WaterBudget {
   std::vector<SurfaceWater> surfaces;
   std::optional<double> transpired;
 };
-template <class V, As<WaterBudget> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<WaterBudget> auto& r) {
   v.key("density", r.density, {"kg/m3", "density of water"});
   v.key("initial", r.initial, {"kg", "water at the start"});
   v.key("stored", r.stored, {"kg", "water at the end"});
@@ -72,8 +66,7 @@ struct Discharge {
   std::string name;
   double inflow = 0, outflow = 0, runoff = 0;
 };
-template <class V, As<Discharge> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Discharge> auto& r) {
   v.key("name", r.name, {"", "side"});
   v.key("inflow", r.inflow, {"m3/s", "flow in"});
   v.key("outflow", r.outflow, {"m3/s", "flow out"});
@@ -85,8 +78,7 @@ struct SeepageExit {
   std::string name;
   std::vector<double> highest, lowest;  ///< [m]
 };
-template <class V, As<SeepageExit> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SeepageExit> auto& r) {
   v.key("name", r.name, {"", "seepage face"});
   v.key("highest", r.highest, {"m", "highest wet place"});
   v.key("lowest", r.lowest, {"m", "lowest wet place"});
@@ -104,8 +96,7 @@ struct Seepage {
   std::vector<SeepageExit> exits;
   std::vector<std::vector<std::vector<double>>> water_table;  ///< polylines [m]
 };
-template <class V, As<Seepage> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Seepage> auto& r) {
   v.key("inflow", r.inflow, {"m3/s", "flow through"});
   v.key("outflow", r.outflow, {"m3/s", "flow out"});
   v.key("balance_error", r.balance_error, {"", "difference of both over the flow"});
@@ -123,8 +114,7 @@ struct PlantWater {
   std::string ground;
   double potential = 0, transpired = 0;
 };
-template <class V, As<PlantWater> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<PlantWater> auto& r) {
   v.key("ground", r.ground, {"", "ground that they stand on"});
   v.key("potential", r.potential, {"m3", "potential transpiration"});
   v.key("transpired", r.transpired, {"m3", "transpiration"});
@@ -135,8 +125,7 @@ struct SuctionLayer {
   double depth = 0;  ///< of the lower end of the layer [m]
   double initial = 0, mean = 0, least = 0, greatest = 0, driest = 0;
 };
-template <class V, As<SuctionLayer> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<SuctionLayer> auto& r) {
   v.key("depth", r.depth, {"m", "depth of the lower end"});
   v.key("initial", r.initial, {"Pa", "mean suction at the start"});
   v.key("mean", r.mean, {"Pa", "mean suction at the end"});
@@ -156,8 +145,7 @@ struct Season {
   std::vector<PlantWater> plants;
   std::vector<SuctionLayer> layers;
 };
-template <class V, As<Season> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<Season> auto& r) {
   v.key("duration", r.duration, {"s", "length of the season"});
   v.key("initial", r.initial, {"m3", "water at the start"});
   v.key("growth", r.growth, {"m3", "growth of the stored water"});
@@ -179,17 +167,14 @@ void describe(V& v, R& r) {
 /// Origin of the pore pressures of a state. `lowered` is the water table after a rapid drawdown, for soil that drains.
 enum class WaterFlow { hydrostatic, steady, transient, lowered };
 template <>
-inline constexpr auto words<WaterFlow> =
-    std::array{Word{WaterFlow::hydrostatic, "hydrostatic"}, Word{WaterFlow::steady, "steady"},
-               Word{WaterFlow::transient, "transient"}, Word{WaterFlow::lowered, "lowered"}};
+inline constexpr auto words<WaterFlow> = std::array{"hydrostatic", "steady", "transient", "lowered"};
 
 /// Ponded water on a part of the ground.
 struct StandingWater {
   Point from{}, to{};                   ///< ends on the ground, left to right [m]
   double level_from = 0, level_to = 0;  ///< water level at these ends [m]
 };
-template <class V, As<StandingWater> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<StandingWater> auto& r) {
   v.key("from", r.from, {"m", "left end on the ground"});
   v.key("to", r.to, {"m", "right end on the ground"});
   v.key("level_from", r.level_from, {"m", "level of the water at the left end"});
@@ -207,8 +192,7 @@ struct WaterState {
   std::vector<std::vector<Point>> water_table;  ///< lines of zero pressure [m]; empty in 3D
   std::vector<StandingWater> ponds;             ///< empty in 3D
 };
-template <class V, As<WaterState> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<WaterState> auto& r) {
   v.key("flow", r.flow, {"", "what the pore pressures follow from"});
   v.key("time", r.time, {"s", "when; the methods begin at 0"});
   v.key("inflow", r.inflow, {"m3/s", "flow in"});
@@ -228,8 +212,7 @@ struct WaterField {
   std::vector<double> saturation;             ///< by element; empty if unknown
   std::vector<std::vector<double>> velocity;  ///< Darcy velocity by element [m/s]; empty if there is no flow
 };
-template <class V, As<WaterField> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<WaterField> auto& r) {
   v.key("flow", r.flow, {"", "what the pore pressures follow from"});
   v.key("time", r.time, {"s", "when"});
   v.key("pressure", r.pressure, {"Pa", "pore pressure at the nodes, compression positive"});
@@ -244,8 +227,7 @@ struct WaterFields {
   std::vector<std::vector<int>> elements;  ///< node numbers
   std::vector<WaterField> states;          ///< in order of time; the last is the initial state of the methods
 };
-template <class V, As<WaterFields> R>
-void describe(V& v, R& r) {
+void describe(auto& v, As<WaterFields> auto& r) {
   v.key("unit_weight", r.unit_weight, {"N/m3", "unit weight of water"});
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("elements", r.elements, {"", "nodes of the triangles"});
