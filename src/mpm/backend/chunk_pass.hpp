@@ -52,8 +52,7 @@ struct ChunkPass {
   bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
   ChunkSums sum() const { return {sum_lanes(dissipated)}; }
   /// Appends the lists of the passes to those of the body. The entry of a chunk of another rank is empty.
-  template <class Passes>
-  static void collect_lists(B&, const Passes&) {}
+  static void collect_lists(B&, const auto&) {}
 };
 
 /// A pass over points with one velocity.

@@ -58,10 +58,7 @@ class DeviceArray {
     resize(size);
     if (size > 0) Grid::upload(start_, host, size * sizeof(T));
   }
-  template <class Host>
-  void upload(const Host& host) {
-    upload(host.data(), host.size());
-  }
+  void upload(const auto& host) { upload(host.data(), host.size()); }
   void download(std::vector<T>& host) const {
     host.resize(size_);
     if (size_ > 0) Grid::download(host.data(), start_, size_ * sizeof(T));

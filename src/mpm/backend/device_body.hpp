@@ -139,8 +139,7 @@ class DeviceBody : public Device<D> {
   template <class T>
   using Array = DeviceArray<Grid, T>;
 
-  template <class Kernel>
-  void launch(int n, const Kernel& kernel) {
+  void launch(int n, const auto& kernel) {
     if (n > 0) grid_.launch(n, kernel);
   }
 

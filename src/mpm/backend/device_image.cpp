@@ -10,7 +10,7 @@
 #include "mpm/backend/thread_body.hpp"
 #include "mpm/kernels/pressure_kernels.hpp"
 #include "mpm/kernels/softening.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/slots.hpp"
 
 namespace talus::mpm {

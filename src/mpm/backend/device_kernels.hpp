@@ -187,8 +187,7 @@ struct AdvanceElement {
     else
       return soil != many_soils && body.laws[soil].kind == find_kind<L>();
   }
-  template <class Law>
-  TALUS_PORTABLE void advance(Pass& pass, const Law& law, int b) const {
+  TALUS_PORTABLE void advance(Pass& pass, const auto& law, int b) const {
     const bool apart = is_apart(pass.body, static_cast<std::size_t>(b) * device_width);
     apart ? advance_block<Mixed, true>(pass, law, b) : advance_block<Mixed, false>(pass, law, b);
   }

@@ -30,8 +30,7 @@ struct StoredLaw {
     return *reinterpret_cast<const L*>(bytes);
   }
   /// Calls work(law) with the stored law.
-  template <class Work>
-  TALUS_PORTABLE void visit(Work&& work) const {
+  TALUS_PORTABLE void visit(auto&& work) const {
     visit_kinds(work, std::make_index_sequence<std::variant_size_v<material::Law>>());
   }
 
@@ -84,8 +83,7 @@ inline StoredLaw store_law(const material::Law& law) {
 
 // Functions of a law in a list (see laws.hpp).
 
-template <class Work>
-TALUS_PORTABLE void visit_law(const DeviceLaws& laws, std::uint32_t m, Work&& work) {
+TALUS_PORTABLE void visit_law(const DeviceLaws& laws, std::uint32_t m, auto&& work) {
   laws[static_cast<int>(m)].visit(work);
 }
 TALUS_PORTABLE inline bool law_softens(const DeviceLaws& laws, std::uint32_t m) {

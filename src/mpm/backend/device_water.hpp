@@ -112,8 +112,7 @@ class DeviceWaterBody {
              {&I::change, &DeviceWaterBody::change_}}};
   }
 
-  template <class Kernel>
-  void launch(int n, const Kernel& kernel) {
+  void launch(int n, const auto& kernel) {
     if (n > 0) grid_.launch(n, kernel);
   }
   template <NodeLine Line>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -69,8 +68,7 @@ class HostGrid {
   static void wait() {}  ///< until all launches have finished
 
   /// Runs kernel(i) for all i below n.
-  template <class Kernel>
-  void launch(int n, const Kernel& kernel) {
+  void launch(int n, const auto& kernel) {
     count_launch();
     const int blocks = (n + block_ - 1) / block_;
     const int workers = count_workers(blocks);

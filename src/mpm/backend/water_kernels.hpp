@@ -7,7 +7,6 @@
 #include "mpm/backend/device_kernels.hpp"
 #include "mpm/kernels/flow_kernels.hpp"
 #include "mpm/kernels/pressure_kernels.hpp"
-#include "mpm/kernels/root_kernels.hpp"
 #include "mpm/kernels/surface_kernels.hpp"
 
 namespace talus::mpm::device {

@@ -12,7 +12,7 @@
 #include "mpm/kernels/darcy_block.hpp"
 #include "mpm/kernels/flow_kernels.hpp"
 #include "mpm/pore_water/surface.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
 
 namespace talus::mpm {

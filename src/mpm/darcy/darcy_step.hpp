@@ -5,7 +5,6 @@
 // soil and water; step() of step.hpp runs the step for bodies with water when StepOptions::darcy is set.
 
 #include "mpm/state/body.hpp"
-#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 

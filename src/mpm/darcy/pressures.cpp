@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.hpp"
 #include "mpm/darcy/darcy_step.hpp"
 #include "mpm/darcy/sweep.hpp"
 #include "mpm/kernels/pressure_kernels.hpp"
 #include "mpm/kernels/surface_kernels.hpp"
-#include "mpm/pore_water/root_uptake.hpp"
 #include "mpm/pore_water/surface.hpp"
 
 namespace talus::mpm {
@@ -91,18 +89,9 @@ class PressureEquation {
   }
 
  private:
-  template <class Work>
-  void for_nodes(const Work& work) const {
-    wet_nodes_.for_each(o_.threads, work);
-  }
-  template <class Work>
-  void for_elements(const Work& work) const {
-    mpm::for_elements(body_, o_.threads, work);
-  }
-  template <class Value>
-  double sum(const Value& value) const {
-    return wet_nodes_.sum(body_, o_.threads, value);
-  }
+  void for_nodes(const auto& work) const { wet_nodes_.for_each(o_.threads, work); }
+  void for_elements(const auto& work) const { mpm::for_elements(body_, o_.threads, work); }
+  double sum(const auto& value) const { return wet_nodes_.sum(body_, o_.threads, value); }
 
   void find_area() {
     std::fill(m_.area.begin(), m_.area.end(), Vec<D>{});
@@ -158,8 +147,8 @@ class PressureEquation {
 }  // namespace
 
 void throw_no_pressures(std::int64_t step) {
-  throw Error(ExitCode::unstable,
-              fmt::format("the pore pressures of step {} were not found within {} iterations", step, most_iterations));
+  throw Error(ExitCode::unstable, "the pore pressures of step {} were not found within {} iterations", step,
+              most_iterations);
 }
 
 template <int D>

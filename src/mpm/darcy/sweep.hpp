@@ -14,12 +14,10 @@ namespace detail {
 
 // Never inlined, so that it is compiled once for any number of threads: an inlined copy might be contracted to
 // different fused operations.
-template <class Work>
-[[gnu::noinline]] void run_each(int begin, int end, const Work& work) {
+[[gnu::noinline]] void run_each(int begin, int end, const auto& work) {
   for (int i = begin; i < end; ++i) work(i);
 }
-template <class Value>
-[[gnu::noinline]] double sum_each(int begin, int end, const Value& value) {
+[[gnu::noinline]] double sum_each(int begin, int end, const auto& value) {
   double sum = 0;
   for (int i = begin; i < end; ++i) sum += value(i);
   return sum;
@@ -31,14 +29,12 @@ template <class Value>
 struct NodeList {
   std::vector<int> node, chunk_start;
 
-  template <class Work>
-  void for_each(int threads, const Work& work) const {
+  void for_each(int threads, const auto& work) const {
     const auto at = [&](int k) { work(node[static_cast<std::size_t>(k)]); };
     parallel_for(chunks(), threads, [&](int c) { detail::run_each(first(c), first(c + 1), at); });
   }
   /// Calls work(i, chunk) for each node in order, on one thread.
-  template <class Work>
-  void for_each_in_chunk(const Work& work) const {
+  void for_each_in_chunk(const auto& work) const {
     for (int c = 0; c < chunks(); ++c)
       for (int k = first(c); k < first(c + 1); ++k) work(node[static_cast<std::size_t>(k)], c);
   }

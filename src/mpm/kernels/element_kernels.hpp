@@ -9,7 +9,7 @@
 #include "mpm/kernels/averages.hpp"
 #include "mpm/kernels/laws.hpp"
 #include "mpm/kernels/point_kernels.hpp"
-#include "mpm/state/step_options.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::mpm {
 

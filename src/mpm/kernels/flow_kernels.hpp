@@ -13,7 +13,6 @@
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
-#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 
@@ -105,8 +104,7 @@ TALUS_PORTABLE void start_node(B& body, int i, bool first) {
 
 /// k_r of soil `k` at node `i`; zero where the node has none of it. Elements take the mean over their nodes, so that a
 /// dry node does not block a wetting front.
-template <class B>
-TALUS_PORTABLE double find_relative_at_node(const B& body, std::size_t k, int i) {
+TALUS_PORTABLE double find_relative_at_node(const auto& body, std::size_t k, int i) {
   const auto& m = body.water.darcy;
   if (!(m.node_pores[k][i] > 0)) return 0;
   return find_state_at_pressure<double>(body.water.laws[k], m.pressure[i]).relative;

@@ -10,7 +10,7 @@
 #include "base/rows.hpp"
 #include "mpm/kernels/averages.hpp"
 #include "mpm/kernels/full_element.hpp"
-#include "mpm/state/step_options.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::mpm {
 
@@ -330,8 +330,7 @@ struct DryBlock {
   struct Slot {
     TALUS_KERNEL Slot(const DryBlock&, const SlotPoints<B>&) {}
     TALUS_KERNEL void advance_velocity(const DryBlock&, const SlotPoints<B>&) {}
-    template <class Update>
-    TALUS_KERNEL T update_water(const Pass&, const DryBlock& block, const Update&, const SlotPoints<B>&) {
+    TALUS_KERNEL T update_water(const Pass&, const DryBlock& block, const auto&, const SlotPoints<B>&) {
       return block.saturation;
     }
     /// Fraction of the new volume that is soil; gaps do not count as volume of the soil.

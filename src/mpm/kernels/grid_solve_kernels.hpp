@@ -8,8 +8,8 @@
 
 #include "base/rows.hpp"
 #include "mpm/kernels/point_kernels.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
-#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 

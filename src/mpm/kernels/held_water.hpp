@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "mpm/kernels/pore_state.hpp"
 
@@ -74,8 +73,7 @@ class HeldWater {
   }
 
  private:
-  template <class Work>
-  TALUS_PORTABLE void visit(Work&& work) const {
+  TALUS_PORTABLE void visit(auto&& work) const {
     for (std::size_t k = 0; k < laws_.size(); ++k)
       if (laws_[k].wet && pores_[k][static_cast<std::size_t>(node_)] > 0)
         work(laws_[k], pores_[k][static_cast<std::size_t>(node_)]);
@@ -94,13 +92,11 @@ struct HeldLine {
 
   TALUS_PORTABLE double at(double p) const { return held - storage * (p - pressure); }
 
-  template <class Held>
-  TALUS_PORTABLE static HeldLine fill(const Held& water) {
+  TALUS_PORTABLE static HeldLine fill(const auto& water) {
     const auto full = water.find_full();
     return {0, full.held, full.storage, true, true};
   }
-  template <class Held>
-  TALUS_PORTABLE static HeldLine start(const Held& water, double p) {
+  TALUS_PORTABLE static HeldLine start(const auto& water, double p) {
     const bool drains = water.drains();
     if (drains && p <= 0) return fill(water);
     const auto v = water.find(p);
@@ -115,8 +111,7 @@ struct HeldLine {
 
   /// Updates the line after a solution with the pressure `next`. `content`: water of the pores at the start of the step
   /// [m³]. Returns whether the line fitted before.
-  template <class Held>
-  TALUS_PORTABLE bool bend(const Held& water, double content, double next, int round) {
+  TALUS_PORTABLE bool bend(const auto& water, double content, double next, int round) {
     if (!drains) return true;
     if (!full && next < 0) {
       *this = fill(water);

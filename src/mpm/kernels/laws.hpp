@@ -55,8 +55,7 @@ inline double find_gap(const std::vector<material::Law>& laws, int m, const doub
 inline bool law_softens(const std::vector<material::Law>& laws, std::uint32_t m) {
   return material::get_traits(laws[m]).softens;
 }
-template <class Work>
-void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, Work&& work) {
+void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, auto&& work) {
   std::visit(work, laws[m]);
 }
 
@@ -129,8 +128,7 @@ inline int find_state_size(const std::vector<material::Law>& laws) {
 }
 
 /// Calls work(OneLaw) or work(ManyLaws) for the set of materials in `present`.
-template <class Work>
-void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, Work&& work) {
+void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, auto&& work) {
   if ((present & (present - 1)) != 0) {
     work(ManyLaws<>{&laws, present, find_state_size(laws)});
     return;

@@ -6,7 +6,7 @@
 
 #include "base/rows.hpp"
 #include "mpm/kernels/point_kernels.hpp"
-#include "mpm/state/step_options.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::mpm {
 

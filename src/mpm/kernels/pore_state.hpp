@@ -2,8 +2,6 @@
 #pragma once
 // State of pore water: pressure from the water content, effective-stress term χp, and relative conductivity.
 
-#include <cmath>
-
 #include "mpm/state/water.hpp"
 
 namespace talus::mpm {

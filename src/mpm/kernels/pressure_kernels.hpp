@@ -11,8 +11,8 @@
 #include "mesh/mesh.hpp"
 #include "mpm/kernels/held_water.hpp"
 #include "mpm/kernels/water_surface.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
-#include "mpm/state/step_options.hpp"
 
 namespace talus::mpm {
 
@@ -171,8 +171,7 @@ struct PressureLines {
   }
 
   /// Displacement of node `j` by the pressures x.
-  template <class X>
-  TALUS_PORTABLE void push(const X& x, int j) const {
+  TALUS_PORTABLE void push(const auto& x, int j) const {
     const auto& m = body.water.darcy;
     const auto& graph = *m.graph;
     Vec<D> push{};
@@ -183,8 +182,7 @@ struct PressureLines {
   }
   /// Row `i` of the product with x, into q: flow only, or with `whole` also storage and pore growth by the motion that
   /// x causes.
-  template <class X>
-  TALUS_PORTABLE void multiply(const X& x, bool whole, int i) const {
+  TALUS_PORTABLE void multiply(const auto& x, bool whole, int i) const {
     const auto& graph = *body.water.darcy.graph;
     double sum = whole ? s.storage[i] * x[i] : 0.0;
     for (int n = graph.row_start[i]; n < graph.row_end(i); n += graph.row_stride) {

@@ -28,8 +28,7 @@ class MiddleGrid {
   }
   /// Calls work(element, distance) for the elements whose centroid is closer than the width [m], in the order of their
   /// numbers.
-  template <class Work>
-  void visit(int e, Work&& work) const {
+  void visit(int e, auto&& work) const {
     std::vector<int> near;
     add_cells(find_cell(middles_[static_cast<std::size_t>(e)]), 0, near);
     std::sort(near.begin(), near.end());

@@ -3,9 +3,6 @@
 // Nonlocal averaging of softening (theory 23): plastic volumetric strain is averaged over the neighbourhood of an
 // element, so that the nonlocal length, not the element size, decides the width of a shear band.
 
-#include <cstdint>
-#include <vector>
-
 #include "mpm/state/body.hpp"
 
 namespace talus::mpm {

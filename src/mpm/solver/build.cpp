@@ -11,7 +11,7 @@
 #include "mpm/kernels/point_kernels.hpp"
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/kernels/softening.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/partition.hpp"
 #include "mpm/state/slots.hpp"
 #include "mpm/two_velocity/kernels.hpp"
@@ -306,8 +306,7 @@ template void gather_nodal_sums<3>(Body<3>&, const StepOptions<3>&);
 
 namespace talus::input {
 
-template <class Visit>
-void visit_members(Visit&& visit, Like<TimeTable> auto& table) {
+void visit_members(auto&& visit, Like<TimeTable> auto& table) {
   visit(table.time, table.value);
 }
 
@@ -315,12 +314,10 @@ void visit_members(Visit&& visit, Like<TimeTable> auto& table) {
 
 namespace talus::mpm {
 
-template <class Visit>
-void visit_members(Visit&& visit, Like<SurfaceCondition> auto& c) {
+void visit_members(auto&& visit, Like<SurfaceCondition> auto& c) {
   visit(c.name, c.kind, c.value, c.vertical, c.suction_limit);
 }
-template <class Visit>
-void visit_members(Visit&& visit, Like<RootUptake> auto& u) {
+void visit_members(auto&& visit, Like<RootUptake> auto& u) {
   visit(u.name, u.rate, u.reduction, u.weight);
 }
 template <class Visit, class L>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Critical time steps of one phase (2.84) and of the two-velocity formulation (2.85-2.88), over all ranks.
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -44,14 +44,13 @@ void use_gpu() {
   std::string why;
   void* function = load_module("libtalus_cuda.so", "talus_make_devices", false, why);
   if (function == nullptr)
-    throw Error(ExitCode::wrong_input,
-                "--device gpu: this program was built without CUDA: build it with -DTALUS_CUDA=ON (" + why + ")");
+    fail_input("--device gpu: this program was built without CUDA: build it with -DTALUS_CUDA=ON (" + why + ")");
   std::shared_ptr<DeviceMaker> maker(reinterpret_cast<DeviceMaker* (*)(std::size_t)>(function)(device_layout));
-  if (!maker) throw Error(ExitCode::wrong_input, "--device gpu: libtalus_cuda.so is of another build than the program");
+  if (!maker) fail_input("--device gpu: libtalus_cuda.so is of another build than the program");
   const std::string name = maker->find_name(why);
   if (name.empty())
-    throw Error(ExitCode::wrong_input, "--device gpu: there is no GPU here that CUDA can use (" + why +
-                                           "); without --device the case is calculated on the processor");
+    fail_input("--device gpu: there is no GPU here that CUDA can use (" + why +
+               "); without --device the case is calculated on the processor");
   current() = {std::move(maker), name};
 }
 
@@ -91,8 +90,7 @@ void add_water(const DeviceOutput<D>& output, Water<D>& water) {
 
 /// Runs work on the device; if its memory runs out there, because growing blocks need additional memory, throws an
 /// error with a message for the user.
-template <class Work>
-auto run_there(const Work& work) {
+auto run_there(const auto& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
@@ -115,11 +113,10 @@ void DeviceStepper<D>::take(Body<D>& body, const StepOptions<D>& options) {
   } catch (const std::bad_alloc&) {
     const double needed = static_cast<double>(count_bytes(image_)), gigabyte = 1e9;
     const auto free = static_cast<double>(memory.free);
-    throw Error(
-        ExitCode::no_memory,
-        fmt::format("the device has {:.3g} GB free, and these {} points need about {:.3g}: about {:.2g} would "
-                    "fit. Larger elements need less; without --device the processor calculates the case",
-                    free / gigabyte, body.points.size(), needed / gigabyte, body.points.size() * free / needed));
+    throw Error(ExitCode::no_memory,
+                "the device has {:.3g} GB free, and these {} points need about {:.3g}: about {:.2g} would fit. Larger "
+                "elements need less; without --device the processor calculates the case",
+                free / gigabyte, body.points.size(), needed / gigabyte, body.points.size() * free / needed);
   }
   device_has_body_ = true;
 }

@@ -7,7 +7,7 @@
 
 #include "mpm/backend/device.hpp"
 #include "mpm/backend/emulated.hpp"
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 
 namespace talus::mpm {
 

@@ -2,9 +2,6 @@
 // The step of MPM as the sequence of its phases: grid solve, remap, smoothing, G2P and P2G, relocation, loads.
 #include "mpm/solver/step.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/rows.hpp"
 #include "mpm/backend/chunk_pass.hpp"
 #include "mpm/darcy/darcy_step.hpp"
@@ -12,7 +9,7 @@
 #include "mpm/kernels/element_kernels.hpp"
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/grid_solve_kernels.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
 #include "mpm/state/partition.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"

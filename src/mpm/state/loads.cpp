@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Nodal forces (2.37) of tractions on sides and on points, at body.time.
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elements around each node, and the rows of the matrix of nodal pressures.
-#include "mpm/state/node_graph.hpp"
+#include "mpm/state/darcy_water.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/slots.hpp"
 
 namespace talus::mpm {
@@ -324,8 +324,7 @@ template <int D>
 Body<D> scatter_body(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
   Body<D> body = std::move(description);
   if (!body.layout->is_ordered)
-    throw Error(ExitCode::wrong_input,
-                "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
+    fail_input("the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
   take_chunks(whole, ranks, chunk_of_rank, body);
   body.partition = make_partition(body, ranks, chunk_of_rank);
   update_surroundings(body);

@@ -5,7 +5,6 @@
 // positive p.
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -180,14 +179,6 @@ struct Water {
   double pressed_in = 0;               ///< frozen geometry: water that the pores would have pressed out, and kept [kg]
 
   bool is_wet() const { return !laws.empty(); }
-
-  // Defined once in body.cpp; otherwise every file that uses a Water would compile these members again.
-  Water();
-  Water(const Water&);
-  Water(Water&&) noexcept;
-  Water& operator=(const Water&);
-  Water& operator=(Water&&) noexcept;
-  ~Water();
 };
 
 }  // namespace talus::mpm

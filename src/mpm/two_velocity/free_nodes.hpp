@@ -6,7 +6,6 @@
 #include "base/rows.hpp"
 #include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
-#include "mpm/state/step_options.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 
 namespace talus::mpm {

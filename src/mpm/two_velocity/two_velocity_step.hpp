@@ -5,9 +5,8 @@
 // water.
 
 #include "mpm/kernels/water_surface.hpp"
-#include "mpm/pore_water/root_uptake.hpp"
 #include "mpm/pore_water/surface.hpp"
-#include "mpm/state/step_options.hpp"
+#include "mpm/state/body.hpp"
 
 namespace talus::mpm {
 
