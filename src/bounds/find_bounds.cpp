@@ -80,8 +80,8 @@ bool FactorSearch::approach(double start, double tolerance) {
              ? fmt::format("the slope is stable at every factor up to {:g}", range_.largest)
          : fell_ && *fell_ <= range_.smallest
              ? fmt::format(
-                   "no stress field was found at any factor down to {:g}; this is usually a fault of the model, "
-                   "such as a load or water on soil without cohesion and tensile strength",
+                   "no stress field was found at any factor down to {:g}; this is usually a fault of the model, such "
+                   "as a load or water on soil without cohesion and tensile strength",
                    range_.smallest)
              : "the cone programs are undecided at all factors that were tried";
   return false;

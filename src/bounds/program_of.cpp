@@ -41,8 +41,7 @@ struct Cone {
 };
 
 /// Calls use(triangle, corner, cone) for Mohr–Coulomb's cone and then for that of the tension cut-off, if there is one.
-template <class Use>
-void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
+void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, auto use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
     // A rigid triangle has no part in the equations of the upper bound. Its cones must keep its mean stress finite,

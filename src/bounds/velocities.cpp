@@ -126,8 +126,7 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
 namespace {
 
 /// Calls `use` for each degree of freedom with its coefficients in ε_x, ε_y and γ at corner c of triangle e.
-template <class Use>
-void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e, std::size_t c, Use use) {
+void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e, std::size_t c, auto use) {
   const auto gradients = find_quadratic_gradients(find_shape(problem, e), c);
   for (std::size_t k = 0; k < 6; ++k)
     for (const auto& f : mesh.freedoms[static_cast<std::size_t>(mesh.triangles[e][k])]) {

@@ -8,7 +8,6 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "base/lane.hpp"
@@ -115,10 +114,7 @@ class Needs {
 /// All blocks of a list of laws, each once, in the order of first use.
 template <class... Block>
 struct Numbers : Block... {
-  template <class Work>
-  void for_each_block(Work&& work) {
-    (work(static_cast<Block&>(*this)), ...);
-  }
+  void for_each_block(auto&& work) { (work(static_cast<Block&>(*this)), ...); }
 };
 
 template <class Found, class... More>

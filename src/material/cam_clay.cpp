@@ -26,9 +26,11 @@ Property make_slope(const char* key, std::string title, const char* symbol, doub
 void Preconsolidation::check(const SoilFindings& findings, const char* title) const {
   if (!findings.is_sound("preconsolidation") || !findings.is_sound("preconsolidation_ratio")) return;
   if (!preconsolidation && !preconsolidation_ratio)
-    findings.add("", fmt::format("material '{}' is {}; give its 'preconsolidation', for example 125 (kPa), or its "
-                                 "'preconsolidation_ratio'",
-                                 findings.name, title));
+    findings.add(
+        "",
+        fmt::format(
+            "material '{}' is {}; give its 'preconsolidation', for example 125 (kPa), or its 'preconsolidation_ratio'",
+            findings.name, title));
   else if (preconsolidation && preconsolidation_ratio)
     findings.add("preconsolidation_ratio",
                  fmt::format("material '{}' has both a preconsolidation and a preconsolidation_ratio; give one of them",
@@ -66,10 +68,11 @@ void CamClay<Rooted>::check(const Input& in, const SoilFindings& findings) {
     findings.add("kappa", fmt::format("'kappa' is {:.6g} and 'lambda' is {:.6g}; κ must be smaller than λ",
                                       clay.swelling, clay.compression));
   if (findings.is_sound("porosity") && findings.is_sound("void_ratio") && findings.porosity <= 0)
-    findings.add(findings.gives_void_ratio ? "void_ratio" : "porosity",
-                 fmt::format("material '{}' has no pores, but the stiffness and the hardening of Cam-clay follow from "
-                             "its void ratio; give one above 0",
-                             findings.name));
+    findings.add(
+        findings.gives_void_ratio ? "void_ratio" : "porosity",
+        fmt::format("material '{}' has no pores, but the stiffness and the hardening of Cam-clay follow from its void "
+                    "ratio; give one above 0",
+                    findings.name));
   in.template get<Preconsolidation>().check(findings, "Cam-clay");
   if constexpr (Rooted) in.template get<RootParameters>().check(findings);
 }

@@ -29,8 +29,7 @@ struct CamClayParameters {
 struct CamClayInput {
   double compression = 0, swelling = 0, critical_state_slope = 0, suction_hardening = 0, smallest_pressure = 1e3;
 };
-template <class Visitor>
-void describe(Visitor& v, CamClayInput& in, const Users& users) {
+void describe(auto& v, CamClayInput& in, const Users& users) {
   v.key("lambda", in.compression, users.need(plain().above(0)).example("0.089"),
         "λ, slope of the normal-compression line in the plane of void ratio and ln p'; the compression index over "
         "2.303.");
@@ -54,8 +53,7 @@ struct Preconsolidation {
 
   void check(const SoilFindings& findings, const char* title) const;
 };
-template <class Visitor>
-void describe(Visitor& v, Preconsolidation& in, const Users& users) {
+void describe(auto& v, Preconsolidation& in, const Users& users) {
   v.key("preconsolidation", in.preconsolidation, users.allow(quantity("kPa").above(0)).example("125"),
         "p'c₀, preconsolidation pressure of the saturated soil without roots. Where the stress at the start needs a "
         "larger one, the soil is normally consolidated there. Either this or `preconsolidation_ratio` is needed.");
@@ -78,13 +76,11 @@ struct RootParameters {
 
   void check(const SoilFindings& findings) const;
 };
-template <class Visitor>
-void describe(Visitor& v, RootParameters& in, const Users& users) {
+void describe(auto& v, RootParameters& in, const Users& users) {
   input::PerCent<double> content{in.root_content};
-  v.key(
-      "root_content", content, users.allow(quantity("%").at_least(0).below(100)).example("0.88"),
-      "m_r, dry root mass over dry soil mass, where no [[roots]] says otherwise. A plain number is per cent: 0.88, not "
-      "0.0088.");
+  v.key("root_content", content, users.allow(quantity("%").at_least(0).below(100)).example("0.88"),
+        "m_r, dry root mass over dry soil mass, where no [[roots]] says otherwise. A plain number is per cent: 0.88, "
+        "not 0.0088.");
   v.key("root_hardening", in.hardening, users.need(plain().at_least(0)).example("0.28"),
         "R_p, per per cent of root content: at the start p'c is exp(R_p m_r) times that of the soil without roots, and "
         "grows as the roots are activated.");
@@ -123,8 +119,7 @@ class CamClay {
           "{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the critical state "
           "dilates and softens; contraction together with softening, as of loose or cemented soil, is not in it.",
       .reduction =
-          "In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as "
-          "it is."};
+          "In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as it is."};
   static constexpr int state_size = Rooted ? 7 : 3;
   static constexpr bool is_plastic = true;
   /// p'_c of a point whose preconsolidation is not set yet: the response is elastic at any stress [Pa].

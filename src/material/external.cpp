@@ -173,9 +173,7 @@ std::string LawFailure::describe(const std::string& place) const {
 class ExternalLibrary {
  public:
   explicit ExternalLibrary(const ExternalParameters& p) {
-    const auto fail = [&](const std::string& what) {
-      throw Error(ExitCode::wrong_input, fmt::format("the external model{} {}", of_material(p), what));
-    };
+    const auto fail = [&](const std::string& what) { fail_input("the external model{} {}", of_material(p), what); };
     if (p.states < 0 || p.states > External::most_states)
       fail(fmt::format("has {} state variables; 0 to {} are possible", p.states, External::most_states));
     if (p.initial_states.size() > static_cast<std::size_t>(p.states))
@@ -221,10 +219,10 @@ class ExternalLibrary {
 External External::make(const Input& in, const StrengthChange& change) {
   const ExternalParameters& p = in.get<ExternalParameters>();
   if (change.factor != 1)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("the strength of the external model '{}' cannot be divided by {:g}: only the library "
-                            "knows it; give its reduced constants instead",
-                            p.library, change.factor));
+    fail_input(
+        "the strength of the external model '{}' cannot be divided by {:g}: only the library knows it; give its "
+        "reduced constants instead",
+        p.library, change.factor);
   return External(p);
 }
 

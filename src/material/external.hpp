@@ -69,8 +69,7 @@ struct ExternalParameters {
 
   const std::string& find_library() const { return library_file.empty() ? library : library_file; }
 };
-template <class Visitor>
-void describe(Visitor& v, ExternalParameters& in, const Users& users) {
+void describe(auto& v, ExternalParameters& in, const Users& users) {
   v.key("library", in.library, users.need(plain()).example(R"("model.so")"),
         "The shared library that holds the UMAT; its path is relative to the case file.");
   v.key("symbol", in.symbol, users.allow(plain()),
@@ -110,8 +109,7 @@ class External {
       .paragraphs = {"external_model"},
       .assumption =
           "{}: a compiled UMAT gives the stress, and Talus cannot check it. It receives strain increments, not "
-          "deformation gradients; its state variables are carried with the "
-          "soil, and not rotated."};
+          "deformation gradients; its state variables are carried with the soil, and not rotated."};
   static constexpr int most_states = 20;
   static constexpr int first_strain = 1 + most_states;
   static constexpr int state_size = first_strain + 6;
@@ -140,8 +138,7 @@ class External {
   static std::string describe_model(const Input& in);
   static double find_oedometric_modulus(const Input& in) { return in.get<ExternalParameters>().constrained_modulus; }
   /// Sets CMNAME to the name of the material and resolves the path of the library relative to the folder of the case.
-  template <class FindFile>
-  static void complete(const Input::Changeable& in, const std::string& name, const FindFile& find_file) {
+  static void complete(const Input::Changeable& in, const std::string& name, const auto& find_file) {
     auto& parameters = in.get<ExternalParameters>();
     parameters.material = name;
     if (!parameters.library.empty()) parameters.library_file = find_file(parameters.library);

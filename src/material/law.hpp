@@ -48,8 +48,7 @@ struct OfLaws<std::variant<L...>> {
     return users;
   }
   /// Calls work.template operator()<L>() for the law of a model.
-  template <class Work>
-  static void visit(Model model, Work&& work) {
+  static void visit(Model model, auto&& work) {
     static_cast<void>(((find_model<L>() == model ? (work.template operator()<L>(), true) : false) || ...));
   }
 };
@@ -114,8 +113,7 @@ std::optional<Model> find_local_model(Model model, const SoilNumbers& in);
 /// Returns E_c of a soil with constant stiffness [Pa].
 std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in);
 /// Completes the input with what depends on the folder of the case.
-template <class FindFile>
-void complete_soil(SoilNumbers& in, const std::string& name, const FindFile& find_file) {
+void complete_soil(SoilNumbers& in, const std::string& name, const auto& find_file) {
   [&]<class... L>(std::variant<L...>*) {
     const auto complete = [&]<class One>() {
       if constexpr (requires { One::complete(typename One::Input::Changeable(in), name, find_file); })

@@ -9,7 +9,6 @@
 // composed by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
 
 #include <array>
-#include <cmath>
 
 #include "base/lane.hpp"
 

@@ -3,7 +3,6 @@
 // Tresca: undrained soil in total stresses with a strength s_u that may grow with depth. The code is that of
 // Mohr–Coulomb with φ = 0 and c = s_u, with the growth of s_u as a state variable and without a tension cut-off.
 
-#include <limits>
 #include <vector>
 
 #include "material/mohr_coulomb.hpp"
@@ -18,8 +17,7 @@ struct TrescaInput {
   /// Returns the increase of s_u at a level [Pa].
   double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
 };
-template <class Visitor>
-void describe(Visitor& v, TrescaInput& in, const Users& users) {
+void describe(auto& v, TrescaInput& in, const Users& users) {
   const std::vector<input::Slip> slips{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
   v.key("undrained_strength", in.undrained_strength,
         users.need(quantity("kPa").above(0)).usual(1, 500, slips).example("25"),
@@ -42,8 +40,8 @@ class Tresca {
       .takes_water = false,
       .paragraphs = {"mohr_coulomb"},
       .assumption =
-          "{}: undrained soil in total stresses (Tresca, φ = 0, c = s_u), perfectly plastic and without "
-          "softening. Pore pressures do not act on it, and tension is limited by s_u alone."};
+          "{}: undrained soil in total stresses (Tresca, φ = 0, c = s_u), perfectly plastic and without softening. "
+          "Pore pressures do not act on it, and tension is limited by s_u alone."};
   static constexpr int state_size = 2;
   static constexpr bool is_plastic = true;
 

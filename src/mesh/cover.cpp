@@ -76,8 +76,7 @@ class Grid {
     return area;
   }
 
-  template <class R>
-  Polyline leave_ring(const R& ring) const {
+  Polyline leave_ring(const auto& ring) const {
     Polyline corners;
     for (auto c = ring.begin(); c != ring.end(); ++c) corners.push_back(leave(*c));
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();

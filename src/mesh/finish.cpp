@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Derived data of a mesh: orientation, volume, gradients of local coordinates, smallest altitude; renumbering along a
 // space-filling curve; improvement of flat elements.
-#include "mesh/finish.hpp"
+#include "mesh/gmsh_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -95,8 +95,7 @@ template <int D>
 [[noreturn]] void fail_flat(const Mesh<D>& mesh, int e) {
   std::string place;
   for (double x : mesh.nodes[mesh.elements[e][0]]) place += fmt::format("{}{:.9g}", place.empty() ? "" : ", ", x);
-  throw Error(ExitCode::wrong_input, fmt::format("element {} of the mesh has no {}: its first node lies at ({})", e + 1,
-                                                 D == 2 ? "area" : "volume", place));
+  fail_input("element {} of the mesh has no {}: its first node lies at ({})", e + 1, D == 2 ? "area" : "volume", place);
 }
 
 /// Gives every element positive orientation.
@@ -115,13 +114,11 @@ template <int D>
 void check_numbers(const Mesh<D>& mesh) {
   const auto check = [&](int node) {
     if (node < 0 || node >= mesh.node_count())
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("the mesh refers to node {}, but it has {} nodes", node, mesh.node_count()));
+      fail_input("the mesh refers to node {}, but it has {} nodes", node, mesh.node_count());
   };
-  if (mesh.elements.empty()) throw Error(ExitCode::wrong_input, "the mesh has no elements");
+  if (mesh.elements.empty()) fail_input("the mesh has no elements");
   if (mesh.element_region.size() != mesh.elements.size())
-    throw Error(ExitCode::wrong_input, fmt::format("the mesh has {} elements but {} region numbers",
-                                                   mesh.elements.size(), mesh.element_region.size()));
+    fail_input("the mesh has {} elements but {} region numbers", mesh.elements.size(), mesh.element_region.size());
   for (const auto& element : mesh.elements) std::for_each(element.begin(), element.end(), check);
   for (const auto& [name, sides] : mesh.sides)
     for (const auto& side : sides) std::for_each(side.begin(), side.end(), check);
@@ -164,21 +161,6 @@ template std::array<double, 2> to_global<2>(const Mesh<2>&, int, const std::arra
 template std::array<double, 3> to_global<3>(const Mesh<3>&, int, const std::array<double, 3>&);
 template std::array<double, 2> to_local<2>(const Mesh<2>&, int, const std::array<double, 2>&);
 template std::array<double, 3> to_local<3>(const Mesh<3>&, int, const std::array<double, 3>&);
-
-template <int D>
-Mesh<D>::Mesh() = default;
-template <int D>
-Mesh<D>::Mesh(const Mesh&) = default;
-template <int D>
-Mesh<D>::Mesh(Mesh&&) noexcept = default;
-template <int D>
-Mesh<D>& Mesh<D>::operator=(const Mesh&) = default;
-template <int D>
-Mesh<D>& Mesh<D>::operator=(Mesh&&) noexcept = default;
-template <int D>
-Mesh<D>::~Mesh() = default;
-template struct Mesh<2>;
-template struct Mesh<3>;
 
 namespace {
 
@@ -250,8 +232,7 @@ void reorder_nodes(Mesh<D>& mesh) {
   for (auto& [name, sides] : mesh.sides)
     for (auto& side : sides)
       for (int& node : side) {
-        if (new_number[node] < 0)
-          throw Error(ExitCode::wrong_input, "a part of side '" + name + "' of the mesh does not touch any element");
+        if (new_number[node] < 0) fail_input("a part of side '" + name + "' of the mesh does not touch any element");
         node = new_number[node];
       }
   mesh.nodes = std::move(nodes);

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <new>
 #include <numeric>
-#include <span>
 
 #include "base/error.hpp"
 #include "base/foreign_code.hpp"
@@ -136,7 +135,7 @@ Mesh<D> mesh_plan(const Plan& given) {
     mesh_with_gmsh(put_in_order(plan));
   } catch (...) {  // Gmsh throws strings and numbers
     if (errno == ENOMEM) throw std::bad_alloc();
-    throw Error(ExitCode::wrong_input, "Gmsh cannot mesh the plan: " + GmshSession::get_last_error());
+    fail_input("Gmsh cannot mesh the plan: " + GmshSession::get_last_error());
   }
   Naming naming;
   naming.region = [&](int, const std::array<double, 3>& x) { return find_region(plan, {x[0], x[1]}); };
@@ -151,35 +150,34 @@ Mesh<D> mesh_plan(const Plan& given) {
 }
 
 template <int D>
-void write_mesh(const Mesh<D>& mesh, ByteWriter& bytes) {
-  bytes.put(mesh.nodes);
-  bytes.put(mesh.elements);
-  bytes.put(mesh.element_region);
-  bytes.put(mesh.region_names.size());
-  for (const std::string& name : mesh.region_names) bytes.put(name);
-  bytes.put(mesh.sides.size());
+void write_mesh(const Mesh<D>& mesh, Message& message) {
+  message.put_list(mesh.nodes);
+  message.put_list(mesh.elements);
+  message.put_list(mesh.element_region);
+  message.put(mesh.region_names.size());
+  for (const std::string& name : mesh.region_names) message.put_text(name);
+  message.put(mesh.sides.size());
   for (const auto& [name, sides] : mesh.sides) {
-    bytes.put(name);
-    bytes.put(sides);
+    message.put_text(name);
+    message.put_list(sides);
   }
 }
 
 /// Reads the output of write_mesh(). The output of the child process is validated; finish() checks the node numbers.
 template <int D>
-Mesh<D> read_mesh(std::span<const std::byte> bytes) {
-  ByteReader reader(bytes);
+Mesh<D> read_mesh(Message message) {
   Mesh<D> mesh;
-  mesh.nodes = reader.take_array<typename Mesh<D>::Point>();
-  mesh.elements = reader.take_array<typename Mesh<D>::Element>();
-  mesh.element_region = reader.take_array<int>();
-  for (auto left = reader.take<std::size_t>(); left > 0; --left) mesh.region_names.push_back(reader.take_text());
-  for (auto left = reader.take<std::size_t>(); left > 0; --left) {
-    const std::string name = reader.take_text();
-    mesh.sides[name] = reader.take_array<typename Mesh<D>::Side>();
+  mesh.nodes = message.get_list<typename Mesh<D>::Point>();
+  mesh.elements = message.get_list<typename Mesh<D>::Element>();
+  mesh.element_region = message.get_list<int>();
+  for (auto left = message.get<std::size_t>(); left > 0; --left) mesh.region_names.push_back(message.get_text());
+  for (auto left = message.get<std::size_t>(); left > 0; --left) {
+    const std::string name = message.get_text();
+    mesh.sides[name] = message.get_list<typename Mesh<D>::Side>();
   }
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     if (!std::ranges::all_of(mesh.nodes[i], [](double x) { return std::isfinite(x); }))
-      throw Error(ExitCode::wrong_input, fmt::format("node {} of the mesh has no finite coordinates", i + 1));
+      fail_input("node {} of the mesh has no finite coordinates", i + 1);
   return mesh;
 }
 
@@ -190,10 +188,10 @@ void check_whole(const Mesh<D>& mesh, const Plan& plan) {
       (plan.box_max[0] - plan.box_min[0]) * (plan.box_max[1] - plan.box_min[1]) * (D == 3 ? plan.thickness : 1);
   const double meshed = std::accumulate(mesh.volumes.begin(), mesh.volumes.end(), 0.0);
   if (!(std::abs(meshed - box) < 1e-6 * box))
-    throw Error(ExitCode::wrong_input,
-                fmt::format("Gmsh meshed {:.6g} of the box's {:.6g} {}: look for edges or lines that nearly touch, or "
-                            "ask for smaller elements",
-                            meshed, box, D == 2 ? "m²" : "m³"));
+    fail_input(
+        "Gmsh meshed {:.6g} of the box's {:.6g} {}: look for edges or lines that nearly touch, or ask for smaller "
+        "elements",
+        meshed, box, D == 2 ? "m²" : "m³");
 }
 
 /// Limits memory and time in proportion to the file size, because Gmsh allocates by the counts in a binary file's
@@ -210,23 +208,22 @@ void limit_reading(const std::string& file) {
 template <int D>
 Mesh<D> generate(const Plan& plan) {
   if (plan.dimension != D)
-    throw Error(ExitCode::internal_error, fmt::format("a {}D plan was given to the {}D mesher", plan.dimension, D));
+    throw Error(ExitCode::internal_error, "a {}D plan was given to the {}D mesher", plan.dimension, D);
   const bool is_made = plan.file.empty();
   if (!is_made) check_mesh_file(plan.file);
-  std::vector<std::byte> bytes;
+  Message message;
   try {
-    bytes = do_in_child("the mesh was made", [&plan, is_made](ByteWriter& answer) {
+    message = do_in_child("the mesh was made", [&plan, is_made](Message& answer) {
       if (!is_made) limit_reading(plan.file);
       write_mesh(is_made ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file), answer);
     });
   } catch (const ChildCrash& crash) {
-    throw Error(ExitCode::wrong_input,
-                is_made ? fmt::format("Gmsh cannot mesh the plan: {}; look for corners, edges or lines that nearly "
-                                      "touch, or ask for larger elements",
-                                      crash.what())
-                        : fmt::format("mesh file '{}' cannot be read by Gmsh: {}", plan.file, crash.what()));
+    fail_input(is_made ? fmt::format("Gmsh cannot mesh the plan: {}; look for corners, edges or lines that nearly "
+                                     "touch, or ask for larger elements",
+                                     crash.what())
+                       : fmt::format("mesh file '{}' cannot be read by Gmsh: {}", plan.file, crash.what()));
   }
-  Mesh<D> mesh = read_mesh<D>(bytes);
+  Mesh<D> mesh = read_mesh<D>(std::move(message));
   finish(mesh);
   if (is_made) check_whole(mesh, plan);
   return mesh;

@@ -206,10 +206,8 @@ std::vector<std::array<int, N>> get_simplices(int entity, const Nodes& nodes) {
       int dim, order, count, primary;
       std::vector<double> local;
       gmsh::model::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("the mesh holds {} elements of type '{}': only linear {} are understood", element_tags[t].size(),
-                      name, dimension == 1 ? "lines" : (dimension == 2 ? "triangles" : "tetrahedra")));
+      fail_input("the mesh holds {} elements of type '{}': only linear {} are understood", element_tags[t].size(), name,
+                 dimension == 1 ? "lines" : (dimension == 2 ? "triangles" : "tetrahedra"));
     }
     for (std::size_t i = 0; i < node_tags[t].size(); i += N) {
       std::array<int, N> simplex;
@@ -234,11 +232,9 @@ void check_plane(const Mesh<2>& mesh, const Nodes& nodes) {
   for (const auto& element : mesh.elements)
     for (int node : element)
       if (const auto& x = nodes.places[node]; x[2] != first[2])
-        throw Error(ExitCode::wrong_input,
-                    fmt::format("the triangles of the mesh do not lie in one plane of constant z: z is {} at "
-                                "({}, {}) and {} elsewhere",
-                                format_coordinate(x[2]), format_coordinate(x[0]), format_coordinate(x[1]),
-                                format_coordinate(first[2])));
+        fail_input(
+            "the triangles of the mesh do not lie in one plane of constant z: z is {} at ({}, {}) and {} elsewhere",
+            format_coordinate(x[2]), format_coordinate(x[0]), format_coordinate(x[1]), format_coordinate(first[2]));
 }
 
 /// Returns the directions in which nodes inside one geometric entity may move; all entities of a plan are flat.
@@ -309,8 +305,7 @@ Mesh<D> extract_mesh(const Naming& naming) {
     mesh.element_region.insert(mesh.element_region.end(), simplices.size(), region);
   }
   if (mesh.elements.empty())
-    throw Error(ExitCode::wrong_input,
-                fmt::format("the mesh has no {}, which a {}D case needs", D == 2 ? "triangles" : "tetrahedra", D));
+    fail_input("the mesh has no {}, which a {}D case needs", D == 2 ? "triangles" : "tetrahedra", D);
   if constexpr (D == 2) check_plane(mesh, nodes);
   gmsh::model::getEntities(entities, D - 1);
   for (const auto& [dim, entity] : entities) {

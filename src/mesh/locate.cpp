@@ -64,9 +64,8 @@ std::vector<typename Mesh<D>::Element> find_neighbours(const Mesh<D>& mesh) {
       auto b = a + 1;
       while (b != end && b->others == a->others) ++b;
       if (b - a > 2)
-        throw Error(ExitCode::wrong_input,
-                    fmt::format("{} elements of the mesh share the side between nodes {} and {}: elements overlap",
-                                b - a, node, a->others[0]));
+        fail_input("{} elements of the mesh share the side between nodes {} and {}: elements overlap", b - a, node,
+                   a->others[0]);
       if (b - a == 2) {
         neighbours[a->element][a->opposite] = (a + 1)->element;
         neighbours[(a + 1)->element][(a + 1)->opposite] = a->element;
@@ -289,8 +288,8 @@ std::vector<double> overburden_integral(const Mesh<D>& mesh, const std::vector<d
                                         const std::vector<LocalPoint<D>>& points, const typename Mesh<D>::Point& up,
                                         int threads) {
   if (element_weight.size() != mesh.elements.size())
-    throw Error(ExitCode::internal_error,
-                fmt::format("overburden: {} weights for {} elements", element_weight.size(), mesh.elements.size()));
+    throw Error(ExitCode::internal_error, "overburden: {} weights for {} elements", element_weight.size(),
+                mesh.elements.size());
   const Walker<D> walker(mesh, element_weight, up);
   std::vector<double> integrals(points.size());
   const std::size_t pieces = (points.size() + points_per_piece - 1) / points_per_piece;

@@ -36,14 +36,6 @@ struct Mesh {
 
   int node_count() const { return static_cast<int>(nodes.size()); }
   int element_count() const { return static_cast<int>(elements.size()); }
-
-  // Defined in finish.cpp to reduce compile time.
-  Mesh();
-  Mesh(const Mesh&);
-  Mesh(Mesh&&) noexcept;
-  Mesh& operator=(const Mesh&);
-  Mesh& operator=(Mesh&&) noexcept;
-  ~Mesh();
 };
 
 /// Numbering of elements and nodes by finish().

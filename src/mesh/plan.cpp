@@ -19,11 +19,6 @@ namespace {
 /// Significant digits of numbers of the case in messages; further ones are rounding errors of a conversion.
 constexpr int given_digits = 15;
 
-template <class... Values>
-[[noreturn]] void fail(fmt::format_string<Values...> sentence, Values&&... values) {
-  throw Error(ExitCode::wrong_input, fmt::format(sentence, std::forward<Values>(values)...));
-}
-
 /// Formats a length of the case as it was given, in the units of display.
 std::string write(double length, const Plan& plan) {
   return format_value(length, plan.units.length, given_digits);
@@ -36,39 +31,42 @@ std::string write(const Point2& x, const Plan& plan) {
 
 void check_numbers(const Plan& plan) {
   const auto finite = [](const Point2& x) { return std::isfinite(x[0]) && std::isfinite(x[1]); };
-  if (plan.dimension != 2 && plan.dimension != 3) fail("mesh dimension {} is neither 2 nor 3", plan.dimension);
+  if (plan.dimension != 2 && plan.dimension != 3) fail_input("mesh dimension {} is neither 2 nor 3", plan.dimension);
   if (!finite(plan.box_min) || !finite(plan.box_max) || !(plan.box_min[0] < plan.box_max[0]) ||
       !(plan.box_min[1] < plan.box_max[1]))
-    fail("the box from {} to {} {} has no area: its second corner must lie right of and above the first",
-         write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
-  if (!(plan.size > 0) || !std::isfinite(plan.size)) fail("element size {} must be positive", write(plan.size, plan));
+    fail_input("the box from {} to {} {} has no area: its second corner must lie right of and above the first",
+               write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
+  if (!(plan.size > 0) || !std::isfinite(plan.size))
+    fail_input("element size {} must be positive", write(plan.size, plan));
   if (plan.dimension == 3 && (!(plan.thickness > 0) || !std::isfinite(plan.thickness)))
-    fail("thickness {} must be positive in 3D", write(plan.thickness, plan));
+    fail_input("thickness {} must be positive in 3D", write(plan.thickness, plan));
   for (const Refinement& r : plan.refinements) {
-    if (r.near.empty()) fail("a refinement has no place: give one point or a polyline");
+    if (r.near.empty()) fail_input("a refinement has no place: give one point or a polyline");
     if (!(r.size > 0) || !(r.distance > 0))
-      fail("the refinement near {} needs a positive size and distance, not {} and {}", write(r.near[0], plan),
-           write(r.size, plan), write(r.distance, plan));
+      fail_input("the refinement near {} needs a positive size and distance, not {} and {}", write(r.near[0], plan),
+                 write(r.size, plan), write(r.distance, plan));
   }
   for (const Polygon& p : plan.polygons)
     if (!std::all_of(p.points.begin(), p.points.end(), finite))
-      fail("polygon '{}' has a point that is no number", p.name);
+      fail_input("polygon '{}' has a point that is no number", p.name);
   for (const Line& l : plan.lines)
-    if (!std::all_of(l.points.begin(), l.points.end(), finite)) fail("line '{}' has a point that is no number", l.name);
+    if (!std::all_of(l.points.begin(), l.points.end(), finite))
+      fail_input("line '{}' has a point that is no number", l.name);
 }
 
 void check_names(const Plan& plan) {
   std::set<std::string_view> regions, sides{"left", "right", "bottom", "top"};
   if (plan.dimension == 3) sides.insert({"front", "back"});
   for (const Polygon& p : plan.polygons) {
-    if (p.name.empty()) fail("a soil polygon has no name");
-    if (p.name == "empty") fail("a soil polygon cannot be named 'empty': that is the part of the box without soil");
-    if (!regions.insert(p.name).second) fail("two soil polygons are named '{}': each needs its own name", p.name);
+    if (p.name.empty()) fail_input("a soil polygon has no name");
+    if (p.name == "empty")
+      fail_input("a soil polygon cannot be named 'empty': that is the part of the box without soil");
+    if (!regions.insert(p.name).second) fail_input("two soil polygons are named '{}': each needs its own name", p.name);
   }
   for (const Line& l : plan.lines) {
-    if (l.name.empty()) fail("a line of the mesh has no name");
+    if (l.name.empty()) fail_input("a line of the mesh has no name");
     if (!sides.insert(l.name).second)
-      fail("the name '{}' of a line is taken: by another line or by a side of the box", l.name);
+      fail_input("the name '{}' of a line is taken: by another line or by a side of the box", l.name);
   }
 }
 
@@ -85,28 +83,29 @@ Point2 snap(Point2 x, const Plan& plan, Polyline& known, double tolerance) {
 
 void check_polygon(const Polygon& polygon, const Plan& plan, double tolerance) {
   const auto& points = polygon.points;
-  if (points.size() < 3) fail("polygon '{}' has {} points: at least 3 are needed", polygon.name, points.size());
+  if (points.size() < 3) fail_input("polygon '{}' has {} points: at least 3 are needed", polygon.name, points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i] == points[(i + 1) % points.size()])
-      fail("polygon '{}' has the point {} twice in a row; the first point is not repeated at the end", polygon.name,
-           write(points[i], plan));
+      fail_input("polygon '{}' has the point {} twice in a row; the first point is not repeated at the end",
+                 polygon.name, write(points[i], plan));
   if (const auto place = find_self_contact(points, tolerance))
-    fail("polygon '{}' crosses or touches itself at {}", polygon.name, format_point(*place, plan.units.length));
+    fail_input("polygon '{}' crosses or touches itself at {}", polygon.name, format_point(*place, plan.units.length));
 }
 
 void check_line(const Line& line, const Plan& plan) {
-  if (line.points.size() < 2) fail("line '{}' has {} points: at least 2 are needed", line.name, line.points.size());
+  if (line.points.size() < 2)
+    fail_input("line '{}' has {} points: at least 2 are needed", line.name, line.points.size());
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
     if (line.points[i] == line.points[i + 1])
-      fail("line '{}' has the point {} twice in a row", line.name, write(line.points[i], plan));
+      fail_input("line '{}' has the point {} twice in a row", line.name, write(line.points[i], plan));
 }
 
 void check_within_box(std::string_view what, const std::string& name, const Polyline& points, const Plan& plan) {
   for (const Point2& x : points)
     for (int d = 0; d < 2; ++d)
       if (x[d] < plan.box_min[d] || x[d] > plan.box_max[d])
-        fail("{} '{}' leaves the box at {}: the box reaches from {} to {} {}", what, name, write(x, plan),
-             write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
+        fail_input("{} '{}' leaves the box at {}: the box reaches from {} to {} {}", what, name, write(x, plan),
+                   write(plan.box_min, plan), write(plan.box_max, plan), plan.units.length.name);
 }
 
 }  // namespace
@@ -138,10 +137,11 @@ Plan check_plan(const Plan& given) {
     for (std::size_t i = 0; i < j; ++i) {
       const Relation relation = compare(plan.polygons[i].points, plan.polygons[j].points, tolerance);
       if (relation == Relation::same)
-        fail("polygons '{}' and '{}' are the same", plan.polygons[i].name, plan.polygons[j].name);
+        fail_input("polygons '{}' and '{}' are the same", plan.polygons[i].name, plan.polygons[j].name);
       if (relation == Relation::overlapping)
-        fail("polygons '{}' and '{}' overlap partly: polygons may share edges, or one may lie wholly inside another",
-             plan.polygons[i].name, plan.polygons[j].name);
+        fail_input(
+            "polygons '{}' and '{}' overlap partly: polygons may share edges, or one may lie wholly inside another",
+            plan.polygons[i].name, plan.polygons[j].name);
     }
   return plan;
 }
@@ -152,12 +152,5 @@ Plan resize(Plan plan, double size) {
   for (Refinement& r : plan.refinements) r.size *= finer;
   return plan;
 }
-
-Plan::Plan() = default;
-Plan::Plan(const Plan&) = default;
-Plan::Plan(Plan&&) noexcept = default;
-Plan& Plan::operator=(const Plan&) = default;
-Plan& Plan::operator=(Plan&&) noexcept = default;
-Plan::~Plan() = default;
 
 }  // namespace talus::mesh

@@ -43,14 +43,6 @@ struct Plan {
   Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
   ShownUnits units;  ///< units of messages
-
-  // Defined in plan.cpp to reduce compile time.
-  Plan();
-  Plan(const Plan&);
-  Plan(Plan&&) noexcept;
-  Plan& operator=(const Plan&);
-  Plan& operator=(Plan&&) noexcept;
-  ~Plan();
 };
 
 /// Returns the plan with another general element size; local sizes are scaled in proportion.

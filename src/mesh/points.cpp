@@ -104,8 +104,7 @@ std::vector<std::array<double, D>> point_positions(int points_per_element) {
   }
   std::string choice;
   for (int n : allowed_points<D>()) choice += fmt::format("{}{}", choice.empty() ? "" : ", ", n);
-  throw Error(ExitCode::wrong_input, fmt::format("{} points per element is not possible in {}D: choose one of {}",
-                                                 points_per_element, D, choice));
+  fail_input("{} points per element is not possible in {}D: choose one of {}", points_per_element, D, choice);
 }
 
 template std::vector<int> allowed_points<2>();

@@ -39,7 +39,7 @@ class MeshText {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}', line {}: {}", path_, line_, what));
+    fail_input("mesh file '{}', line {}: {}", path_, line_, what);
   }
 
   /// Reads the next line without trailing blanks; returns false at the end of the file.
@@ -107,7 +107,7 @@ struct Header {
 
 Header read_header(const std::string& path) {
   if (const auto fault = find_file_fault(path, largest_file::mesh))
-    throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened: {}", path, fault->why));
+    fail_input("mesh file '{}' cannot be opened: {}", path, fault->why);
   std::array<char, 256> begin{};  // the beginning of a file, which may have no line breaks
   std::ifstream whole(path, std::ios::binary);
   whole.read(begin.data(), begin.size());
@@ -117,12 +117,10 @@ Header read_header(const std::string& path) {
   int kind = 0;
   file >> first;
   if (first != "$MeshFormat" || !(file >> header.version))
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' is not a Gmsh mesh: it does not begin with $MeshFormat", path));
+    fail_input("'{}' is not a Gmsh mesh: it does not begin with $MeshFormat", path);
   if (header.version < 4 || header.version >= 5)
-    throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' has format version {}: version 4 is needed "
-                                                   "(gmsh -save -format msh4 writes it)",
-                                                   path, header.version));
+    fail_input("mesh file '{}' has format version {}: version 4 is needed (gmsh -save -format msh4 writes it)", path,
+               header.version);
   header.is_binary = (file >> kind) && kind != 0;
   return header;
 }
@@ -236,10 +234,10 @@ std::vector<std::string> get_region_names(int dimension) {
 int find_region(const std::vector<std::string>& regions, int dimension, int entity, const std::array<double, 3>& x) {
   const auto groups = get_group_names(dimension, entity);
   if (groups.size() != 1)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("the element at {} belongs to {} physical groups of "
-                            "dimension {}: each element needs exactly one, named after its soil or 'empty'",
-                            format_point(x), groups.empty() ? "no" : std::to_string(groups.size()), dimension));
+    fail_input(
+        "the element at {} belongs to {} physical groups of dimension {}: each element needs exactly one, named after "
+        "its soil or 'empty'",
+        format_point(x), groups.empty() ? "no" : std::to_string(groups.size()), dimension);
   if (groups[0] == "empty") return empty_region;
   return static_cast<int>(std::find(regions.begin(), regions.end(), groups[0]) - regions.begin());
 }
@@ -252,8 +250,7 @@ Mesh<D> read_mesh_file(const std::string& path) {
   try {
     gmsh::open(path);
   } catch (...) {  // Gmsh throws strings and numbers
-    throw Error(ExitCode::wrong_input,
-                fmt::format("mesh file '{}' cannot be read: {}", path, GmshSession::get_last_error()));
+    fail_input("mesh file '{}' cannot be read: {}", path, GmshSession::get_last_error());
   }
   const auto regions = get_region_names(D);
   Naming naming;
@@ -264,7 +261,7 @@ Mesh<D> read_mesh_file(const std::string& path) {
     mesh.region_names = regions;
     return mesh;
   } catch (const Error& e) {
-    throw Error(e.code(), fmt::format("mesh file '{}': {}", path, e.what()));
+    throw Error(e.code(), "mesh file '{}': {}", path, e.what());
   }
 }
 

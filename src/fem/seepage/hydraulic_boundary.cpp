@@ -85,8 +85,7 @@ void build_shares(SeepageSystem<D>& s) {
     for (const auto& side : boundary.sides) {
       const int owner = find_owner(mesh, elements_of_node, side);
       if (owner == no_soil) continue;  // a side of the box continues above the ground
-      if (owner == soil_on_both_sides)
-        throw Error(ExitCode::wrong_input, describe_inner_side(s.model, boundary.name, side));
+      if (owner == soil_on_both_sides) fail_input(describe_inner_side(s.model, boundary.name, side));
       int inner = -1;
       for (int node : mesh.elements[static_cast<std::size_t>(owner)]) {
         if (std::find(side.begin(), side.end(), node) == side.end()) inner = node;
@@ -105,9 +104,7 @@ void build_shares(SeepageSystem<D>& s) {
         b.downward += k * std::max(0.0, -area[up]) / D;
       }
     }
-    if (share.empty())
-      throw Error(ExitCode::wrong_input,
-                  "The hydraulic boundary \"" + boundary.name + "\" lies on no surface of the soil.");
+    if (share.empty()) fail_input("The hydraulic boundary \"" + boundary.name + "\" lies on no surface of the soil.");
     auto& list = s.shares.emplace_back();
     for (const auto& [u, b] : share) list.push_back(b);
   }
@@ -129,10 +126,9 @@ std::vector<NodeCondition> SeepageSystem<D>::find_conditions(double time) const 
           (kind == HydraulicKind::reservoir && submerged)) {
         const double head = kind == HydraulicKind::pressure ? elevation[u] - value / model.unit_weight : value;
         if (c.fixed && std::abs(c.head - head) > 1e-9 * std::max({1.0, std::abs(head), std::abs(c.head)}))
-          throw Error(ExitCode::wrong_input,
-                      describe_contradiction(model, node_of_unknown[u],
-                                             model.boundaries[static_cast<std::size_t>(c.owner)].name, c.head + datum,
-                                             boundary.name, head + datum));
+          fail_input(describe_contradiction(model, node_of_unknown[u],
+                                            model.boundaries[static_cast<std::size_t>(c.owner)].name, c.head + datum,
+                                            boundary.name, head + datum));
         if (!c.fixed) c.owner = static_cast<int>(b);
         c.fixed = true;
         c.head = head;

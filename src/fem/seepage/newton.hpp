@@ -4,6 +4,7 @@
 
 #include "fem/seepage/system.hpp"
 #include "fem/sparse_solver.hpp"
+#include "mesh/mesh.hpp"
 
 namespace talus::fem {
 
@@ -54,6 +55,61 @@ class SeepageNewton {
   double height_ = 1;             ///< height of the soil [m]
   int undecided_ = 0;
   int solves_ = 0;
+};
+
+// Results of seepage from the heads of a solution. Internal to fem/.
+
+// The contour of zero pore pressure in a plane field.
+
+/// Returns polylines [m] along which the nodal pressure (linear in elements of soil) changes from at most zero to above
+/// it. Open lines start at their end with the smaller x; closed ones repeat their first point.
+std::vector<std::vector<std::array<double, 2>>> find_water_table(const mesh::Mesh<2>& mesh,
+                                                                 const std::vector<double>& pressure);
+
+/// Returns the flow through boundaries, roots and stores, without the fields. `sums` belong to the solution,
+/// `conditions` and `input` to the solve.
+template <int D>
+SeepageResult<D> make_flow_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+                                  const std::vector<NodeCondition>& conditions, double time, const StepInput& input);
+
+/// Adds heads, pressures, saturations, velocities, wet faces and water table of the solution.
+template <int D>
+void add_fields(const SeepageSystem<D>& system, const SeepageState& state, const StepInput& input,
+                SeepageResult<D>& result);
+
+/// Convert heads per node to heads per unknown, and back; nodes without soil get their elevation.
+template <int D>
+std::vector<double> to_unknowns(const SeepageSystem<D>& system, const std::vector<double>& node_heads);
+template <int D>
+std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<double>& heads);
+
+// Rain that does not infiltrate: it stands on the ground up to a depth, and the rest runs down to where it infiltrates,
+// or leaves the model. Internal to fem/; docs/theory/13-seepage.md.
+
+/// The ground as nodes, each of which drains to its steepest neighbour below. The travel time is zero.
+template <int D>
+class Runoff {
+ public:
+  explicit Runoff(const SeepageSystem<D>& system);
+
+  /// Returns true if any boundary uses it.
+  bool is_used() const { return used_; }
+  /// Adds run-on and standing water to the rain offered in a step of `dt` [s].
+  void offer(double dt, std::vector<NodeCondition>& conditions) const;
+  /// Routes the water that did not infiltrate in a solution with the `conditions` from offer(). Returns true if the
+  /// run-on of every node agrees with what it was offered.
+  bool route(double dt, const std::vector<NodeCondition>& conditions, const SeepageState& state, const NodalSums& sums);
+  /// Ends a step: stores the standing water for the next one, and writes its growth into `result`.
+  void end_step(double dt, const std::vector<NodeCondition>& conditions, SeepageResult<D>& result);
+
+ private:
+  const SeepageSystem<D>& system_;
+  bool used_ = false;
+  std::vector<int> receiver_;           ///< by unknown; -1: the water leaves the ground
+  std::vector<int> order_;              ///< unknowns of the ground, each before its receiver
+  std::vector<double> capacity_;        ///< limit of the standing water, by unknown [m³]
+  std::vector<double> standing_, now_;  ///< standing water at the start and at the end of the step [m³]
+  std::vector<double> run_on_, next_;   ///< run-on as offered, and as routed [m³/s]
 };
 
 }  // namespace talus::fem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pressures, velocities, discharges, wet faces and the water table of a solution.
-#include "fem/seepage/results.hpp"
+#include "fem/seepage/newton.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Drainage network of the ground, and the routing of rain that does not infiltrate.
-#include "fem/seepage/runoff.hpp"
+#include "fem/seepage/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <set>
 

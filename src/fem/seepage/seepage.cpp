@@ -13,48 +13,42 @@ namespace talus::fem {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
 template <int D>
 void check_soil(const HydraulicSoil<D>& soil, const ShownUnits& units) {
   const std::string who = "The soil \"" + soil.name + "\"";
   if (!(soil.porosity > 0 && soil.porosity < 1))
-    fail(fmt::format("{} has a porosity of {:g}; between 0 and 1 is possible.", who, soil.porosity));
+    fail_input("{} has a porosity of {:g}; between 0 and 1 is possible.", who, soil.porosity);
   for (double k : soil.conductivity) {
     if (!(k > 0 && std::isfinite(k)))
-      fail(fmt::format("{} has a hydraulic conductivity of {}; it must be above 0.", who,
-                       format_value(k, units.speed())));
+      fail_input("{} has a hydraulic conductivity of {}; it must be above 0.", who, format_value(k, units.speed()));
   }
   if (!(soil.water_modulus > 0))
-    fail(fmt::format("{} has a bulk modulus of water of {:g} Pa; it must be above 0.", who, soil.water_modulus));
+    fail_input("{} has a bulk modulus of water of {:g} Pa; it must be above 0.", who, soil.water_modulus);
   if (!(soil.skeleton_compressibility >= 0))
-    fail(fmt::format("{} has a compressibility of {:g} 1/Pa; it must be 0 or above.", who,
-                     soil.skeleton_compressibility));
-  if (const auto fault = material::find_fault(soil.retention)) fail(who + ": " + *fault);
-  if (const auto fault = material::find_fault(soil.relative)) fail(who + ": " + *fault);
+    fail_input("{} has a compressibility of {:g} 1/Pa; it must be 0 or above.", who, soil.skeleton_compressibility);
+  if (const auto fault = material::find_fault(soil.retention)) fail_input(who + ": " + *fault);
+  if (const auto fault = material::find_fault(soil.relative)) fail_input(who + ": " + *fault);
 }
 
 template <int D>
 void check_boundary(const SeepageModel<D>& model, const HydraulicBoundary<D>& b) {
   const std::string who = "The hydraulic boundary \"" + b.name + "\"";
-  if (b.sides.empty()) fail(who + " has no sides.");
-  if (!std::isfinite(b.value)) fail(who + " has a value that is no number.");
+  if (b.sides.empty()) fail_input(who + " has no sides.");
+  if (!std::isfinite(b.value)) fail_input(who + " has a value that is no number.");
   for (std::size_t i = 0; i < b.history.size(); ++i) {
     if (!std::isfinite(b.history[i][0]) || !std::isfinite(b.history[i][1]))
-      fail(who + " has a table with a value that is no number.");
+      fail_input(who + " has a table with a value that is no number.");
     if (i > 0 && b.history[i][0] < b.history[i - 1][0])
-      fail(fmt::format("{} has a table whose times do not increase: {:g} s comes after {:g} s.", who, b.history[i][0],
-                       b.history[i - 1][0]));
+      fail_input("{} has a table whose times do not increase: {:g} s comes after {:g} s.", who, b.history[i][0],
+                 b.history[i - 1][0]);
   }
   if (b.kind != HydraulicKind::total_head && b.kind != HydraulicKind::reservoir) return;
   double lowest = std::numeric_limits<double>::infinity();
   for (const auto& x : model.mesh->nodes) lowest = std::min(lowest, x[static_cast<std::size_t>(model.up)]);
   const auto check = [&](double head) {
     if (head < lowest)
-      fail(fmt::format("{} has a head of {}, which lies below the model, whose lowest point is at {}.", who,
-                       format_value(head, model.units.length), format_value(lowest, model.units.length)));
+      fail_input("{} has a head of {}, which lies below the model, whose lowest point is at {}.", who,
+                 format_value(head, model.units.length), format_value(lowest, model.units.length));
   };
   if (b.history.empty()) check(b.value);
   for (const auto& pair : b.history) check(pair[1]);
@@ -65,14 +59,13 @@ void check_sink(const SeepageModel<D>& model, const RootSink& sink) {
   const std::string who = "The roots \"" + sink.name + "\"";
   const auto& s = sink.reduction.suctions;
   if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
-    fail(fmt::format("{} have suctions of {:g}, {:g}, {:g} and {:g} Pa; they must increase.", who, s[0], s[1], s[2],
-                     s[3]));
+    fail_input("{} have suctions of {:g}, {:g}, {:g} and {:g} Pa; they must increase.", who, s[0], s[1], s[2], s[3]);
   if (sink.weights.size() != model.mesh->nodes.size())
     throw Error(ExitCode::internal_error, who + " have not as many weights as the mesh has nodes.");
   for (double rate : sink.rate.value) {
     if (!(rate >= 0 && std::isfinite(rate)))
-      fail(fmt::format("{} have a potential transpiration of {}; it must be 0 or above.", who,
-                       format_value(rate, model.units.speed())));
+      fail_input("{} have a potential transpiration of {}; it must be 0 or above.", who,
+                 format_value(rate, model.units.speed()));
   }
 }
 
@@ -80,15 +73,15 @@ void check_sink(const SeepageModel<D>& model, const RootSink& sink) {
 
 template <int D>
 void check_model(const SeepageModel<D>& model) {
-  if (!(model.unit_weight > 0)) fail("The unit weight of water must be above 0.");
+  if (!(model.unit_weight > 0)) fail_input("The unit weight of water must be above 0.");
   bool any = false;
   for (int region : model.mesh->element_region) {
     if (region == mesh::empty_region) continue;
     any = true;
     if (region < 0 || region >= static_cast<int>(model.soils.size()))
-      fail(fmt::format("Region {} of the mesh has no hydraulic soil.", region));
+      fail_input("Region {} of the mesh has no hydraulic soil.", region);
   }
-  if (!any) fail("No element of the mesh holds soil, so no water can flow.");
+  if (!any) fail_input("No element of the mesh holds soil, so no water can flow.");
   for (const auto& soil : model.soils) check_soil(soil, model.units);
   for (const auto& b : model.boundaries) check_boundary(model, b);
   for (const auto& sink : model.sinks) check_sink(model, sink);
@@ -108,8 +101,9 @@ void check_storage(const SeepageModel<D>& model) {
         },
         soil.retention);
     if (flat && std::isinf(soil.water_modulus) && soil.skeleton_compressibility == 0)
-      fail("The soil \"" + soil.name +
-           "\" can take up no water: its retention curve has no slope while water and skeleton are incompressible.");
+      fail_input(
+          "The soil \"" + soil.name +
+          "\" can take up no water: its retention curve has no slope while water and skeleton are incompressible.");
   }
 }
 

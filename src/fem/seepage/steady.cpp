@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "fem/seepage/results.hpp"
+#include "fem/seepage/newton.hpp"
 
 namespace talus::fem {
 
@@ -57,11 +57,10 @@ void solve_in_stages(SeepageNewton<D>& newton, SeepageState& state, const std::v
     } else {
       factor = std::sqrt(factor);
       if (reached == 0 || factor < smallest_factor)
-        throw Error(
-            ExitCode::unstable,
-            fmt::format("Steady seepage did not converge: the fall of conductivity with suction could be followed "
-                        "for {:.3g} of the suctions only; a finer mesh or a flatter law may help.",
-                        reached));
+        throw Error(ExitCode::unstable,
+                    "Steady seepage did not converge: the fall of conductivity with suction could be followed for "
+                    "{:.3g} of the suctions only; a finer mesh or a flatter law may help.",
+                    reached);
     }
     next = std::min(1.0, reached * factor);
   }

@@ -8,8 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "fem/seepage/results.hpp"
-#include "fem/seepage/runoff.hpp"
+#include "fem/seepage/newton.hpp"
 #include "fem/seepage/seepage.hpp"
 
 namespace talus::fem {
@@ -47,9 +46,8 @@ bool is_corner(const SeepageModel<D>& model, double time) {
 void check_schedule(const SeepageSchedule& s) {
   const bool increases = std::is_sorted(s.outputs.begin(), s.outputs.end(), std::less_equal<>());
   if (s.outputs.empty() || !(s.outputs.front() > s.start) || !increases)
-    throw Error(ExitCode::wrong_input, "Seepage in time needs output times that increase from the start on.");
-  if (!(s.head_tolerance > 0))
-    throw Error(ExitCode::wrong_input, "The head tolerance of seepage in time must be above 0.");
+    fail_input("Seepage in time needs output times that increase from the start on.");
+  if (!(s.head_tolerance > 0)) fail_input("The head tolerance of seepage in time must be above 0.");
 }
 
 void add_volumes(std::vector<Discharge>& volumes, const std::vector<Discharge>& rates, double dt) {
@@ -199,8 +197,8 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
       ++history.rejected;
       dt = step * (solved ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.2, 0.7) : 0.25);
       if (dt < smallest)
-        throw Error(ExitCode::unstable,
-                    fmt::format("Seepage did not converge at {:.6g} s, not even with a step of {:.3g} s.", time, dt));
+        throw Error(ExitCode::unstable, "Seepage did not converge at {:.6g} s, not even with a step of {:.3g} s.", time,
+                    dt);
       continue;
     }
     const auto new_contents = system.find_contents(trial.head);

@@ -62,10 +62,8 @@ std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D
     for (std::size_t s = 0; s < load.sides.size(); ++s) {
       const auto nodes = middles.find_side(load.sides[s]);
       if (nodes.empty())
-        throw Error(ExitCode::wrong_input,
-                    fmt::format("the load '{}' acts on a side at {}, where there is no soil", load.name,
-                                format_place(model.mesh->nodes[static_cast<std::size_t>(load.sides[s][0])],
-                                             model.units.length)));
+        fail_input("the load '{}' acts on a side at {}, where there is no soil", load.name,
+                   format_place(model.mesh->nodes[static_cast<std::size_t>(load.sides[s][0])], model.units.length));
       const double size = find_size(*model.mesh, load.sides[s]);
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (std::size_t j = 0; j < D; ++j)

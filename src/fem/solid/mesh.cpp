@@ -30,10 +30,8 @@ QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     if (mesh.element_region[e] != mesh::empty_region) r.linear_element.push_back(static_cast<int>(e));
   if (r.linear_element.empty())
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("the mesh has no element with soil ({} elements, all empty): finite elements need at least one",
-                    mesh.elements.size()));
+    fail_input("the mesh has no element with soil ({} elements, all empty): finite elements need at least one",
+               mesh.elements.size());
   // Edges are numbered in the order in which the elements have them, so that neighbours get similar numbers.
   std::vector<std::pair<std::array<int, 2>, std::size_t>> uses;  // edge, its position in the elements
   r.elements.resize(r.linear_element.size());
@@ -49,10 +47,8 @@ QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
     }
     const double volume = find_simplex<D>(x, g);
     if (!(volume > 0))
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("{} is inverted: its {} is {:.3g} {} where a positive one was expected",
-                      describe_element<D>(mesh, e, centre), D == 2 ? "area" : "volume", volume, D == 2 ? "m2" : "m3"));
+      fail_input("{} is inverted: its {} is {:.3g} {} where a positive one was expected",
+                 describe_element<D>(mesh, e, centre), D == 2 ? "area" : "volume", volume, D == 2 ? "m2" : "m3");
     for (std::size_t q = 0; q < Q::points; ++q) {
       const auto l = find_barycentric<D>(q);
       Vec<D> point{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Consistent tangents of the laws by dual numbers.
-#include "fem/solid/point.hpp"
+#include "fem/solid/system.hpp"
 
 #include <algorithm>
 #include <array>

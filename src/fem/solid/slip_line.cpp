@@ -127,8 +127,7 @@ class SlipLines {
   }
 
   /// Returns the node of the ground with the largest positive speed(n); -1 if there is none.
-  template <class Speed>
-  int find_fastest(const Speed& speed) const {
+  int find_fastest(const auto& speed) const {
     double most = 0;
     int fastest = -1;
     for (std::size_t n = 0; n < ground_.size(); ++n) {
@@ -160,8 +159,7 @@ class SlipLines {
   };
 
   /// Returns the ground from a node in one of its two directions, to its end or to the first node that is not `own`.
-  template <class Is>
-  std::vector<Step> walk(int from, std::size_t way, const Is& is_own) const {
+  std::vector<Step> walk(int from, std::size_t way, const auto& is_own) const {
     std::vector<Step> steps{{from, 0, find_motion(from)}};
     int before = -1, at = from;
     while (is_own(at) && steps.size() <= ground_.size()) {
@@ -227,8 +225,7 @@ class SlipLines {
 
   /// Adds the line of the moving ground around a node, from its upper end, if there is one. `way`: direction of the
   /// motion; 0: towards the lower end.
-  template <class Is>
-  void add_line(int from, int way, const Is& is_own, std::vector<SlipLine>& lines) {
+  void add_line(int from, int way, const auto& is_own, std::vector<SlipLine>& lines) {
     if (from < 0) return;
     for (const std::size_t i : {0, 1}) ends_[i] = find_end(walk(from, i, is_own));
     if (ends_[0] == ends_[1]) return;

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "fem/solid/newton.hpp"
-#include "fem/solid/strength_reduction.hpp"
+#include "fem/solid/system.hpp"
 
 namespace talus::fem {
 

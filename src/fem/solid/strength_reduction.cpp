@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its result does
 // not depend on the other trials.
-#include "fem/solid/strength_reduction.hpp"
+#include "fem/solid/newton.hpp"
 
 #include <fmt/format.h>
 
@@ -93,10 +93,10 @@ class Reduction {
       unstable_ = factor;
       factor *= 0.5;
     }
-    throw Error(ExitCode::wrong_input,
-                fmt::format("finite elements do not converge even with the strength multiplied by {:g}: check weights, "
-                            "supports and pore pressures",
-                            1 / options_.smallest));
+    fail_input(
+        "finite elements do not converge even with the strength multiplied by {:g}: check weights, supports and pore "
+        "pressures",
+        1 / options_.smallest);
   }
 
   /// Searches a stable factor below a failed one, both confirmed by trials.
@@ -123,9 +123,7 @@ class Reduction {
       low_ = high_;
       width *= 2;
     }
-    throw Error(ExitCode::wrong_input, fmt::format("the soil still stands with its strength divided by {:g}: it has no "
-                                                   "factor of safety",
-                                                   options_.largest));
+    fail_input("the soil still stands with its strength divided by {:g}: it has no factor of safety", options_.largest);
   }
 
   bool try_factor(double factor) {

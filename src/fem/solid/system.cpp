@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "fem/solid/point.hpp"
 
 namespace talus::fem {
 
@@ -303,11 +302,8 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
     for (std::size_t d = 0; d < D; ++d)
       if (!fixed[d]) node.unknown[d] = unknowns++;
   }
-  if (!supported)
-    throw Error(ExitCode::wrong_input,
-                "no side of the soil is held: finite elements need a support to find equilibrium");
-  if (unknowns == 0)
-    throw Error(ExitCode::wrong_input, "every node of the soil is held: finite elements have nothing to find");
+  if (!supported) fail_input("no side of the soil is held: finite elements need a support to find equilibrium");
+  if (unknowns == 0) fail_input("every node of the soil is held: finite elements have nothing to find");
 
   gradients.resize(mesh.elements.size());
   pore.assign(mesh.elements.size(), {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Starts of the polylines (circles, blocks, given surfaces), their optimisation, and the choice of the best for
 // each method.
-#include "lem/search/polyline_search.hpp"
+#include "lem/search/trial_circles.hpp"
 
 #include <algorithm>
 #include <cmath>

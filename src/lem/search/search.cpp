@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "lem/search/optimise.hpp"
-#include "lem/search/polyline_search.hpp"
 #include "lem/search/search_findings.hpp"
 #include "lem/search/trial_circles.hpp"
 
@@ -178,10 +176,10 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     if (result.tried > 0)
       reasons = fmt::format("{} by {}", describe_refusals(result.refused.front(), result.tried),
                             get_title(options.methods.front()));
-    throw Error(ExitCode::wrong_input,
-                fmt::format("no admissible slip surface was found: {}; check the ranges of the search, the bottom "
-                            "of the model and the limits (smallest_depth, smallest_m_alpha, most_tension)",
-                            reasons));
+    fail_input(
+        "no admissible slip surface was found: {}; check the ranges of the search, the bottom of the model and the "
+        "limits (smallest_depth, smallest_m_alpha, most_tension)",
+        reasons);
   }
   result.minima.resize(options.methods.size());
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
@@ -242,12 +240,5 @@ Critical optimise(const Slope& slope, const Surface& start, Method method, const
   return make_critical(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface,
                        method);
 }
-
-SearchResult::SearchResult() = default;
-SearchResult::SearchResult(const SearchResult&) = default;
-SearchResult::SearchResult(SearchResult&&) noexcept = default;
-SearchResult& SearchResult::operator=(const SearchResult&) = default;
-SearchResult& SearchResult::operator=(SearchResult&&) noexcept = default;
-SearchResult::~SearchResult() = default;
 
 }  // namespace talus::lem

@@ -161,14 +161,6 @@ struct SearchResult {
   /// Ranges of the search as applied.
   std::optional<GridSearch> grid;
   std::optional<EntryExitSearch> entry_exit;
-
-  // Defined in search.cpp, so that other files do not instantiate them again.
-  SearchResult();
-  SearchResult(const SearchResult&);
-  SearchResult(SearchResult&&) noexcept;
-  SearchResult& operator=(const SearchResult&);
-  SearchResult& operator=(SearchResult&&) noexcept;
-  ~SearchResult();
 };
 
 /// Throws Error (wrong_input), with the numbers of rejected surfaces by reason, when no admissible surface is found.

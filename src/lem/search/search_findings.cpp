@@ -205,8 +205,8 @@ void search_cracked_circles(const Slope& slope, const SearchOptions& options, co
     Critical found = make_critical(slope, options, best.surface, method);
     if (is_wet(slope, found.cut)) continue;
     found.warnings.push_back(
-        fmt::format("ends in a dry tension crack of {}: without one {} has no solution on the circles around "
-                    "Bishop's critical one (factor {:.3f})",
+        fmt::format("ends in a dry tension crack of {}: without one {} has no solution on the circles around Bishop's "
+                    "critical one (factor {:.3f})",
                     format_value(best.surface.crack, slope.section().units.length, 2), get_title(method), lost.bishop));
     result.minima[m].insert(result.minima[m].begin(), found);
     if (own != nullptr)
@@ -235,8 +235,7 @@ void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, Sear
     const double f = bishop->solution.factor;
     result.warnings.push_back(fmt::format(
         "{} has no solution on Bishop's critical circle (factor {:.3f}): {}. {}, so its own critical surface may be "
-        "missed. The soil at the crest may be in tension to a depth of {}: give that as [lem.tension_crack] "
-        "depth",
+        "missed. The soil at the crest may be in tension to a depth of {}: give that as [lem.tension_crack] depth",
         get_title(method), f, name_refusal(solution.refusal),
         best != nullptr ? fmt::format("The smallest factor with complete equilibrium is {:.3f}", best->solution.factor)
                         : std::string("No other surface has one"),
@@ -284,11 +283,11 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     for (double limit : range) {
       if (std::abs(x - limit) > near) continue;
       const bool edge = std::abs(limit - slope.left()) < near || std::abs(limit - slope.right()) < near;
-      add(edge ? fmt::format("the {} of the critical {} lies at x = {}, the edge of the model; "
-                             "extend the ground beyond it",
-                             end, what, format_coordinate(x, length))
-               : fmt::format("the {} of the critical {} lies at x = {}, an end of the range "
-                             "searched ({} to {}); widen [lem.entry_exit] {}",
+      add(edge ? fmt::format(
+                     "the {} of the critical {} lies at x = {}, the edge of the model; extend the ground beyond it",
+                     end, what, format_coordinate(x, length))
+               : fmt::format("the {} of the critical {} lies at x = {}, an end of the range searched ({} to {}); widen "
+                             "[lem.entry_exit] {}",
                              end, what, format_coordinate(x, length), format_coordinate(range[0] / length.si),
                              format_coordinate(range[1], length), key));
     }
@@ -300,15 +299,14 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
     if (bottom < base + near && c.centre[0] > ends[0] && c.centre[0] < ends[1])
       add(
-          fmt::format("the critical circle {} the base at {}; a deeper model may give a smaller "
-                      "factor unless firm ground begins there",
+          fmt::format("the critical circle {} the base at {}; a deeper model may give a smaller factor unless firm "
+                      "ground begins there",
                       bottom < base - near ? "is cut level at" : "touches", format_coordinate(base, length)));
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
-    add(fmt::format(
-        "the critical {} is as shallow as the smallest depth of {} allows; the "
-        "factor depends on it",
-        critical.surface.circle ? "circle" : "polyline", format_value(options.checks.smallest_depth, length, 4)));
+    add(fmt::format("the critical {} is as shallow as the smallest depth of {} allows; the factor depends on it",
+                    critical.surface.circle ? "circle" : "polyline",
+                    format_value(options.checks.smallest_depth, length, 4)));
   if (result.grid && best_trial >= 0 && critical.circular) {
     const Circle& c = *circles.surfaces[static_cast<std::size_t>(best_trial)].circle;
     const GridSearch& g = *result.grid;
@@ -318,17 +316,16 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
                    tolerance = 1e-6 * (high - low);
       if (c.centre[a] < low + tolerance || c.centre[a] > high - tolerance)
         add(
-            fmt::format("the best trial circle has its centre on the border of the grid, at {} = {} "
-                        "({:.4g} to {} searched); enlarge the corners of [lem.grid]",
+            fmt::format("the best trial circle has its centre on the border of the grid, at {} = {} ({:.4g} to {} "
+                        "searched); enlarge the corners of [lem.grid]",
                         axis == 0 ? "x" : "y", format_value(c.centre[a], length, 4), low / length.si,
                         format_value(high, length, 4)));
     }
     const double bottom = c.centre[1] - c.radius, tolerance = 1e-6 * std::abs(*g.highest - *g.lowest);
     if (bottom<*g.lowest + tolerance&& * g.lowest> slope.section().base + near)
-      add(
-          fmt::format("the best trial circle reaches down to {}, the lowest level searched; lower the levels "
-                      "of [lem.grid]",
-                      format_value(bottom, length, 4)));
+      add(fmt::format(
+          "the best trial circle reaches down to {}, the lowest level searched; lower the levels of [lem.grid]",
+          format_value(bottom, length, 4)));
   }
   return hits;
 }
@@ -339,13 +336,11 @@ std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks,
   const bool forces = is_rigorous(critical.method);
   if (critical.method != Method::fellenius && s.smallest_m_alpha < checks.smallest_m_alpha)
     warnings.push_back(
-        fmt::format("m_alpha falls to {:.2f}, below {:.2f}: the normal force at the passive end is "
-                    "unreliable",
+        fmt::format("m_alpha falls to {:.2f}, below {:.2f}: the normal force at the passive end is unreliable",
                     s.smallest_m_alpha, checks.smallest_m_alpha));
   if (s.tensile_share > 0.5 * checks.most_tension)
     warnings.push_back(
-        fmt::format("effective normal forces are tensile over {:.0f} % of the surface: consider a tension "
-                    "crack",
+        fmt::format("effective normal forces are tensile over {:.0f} % of the surface: consider a tension crack",
                     100 * s.tensile_share));
   if (forces && s.thrust_outside > 0.5 * checks.most_thrust_outside)
     warnings.push_back(
@@ -353,15 +348,13 @@ std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks,
   if (forces && s.factor > 0)
     for (const auto& [limit, key] : {std::pair{checks.smallest_lambda, "smallest"}, {checks.largest_lambda, "largest"}})
       if (std::abs(s.lambda - limit) < close_to_gate)
-        warnings.push_back(
-            fmt::format("λ = {:.3f} rests on [lem] {}_lambda = {:g}: the factor depends on that limit, and not on the "
-                        "slope alone",
-                        s.lambda, key, limit));
+        warnings.push_back(fmt::format(
+            "λ = {:.3f} rests on [lem] {}_lambda = {:g}: the factor depends on that limit, and not on the slope alone",
+            s.lambda, key, limit));
   if (critical.cut.depth < 0.02 * find_relief(slope.section()))
-    warnings.push_back(
-        fmt::format("the surface is a skin of {}: without cohesion the shallowest surface is critical; "
-                    "give a smallest_depth",
-                    format_value(critical.cut.depth, slope.section().units.length, 2)));
+    warnings.push_back(fmt::format(
+        "the surface is a skin of {}: without cohesion the shallowest surface is critical; give a smallest_depth",
+        format_value(critical.cut.depth, slope.section().units.length, 2)));
   const double near = close * (slope.right() - slope.left());
   const auto ends = find_ends(critical.surface);
   if (ends[0] < slope.left() + near || ends[1] > slope.right() - near)

@@ -242,11 +242,4 @@ std::vector<std::string> find_faults(const Section& section) {
   return faults;
 }
 
-Section::Section() = default;
-Section::Section(const Section&) = default;
-Section::Section(Section&&) noexcept = default;
-Section& Section::operator=(const Section&) = default;
-Section& Section::operator=(Section&&) noexcept = default;
-Section::~Section() = default;
-
 }  // namespace talus::lem

@@ -123,14 +123,6 @@ struct Section {
   double turn_to_sliding(double acceleration, bool slides_left) const {
     return push == 0 || slides_left == (push < 0) ? acceleration : -acceleration;
   }
-
-  // Defined in section.cpp, so that other files do not instantiate them again.
-  Section();
-  Section(const Section&);
-  Section(Section&&) noexcept;
-  Section& operator=(const Section&);
-  Section& operator=(Section&&) noexcept;
-  ~Section();
 };
 
 /// Returns true if a soil does not drain during the drawdown of the section.

@@ -20,7 +20,7 @@ Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
   if (!faults.empty()) {
     std::string sentences;
     for (const std::string& fault : faults) sentences += (sentences.empty() ? "" : "\n") + fault;
-    throw Error(ExitCode::wrong_input, sentences);
+    fail_input(sentences);
   }
   strips_->section = std::move(section);
   if (strips_->section.drawdown)

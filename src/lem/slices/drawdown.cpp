@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The stages of a rapid drawdown (Duncan, Wright and Wong 1990; USACE EM 1110-2-1902, 2003, appendix G).
-#include "lem/slices/drawdown.hpp"
 
 #include <algorithm>
 #include <cmath>

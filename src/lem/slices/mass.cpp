@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "lem/slices/drawdown.hpp"
 #include "lem/slices/slices.hpp"
 #include "lem/surface/base_line.hpp"
 
@@ -153,8 +152,7 @@ void turn_slices(std::vector<Slice>& slices) {
 
 /// Returns x where the base is as deep as the crack, whose depth is `depth_at` of x, searched from the upper end; none
 /// if there is no such place.
-template <class DepthAt>
-std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at, double& bottom) {
+std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, const auto& depth_at, double& bottom) {
   const auto size = cut.slices.size();
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
@@ -205,9 +203,7 @@ struct CrackPlace {
 };
 
 /// Returns the position of the crack; nothing if no mass would remain.
-template <class DepthAt>
-std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at,
-                                      double water) {
+std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cut, const auto& depth_at, double water) {
   const double from = cut.slices.front().left, to = cut.slices.back().right;
   CrackPlace crack;
   const auto x = find_crack(base, cut, depth_at, crack.bottom);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lem/slices/drawdown.hpp"
 #include "lem/slices/mass.hpp"
 #include "lem/slices/wedge_mechanism.hpp"
 

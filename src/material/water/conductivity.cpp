@@ -50,11 +50,8 @@ TableConductivity make_conductivity_table(const std::vector<std::array<double, 2
   std::vector<std::array<double, 2>> points = pairs;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(points[i][1] > 0 && points[i][1] <= 1))
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("The conductivity table needs relative conductivities above 0 and up to 1, not {:g}.",
-                              points[i][1]));
-    if (i > 0 && pairs[i][1] > pairs[i - 1][1])
-      throw Error(ExitCode::wrong_input, "The conductivity table must fall with suction, but rises.");
+      fail_input("The conductivity table needs relative conductivities above 0 and up to 1, not {:g}.", points[i][1]);
+    if (i > 0 && pairs[i][1] > pairs[i - 1][1]) fail_input("The conductivity table must fall with suction, but rises.");
     if (logarithmic) points[i][1] = std::log(points[i][1]);
   }
   r.table = make_table(points, interpolation, "The conductivity table");

@@ -19,7 +19,7 @@ double find_inner_slope(double h0, double h1, double m0, double m1) {
 }
 
 void check(const std::vector<std::array<double, 2>>& points, const std::string& what) {
-  const auto fail = [&](const std::string& sentence) { throw Error(ExitCode::wrong_input, what + " " + sentence); };
+  const auto fail = [&](const std::string& sentence) { fail_input(what + " " + sentence); };
   if (points.size() < 2 || points.size() > MonotoneTable::capacity)
     fail(fmt::format("has {} points; 2 to {} are needed.", points.size(), MonotoneTable::capacity));
   double direction = 0;

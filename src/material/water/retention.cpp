@@ -59,13 +59,10 @@ TableRetention make_retention_table(const std::vector<std::array<double, 2>>& pa
   r.table = make_table(pairs, interpolation, "The retention table");
   r.maximum = pairs.front()[1];
   r.minimum = pairs.back()[1];
-  if (r.minimum > r.maximum)
-    throw Error(ExitCode::wrong_input, "The retention table must fall with suction, but rises.");
+  if (r.minimum > r.maximum) fail_input("The retention table must fall with suction, but rises.");
   if (pairs.front()[0] < 0)
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("The retention table must start at a suction of 0 or above, not at {:g} Pa.", pairs.front()[0]));
-  if (const auto fault = find_fault(r)) throw Error(ExitCode::wrong_input, *fault);
+    fail_input("The retention table must start at a suction of 0 or above, not at {:g} Pa.", pairs.front()[0]);
+  if (const auto fault = find_fault(r)) fail_input(*fault);
   return r;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mesh/quality.hpp"
-#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/observe.hpp"
+#include "mpm/solver/step.hpp"
 #include "run/mpm/record/water_record.hpp"
 
 namespace talus::run {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/observe.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/solver/step.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
 

@@ -4,7 +4,7 @@
 // equalised-mass body, whose small elements do not limit the step, and the drained body of stages with fixed pore
 // pressures. Rest or failure of a slope depends on forces only, not on inertia.
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "run/mpm/stage/plan.hpp"
 
 namespace talus::run {

@@ -7,7 +7,7 @@
 
 #include "base/ranks.hpp"
 #include "mpm/solver/build.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/partition.hpp"
 
 namespace talus::run {

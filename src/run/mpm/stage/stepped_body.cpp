@@ -3,7 +3,7 @@
 
 #include "base/ranks.hpp"
 #include "mpm/solver/build.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "mpm/state/partition.hpp"
 #include "run/mpm/stage/helpers.hpp"
 
