@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/partial_factors.hpp"

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/commands.hpp"
 #include "base/error.hpp"
 #include "base/lane.hpp"
 #include "base/text.hpp"
@@ -27,9 +26,8 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
     names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
   const std::string near = find_nearest(argv[1], names);
-  throw Error(ExitCode::wrong_input,
-              fmt::format("there is no command '{}'; {}", argv[1],
-                          near.empty() ? "see talus --help" : fmt::format("did you mean '{}'?", near)));
+  fail_input("there is no command '{}'; {}", argv[1],
+             near.empty() ? "see talus --help" : fmt::format("did you mean '{}'?", near));
 }
 
 /// Describes an option with its names, such as "-o,--out"; a positional argument has one without dashes.
@@ -143,7 +141,7 @@ int run_command_line(int argc, char** argv) {
     refuse_unknown_command(app, argc, argv);
     const auto used = app.get_subcommands();
     const std::string command = used.empty() ? "" : " " + used.front()->get_name();
-    throw Error(ExitCode::wrong_input, fmt::format("{}; see talus{} --help", error.what(), command));
+    fail_input("{}; see talus{} --help", error.what(), command);
   }
   return static_cast<int>(ExitCode::success);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Short commands: `talus manual`, the reference of every key of a case file or of the results; `talus schema`, their
 // JSON Schema; `talus template`, a commented case file; `talus version`.
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 
 #include <fmt/format.h>
 
@@ -53,9 +53,8 @@ std::string write_version() {
 void check_asked_level() {
   const char* asked = std::getenv("TALUS_LEVEL");
   if (asked == nullptr || *asked == '\0' || asked == std::string_view(instruction_level)) return;
-  throw Error(ExitCode::wrong_input,
-              fmt::format("TALUS_LEVEL is '{}', and this program is compiled for {} alone. Packages have all levels",
-                          asked, instruction_level));
+  fail_input("TALUS_LEVEL is '{}', and this program is compiled for {} alone. Packages have all levels", asked,
+             instruction_level);
 }
 
 void add_version(CLI::App& app) {

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "base/progress.hpp"
 #include "base/text.hpp"
 #include "input/read.hpp"
-#include "laboratory/run_calibration.hpp"
-#include "laboratory/run_point_tests.hpp"
+#include "laboratory/calibration.hpp"
+#include "laboratory/point_test.hpp"
 #include "report/report.hpp"
 
 namespace talus::app {

@@ -48,7 +48,7 @@ int run(int argc, char** argv) try {
   const int code = talus::app::run_command_line(argc, argv);
   // Printed text may still be in a buffer.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw talus::Error(talus::ExitCode::cannot_write, fmt::format("cannot print: {}", std::strerror(errno)));
+    throw talus::Error(talus::ExitCode::cannot_write, "cannot print: {}", std::strerror(errno));
   talus::get_ranks().meet(std::numeric_limits<double>::infinity());
   return code;
 } catch (...) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
 #include "base/folder_lock.hpp"
@@ -54,10 +54,10 @@ void check_frames(const fs::path& run) {
 }
 
 void collect(const std::string& name) {
-  if (!fs::is_directory(name)) throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", name));
+  if (!fs::is_directory(name)) fail_input("there is no folder '{}'", name);
   const std::vector<fs::path> runs = find_runs(name);
   const ResultsLock lock(name, runs);  // a run that has just started has no frames yet
-  if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
+  if (runs.empty()) fail_input("there are no frames of a run in '{}'", name);
   for (const fs::path& run : runs) {
     check_frames(run);
     const auto files = FileList::find(run / "results.vtkhdf");

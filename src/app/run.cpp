@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "base/error.hpp"
 #include "base/lane.hpp"
 #include "base/parallel.hpp"
@@ -38,9 +38,10 @@ struct RunCommand {
 void refuse_restless(const results::RunResult& result) {
   for (const results::Stage& stage : result.stages.value_or(std::vector<results::Stage>{}))
     if (stage.moving)
-      throw Error(ExitCode::unstable, fmt::format("stage '{}' did not come to rest, which --strict asks for; the "
-                                                  "results are complete, and their warnings say what moved",
-                                                  stage.name));
+      throw Error(ExitCode::unstable,
+                  "stage '{}' did not come to rest, which --strict asks for; the results are complete, and their "
+                  "warnings say what moved",
+                  stage.name);
 }
 
 /// Temporary folder of a rank other than the first. These ranks run the same case, and their results are removed with
@@ -105,12 +106,12 @@ void check_programs() {
   const std::vector<Bytes> programs = gather(own), functions = gather(sample_functions());
   for (std::size_t r = 1; r < programs.size(); ++r) {
     if (programs[r] != programs[0])
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("rank {} runs another build of Talus than rank 0; this one is {}", r, own));
+      fail_input("rank {} runs another build of Talus than rank 0; this one is {}", r, own);
     if (functions[r] != functions[0])
-      throw Error(ExitCode::wrong_input, fmt::format("rank {} has other last digits of functions than rank 0: the "
-                                                     "libraries or the processors of their machines differ",
-                                                     r));
+      fail_input(
+          "rank {} has other last digits of functions than rank 0: the libraries or the processors of their machines "
+          "differ",
+          r);
   }
 }
 

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "app/case_options.hpp"
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "base/ranks.hpp"
@@ -61,10 +61,9 @@ void prepare_jobs(const StudyCommand& command) {
   study::prepare_jobs(base, overrides, options);
   if (command.quiet) return;
   const study::JobStates states = study::list_jobs(command.prepared);
-  print(stdout,
-        fmt::format("{} jobs are in {}: there, `sbatch jobs.slurm` or each by `talus study . --job K`, K from 0 to {}; "
-                    "then `talus study . --collect`\n",
-                    states.count, command.prepared, states.count - 1));
+  print(stdout, fmt::format("{} jobs are in {}: there, `sbatch jobs.slurm` or each by `talus study . --job K`, K from "
+                            "0 to {}; then `talus study . --collect`\n",
+                            states.count, command.prepared, states.count - 1));
 }
 
 void calculate_job(const StudyCommand& command) {
@@ -97,7 +96,7 @@ void run_study(const StudyCommand& command) {
 
 /// Selects the action from the combination of options.
 void choose(const StudyCommand& command) {
-  const auto refuse = [](const std::string& sentence) { throw Error(ExitCode::wrong_input, sentence); };
+  const auto refuse = [](const std::string& sentence) { fail_input(sentence); };
   // A job runs alone, even if each rank of a launcher starts one.
   if (const int started = count_started(); started > 1 && command.job == no_job)
     refuse(fmt::format(

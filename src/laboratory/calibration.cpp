@@ -54,15 +54,13 @@ void add_unfixed(const results::Calibration& result, const std::vector<std::vect
     std::vector<std::string> names;
     for (std::size_t i = 0; i < direction.size(); ++i)
       if (std::abs(direction[i]) > share_of_direction) names.push_back("'" + result.parameters[i].key + "'");
-    list.push_back(
-        names.size() == 1
-            ? fmt::format("The curves do not depend on {}: its value is that of the start. Leave it out, or "
-                          "add a test that depends on it; there are no standard errors.",
-                          names[0])
-            : fmt::format(
-                  "The curves determine only a combination of {}. Fix one of them, or add a test that separates them; "
-                  "there are no standard errors.",
-                  join(names)));
+    list.push_back(names.size() == 1
+                       ? fmt::format("The curves do not depend on {}: its value is that of the start. Leave it out, or "
+                                     "add a test that depends on it; there are no standard errors.",
+                                     names[0])
+                       : fmt::format("The curves determine only a combination of {}. Fix one of them, or add a test "
+                                     "that separates them; there are no standard errors.",
+                                     join(names)));
   }
 }
 
@@ -113,8 +111,8 @@ std::vector<std::string> list_findings(const input::Calibration& calibration, co
   for (const results::CalibratedCurve& c : result.curves)
     if (c.missing > 1e-6)
       list.push_back(
-          fmt::format("The test '{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing "
-                      "on average; each such point counts as missed by 100 standard errors and more.",
+          fmt::format("The test '{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing on "
+                      "average; each such point counts as missed by 100 standard errors and more.",
                       c.test, c.y.name, 100 * c.missing));
   add_rivals(result, list);
   if (freedom <= 0)
@@ -220,7 +218,7 @@ ceres::Problem::Options keep_residuals() {
 
 Search search(const CalibrationModel& model, const std::vector<double>& from, const SearchOptions& options) {
   std::string why;
-  if (!model.compare(from, &why)) throw Error(ExitCode::wrong_input, why);
+  if (!model.compare(from, &why)) fail_input(why);
   Search result;
   result.places = from;
   Residuals residuals(model, options.threads);
@@ -316,8 +314,6 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
 }
 
 namespace {
-
-using results::AtLimit;
 
 constexpr double at_limit = 1e-6;  ///< of the range: a parameter nearer to its end counts as at its limit
 constexpr int most_draws = 200;    ///< attempts to draw a random start that is a valid case
@@ -419,7 +415,7 @@ results::Calibration calibrate(const input::Case& data, const CalibrationOptions
       searches.push_back(search(model, starts[k], how));
     } catch (const Error& error) {
       if (error.code() != ExitCode::wrong_input) throw;
-      throw Error(error.code(), fmt::format("the search cannot begin at the values of 'start': {}", error.what()));
+      throw Error(error.code(), "the search cannot begin at the values of 'start': {}", error.what());
     }
     result.evaluations += searches.back().evaluations;
     result.starts.push_back(searches.back().summary);

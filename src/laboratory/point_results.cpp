@@ -108,15 +108,12 @@ namespace {
 
 using input::PointControl;
 using input::PointQuantityKind;
-using input::PointTest;
-using input::PointTestKind;
 
 std::string in_per_cent(double strain) {
   return fmt::format("{:.6g} %", strain * 100);
 }
 
-template <class Write>
-std::string join(const std::vector<double>& values, const Write& write) {
+std::string join(const std::vector<double>& values, const auto& write) {
   std::string text;
   for (const double v : values) text += (text.empty() ? "" : ", ") + write(v);
   return text;

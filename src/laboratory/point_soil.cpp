@@ -31,13 +31,12 @@ PointSoil::PointSoil(const input::Material& material, const Voigt& stress, doubl
     jump = std::max(jump, std::abs(same.stress[i] - start_.stress[i]));
   }
   if (!(jump <= 1e-6 * largest))
-    throw Error(ExitCode::wrong_input,
-                fmt::format("the soil does not carry the stress at the start, {} axial and {} radial: it "
-                            "is outside the yield surface{}",
-                            format_value(-start_.stress[1], unit), format_value(-start_.stress[0], unit),
-                            find_preconsolidation(start_) > 0 ? ", whose preconsolidation pressure is " +
-                                                                    format_value(find_preconsolidation(start_), unit)
-                                                              : ""));
+    fail_input(
+        "the soil does not carry the stress at the start, {} axial and {} radial: it is outside the yield surface{}",
+        format_value(-start_.stress[1], unit), format_value(-start_.stress[0], unit),
+        find_preconsolidation(start_) > 0
+            ? ", whose preconsolidation pressure is " + format_value(find_preconsolidation(start_), unit)
+            : "");
 }
 
 void PointSoil::set_start_state(const input::Material& material) {
@@ -137,8 +136,7 @@ double find_scale(const PointStep& step, const Voigt& stress) {
   return scale;
 }
 
-template <class Vector>
-Voigt find_strain(const PointStep& step, const Vector& x) {
+Voigt find_strain(const PointStep& step, const auto& x) {
   Voigt strain = step.fixed;
   for (std::size_t k = 0; k < step.free_count; ++k)
     for (std::size_t i = 0; i < strain.size(); ++i) strain[i] += x[k] * step.free[k][i];

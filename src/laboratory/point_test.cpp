@@ -126,10 +126,6 @@ std::vector<double> list_values(const PointTest& test, std::vector<std::size_t>&
 
 namespace {
 
-using input::PointControl;
-using input::PointTest;
-using input::PointTestKind;
-
 constexpr double largest_strain = 2;  ///< [-]; a soil that flows is stopped at this strain
 
 PointRow make_row(const PointTest& test, const PointSoil& soil, const PointState& state, const Voigt& strain,
@@ -217,14 +213,14 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
     const PointRow row =
         make_row(test, soil, state, strain, static_cast<double>(i) / static_cast<double>(values.size() - 1));
     if (!std::isfinite(row.p) || !std::isfinite(row.q))
-      throw Error(ExitCode::unstable, fmt::format("the model gives no number at step {} of {}", i, values.size() - 1));
+      throw Error(ExitCode::unstable, "the model gives no number at step {} of {}", i, values.size() - 1);
     // A step that converged in part has brought the soil to failure.
     if (follows || increment != Voigt{}) curve.rows.push_back(row);
     if (!follows || (step.free_count > 0 && largest > largest_strain)) {
       if (!follows && controller.has_model_failed()) {
         soil.throw_failure();
-        throw Error(ExitCode::unstable, fmt::format("the model of '{}' gives no number {}, however small the step",
-                                                    test.material, describe_place(test, curve.rows.back())));
+        throw Error(ExitCode::unstable, "the model of '{}' gives no number {}, however small the step", test.material,
+                    describe_place(test, curve.rows.back()));
       }
       curve.stopped = describe_stop(test, curve.rows.back(), test.goals().back(), stress);
       break;
@@ -234,7 +230,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
     if (step < curve.rows.size()) curve.turns.push_back(step);
   return curve;
 } catch (const Error& error) {
-  throw Error(error.code(), fmt::format("test '{}': {}", test.name, error.what()));
+  throw Error(error.code(), "test '{}': {}", test.name, error.what());
 }
 
 double get_quantity(const PointRow& row, const std::string& name) {

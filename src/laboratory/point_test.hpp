@@ -2,12 +2,15 @@
 #pragma once
 // Element tests: one point of soil without a mesh, driven by strains and stresses.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
 #include "input/case/point_test.hpp"
+#include "input/read.hpp"
 #include "laboratory/point_soil.hpp"
+#include "results/laboratory.hpp"
 
 namespace talus::laboratory {
 
@@ -55,5 +58,21 @@ PointCurve run_point_test(const input::Material& material, const input::PointTes
 
 /// Returns a quantity of a row by its name, one of input::list_point_quantities().
 double get_quantity(const PointRow& row, const std::string& name);
+
+// `talus point`: the element tests of a case, and the files of their results.
+
+struct PointOptions {
+  std::filesystem::path folder;    ///< folder of point/
+  std::vector<std::string> names;  ///< of the tests to run; empty: all
+  std::string pictures = "svg";    ///< "svg" or "png"
+};
+
+/// Runs the tests and writes into folder/point: a table NAME.csv for each, a picture for each group, and point.json
+/// last. Returns the content of point.json. Throws Error (wrong_input) if the case has no such tests, what
+/// run_point_test() throws, and Error (cannot_write).
+results::PointTests run_point_tests(const input::LoadedCase& loaded, const PointOptions& options);
+
+/// Formats a short summary for the terminal.
+std::string write_point_digest(const results::PointTests& tests);
 
 }  // namespace talus::laboratory

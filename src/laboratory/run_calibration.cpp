@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "laboratory/run_calibration.hpp"
+#include "laboratory/calibration.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
 #include "laboratory/point_results.hpp"
-#include "laboratory/run_point_tests.hpp"
+#include "laboratory/point_test.hpp"
 #include "output/files/history.hpp"
 #include "results/json.hpp"
 
@@ -96,10 +96,8 @@ std::string write_curve_table(const results::Calibration& result, const std::str
 
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
   if (!loaded.data.calibration)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("there is nothing to calibrate in '{}': add [[calibration.parameter]] and "
-                            "[[calibration.curve]]",
-                            loaded.file));
+    fail_input("there is nothing to calibrate in '{}': add [[calibration.parameter]] and [[calibration.curve]]",
+               loaded.file);
   const auto start = std::chrono::steady_clock::now();
   std::string log;
   results::Calibration result = calibrate(loaded.data, run.options, &log);

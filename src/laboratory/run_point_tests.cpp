@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "laboratory/run_point_tests.hpp"
+#include "laboratory/point_test.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <map>
 #include <set>
 
@@ -33,9 +32,7 @@ constexpr std::size_t most_plotted = 250;  ///< rows of a test in a picture, whi
 std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std::vector<std::string>& wanted) {
   const std::vector<input::PointTest>& tests = loaded.data.tests;
   if (tests.empty())
-    throw Error(ExitCode::wrong_input,
-                fmt::format("there is no element test in '{}': add a [[test]] with a name, a material and a kind",
-                            loaded.file));
+    fail_input("there is no element test in '{}': add a [[test]] with a name, a material and a kind", loaded.file);
   std::vector<std::string> names;
   for (const input::PointTest& test : tests) names.push_back(test.name);
   for (const std::string& name : wanted)
@@ -43,9 +40,8 @@ std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std
       const std::string near = find_nearest(name, names);
       std::string list;
       for (const std::string& known : names) list += (list.empty() ? "'" : ", '") + known + "'";
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("there is no test '{}'; {}", name,
-                              near.empty() ? "known: " + list : fmt::format("did you mean '{}'?", near)));
+      fail_input("there is no test '{}'; {}", name,
+                 near.empty() ? "known: " + list : fmt::format("did you mean '{}'?", near));
     }
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < tests.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/extrapolation.hpp"
+#include "study/study_table.hpp"
 
 #include <fmt/format.h>
 
@@ -93,14 +93,14 @@ std::string write_number(const std::optional<double>& value) {
 
 results::ExtrapolatedFactor extrapolate(const std::vector<double>& sizes, const std::vector<double>& factors) {
   if (sizes.size() != factors.size() || sizes.size() < 2)
-    throw Error(ExitCode::wrong_input, "an extrapolation needs the factors of two sizes or more");
+    fail_input("an extrapolation needs the factors of two sizes or more");
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   results::ExtrapolatedFactor e;
   for (const std::size_t i : order) {
     if (!(sizes[i] > 0) || (!e.sizes.empty() && sizes[i] == e.sizes.back()))
-      throw Error(ExitCode::wrong_input, "an extrapolation needs sizes that are positive and differ");
+      fail_input("an extrapolation needs sizes that are positive and differ");
     e.sizes.push_back(sizes[i]);
     e.factors.push_back(factors[i]);
   }
@@ -156,8 +156,7 @@ std::string write_extrapolation_markdown(const results::StudyExtrapolation& extr
   std::string text = fmt::format("\n## Extrapolated to {} = 0\n\n", name);
   text +=
       "| factor | variant | from sizes | coarsest | finest | line through all | ± | line through the finest two | "
-      "order p "
-      "| with p |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+      "order p | with p |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const results::ExtrapolatedFactor& e : extrapolation.factors)
     text += fmt::format("| {} | {} | {:g}–{:g}{} ({}) | {:.3f} | {:.3f} | {:.3f} | {} | {:.3f} | {} | {} |\n",
                         e.criterion, e.variant.empty() ? "–" : e.variant, e.sizes.front(), e.sizes.back(), unit,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
@@ -101,8 +100,7 @@ class CaseCopy {
       if (fs::is_directory(home / path)) path /= run::end_state_file;
       std::string text;
       const auto fault = try_user_file(home / path, largest_file::mesh, text);
-      if (fault && !fault->is_missing)
-        throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", (home / path).string(), fault->why));
+      if (fault && !fault->is_missing) fail_input("cannot read '{}': {}", (home / path).string(), fault->why);
       if (!fault) add((place / path).lexically_normal(), std::move(text));
     }
   }
@@ -160,11 +158,10 @@ exec "${{TALUS:-talus}}" study . --job "$SLURM_ARRAY_TASK_ID" --threads "${{SLUR
 bool has_same(const fs::path& folder, const std::string& text) {
   if (!fs::exists(folder / "jobs.json")) return false;
   if (read_user_file(folder / "jobs.json", largest_file::result) != text)
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("'{}' holds the jobs of another case, study, number of jobs or program; go on with the same, "
-                    "or start anew with --overwrite",
-                    folder.string()));
+    fail_input(
+        "'{}' holds the jobs of another case, study, number of jobs or program; go on with the same, or start anew "
+        "with --overwrite",
+        folder.string());
   return true;
 }
 

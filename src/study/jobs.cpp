@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "base/atomic_file.hpp"
@@ -30,18 +29,16 @@ void check_program(const results::StudyJobs& jobs, const fs::path& folder) {
   const std::string then = write(jobs.version, jobs.commit, jobs.level);
   const std::string now = write(version, commit, instruction_level);
   if (then != now)
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("the jobs in '{}' were prepared by {}, and this is {}: results would not be of one program; "
-                    "use that one, or prepare them again with --overwrite",
-                    folder.string(), then, now));
+    fail_input(
+        "the jobs in '{}' were prepared by {}, and this is {}: results would not be of one program; use that one, or "
+        "prepare them again with --overwrite",
+        folder.string(), then, now);
 }
 
 /// Throws Error (wrong_input) unless the folders of runs have names that a plan makes, and parts and files exist.
 void check_names(const results::StudyJobs& jobs, const fs::path& folder) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' {}; prepare the jobs again with --overwrite", (folder / "jobs.json").string(), why));
+    fail_input("'{}' {}; prepare the jobs again with --overwrite", (folder / "jobs.json").string(), why);
   };
   if (jobs.files.empty()) refuse("names no copy of the case");
   for (const results::JobVariant& v : jobs.variants) {
@@ -78,25 +75,21 @@ JobFolder::JobFolder(const fs::path& folder) {
   std::optional<results::StudyJobs> jobs;
   if (fs::is_regular_file(file, unknown)) jobs = results::read_file<results::StudyJobs>(file);
   if (!jobs || jobs->jobs.empty())
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("there are no jobs in '{0}': it has no jobs.json; talus study CASE --prepare {0} writes them",
-                    folder.string()));
+    fail_input("there are no jobs in '{0}': it has no jobs.json; talus study CASE --prepare {0} writes them",
+               folder.string());
   jobs_ = std::move(*jobs);
   check_program(jobs_, folder);
   check_names(jobs_, folder);
   for (const results::JobFile& f : jobs_.files)
     if (hash_text(read_user_file(join_path(folder_, f.name), largest_file::mesh)) != f.hash)
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("'{}' is not as it was when the jobs were prepared; prepare them again with --overwrite",
-                              join_path(folder, f.name).string()));
+      fail_input("'{}' is not as it was when the jobs were prepared; prepare them again with --overwrite",
+                 join_path(folder, f.name).string());
   hash_ = hash_text(read_user_file(file, largest_file::result));
 }
 
 const results::JobPart& JobFolder::part(int job) const {
   if (job < 0 || job >= count())
-    throw Error(ExitCode::wrong_input,
-                fmt::format("there is no job {} in '{}'; its jobs are 0 to {}", job, folder_.string(), count() - 1));
+    fail_input("there is no job {} in '{}'; its jobs are 0 to {}", job, folder_.string(), count() - 1);
   return jobs_.jobs[static_cast<std::size_t>(job)];
 }
 
@@ -124,9 +117,8 @@ Variant JobFolder::read_variant(const input::LoadedCase& base, int number) const
 std::vector<lem::Surface> JobFolder::read_surfaces() const {
   const auto out = results::find_file<results::JobSurfaces>(folder_ / "surfaces.json");
   if (!out || out->study != hash_)
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' is not there or belongs to other jobs; prepare them again with --overwrite",
-                            (folder_ / "surfaces.json").string()));
+    fail_input("'{}' is not there or belongs to other jobs; prepare them again with --overwrite",
+               (folder_ / "surfaces.json").string());
   std::vector<lem::Surface> surfaces;
   for (const results::JobSurface& s : out->surfaces) {
     lem::Surface& surface = surfaces.emplace_back();
@@ -261,7 +253,7 @@ KnownFactors gather_factors(const JobFolder& folder, const Gathered& all) {
     reasons += fmt::format("\n  job {}: {}", job, all.results[static_cast<std::size_t>(job)]->reason);
   if (!reasons.empty()) {
     const auto code = static_cast<ExitCode>(all.results[static_cast<std::size_t>(all.states.failed.front())]->code);
-    throw Error(code, fmt::format("{} of {} jobs failed:{}", all.states.failed.size(), folder.count(), reasons));
+    throw Error(code, "{} of {} jobs failed:{}", all.states.failed.size(), folder.count(), reasons);
   }
   for (const auto& result : all.results)
     known.factors.insert(known.factors.end(), result->factors.begin(), result->factors.end());
@@ -286,10 +278,9 @@ std::optional<Error> make_states_result(const JobFolder& folder, const JobStates
   failed += describe_strange(folder, states);
   if (states.missing.empty())
     return failure ? std::optional(Error(failure->code(), failure->what() + failed)) : failure;
-  return Error(ExitCode::interrupted,
-               fmt::format("{} of {} jobs {} missing: {}; {}{}", states.missing.size(), states.count,
-                           states.missing.size() == 1 ? "is" : "are", write_ranges(states.missing),
-                           folder.format_how("calculate", states.missing), failed));
+  return Error(ExitCode::interrupted, "{} of {} jobs {} missing: {}; {}{}", states.missing.size(), states.count,
+               states.missing.size() == 1 ? "is" : "are", write_ranges(states.missing),
+               folder.format_how("calculate", states.missing), failed);
 }
 
 }  // namespace
@@ -326,9 +317,8 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
   std::vector<int> every(static_cast<std::size_t>(folder.count()));
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = static_cast<int>(i);
   if (all.states.missing == every)
-    throw Error(ExitCode::interrupted,
-                fmt::format("none of the {} jobs has ended: there is nothing to collect yet; {}{}", every.size(),
-                            folder.format_how("calculate", every), describe_strange(folder, all.states)));
+    throw Error(ExitCode::interrupted, "none of the {} jobs has ended: there is nothing to collect yet; {}{}",
+                every.size(), folder.format_how("calculate", every), describe_strange(folder, all.states));
   if (folder.jobs().work == results::JobWork::slice_samples && !all.states.missing.empty())
     throw Error(*make_states_result(folder, all.states, std::nullopt));
   const input::LoadedCase base = folder.read_case();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/reliability.hpp"
+#include "study/sampled_numbers.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -316,12 +315,6 @@ class SliceSampling {
   SampleSet& set_;
 };
 
-std::string list_keys(const std::vector<std::string>& keys) {
-  std::string text;
-  for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key;
-  return text;
-}
-
 /// Describes the proven interval for these values, and the factor of the samples there.
 std::string describe_referee(const char* where, const results::Referee& referee, double factor) {
   if (referee.why_not || !referee.is_interval())
@@ -418,17 +411,17 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   for (const std::string& note : slices.numbers().notes()) result.notes.push_back(note);
   if (!slices.numbers().idle_keys().empty())
     result.notes.push_back(
-        fmt::format("Slices do not use {}: it has no effect here.", list_keys(slices.numbers().idle_keys())));
+        fmt::format("Slices do not use {}: it has no effect here.", fmt::join(slices.numbers().idle_keys(), ", ")));
   if (slices.is_full()) {
     result.notes.push_back(
         fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",
-                    list_keys(slices.numbers().section_keys())));
+                    fmt::join(slices.numbers().section_keys(), ", ")));
   } else if (is_checked) {
     if (result.check)
       result.notes.push_back(
-          fmt::format("Every sample was evaluated on {} surfaces from searches at the means, at {} other "
-                      "combinations of values and near failure. Searches for {} samples themselves gave "
-                      "factors lower by {:.2f} % at most, {:.2f} % on average.",
+          fmt::format("Every sample was evaluated on {} surfaces from searches at the means, at {} other combinations "
+                      "of values and near failure. Searches for {} samples themselves gave factors lower by {:.2f} % "
+                      "at most, {:.2f} % on average.",
                       result.surfaces, slices.count_corners(), result.check->samples,
                       100 * std::max(0.0, result.check->largest), 100 * result.check->mean));
   } else {
@@ -436,8 +429,8 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   }
   if (!result.first_order)
     result.notes.push_back(
-        "Within one deviation of the means some values have no factor: there is no first-order estimate and "
-        "no tornado.");
+        "Within one deviation of the means some values have no factor: there is no first-order estimate and no "
+        "tornado.");
   if (result.design_point && !result.design_point->converged)
     result.notes.push_back(
         "The search for the most probable failure did not converge: its index is only an indication.");

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "study/distributions.hpp"
-#include "study/reliability.hpp"
 #include "study/sampled_numbers.hpp"
 #include "study/slice_factor.hpp"
 #include "study/study.hpp"

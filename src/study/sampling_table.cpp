@@ -188,13 +188,12 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
     for (int r = 0; r <= set.plan.replicates; ++r) first.push_back(find_first(set.plan, r));
     failure.standard_error = keep_finite(estimate_error(failed, first));
   }
-  failure.interval =
-      set.plan.latin
-          ? "Clopper and Pearson's interval of as many independent samples. Those of a Latin hypercube scatter less or "
-            "about as much (Owen 1997), so it contains the probability at least as often as stated; the standard error "
-            "is the scatter between independent hypercubes."
-          : "Clopper and Pearson's interval of independent samples: it contains the probability at least as often as "
-            "stated.";
+  failure.interval = set.plan.latin
+                         ? "Clopper and Pearson's interval of as many independent samples. Those of a Latin hypercube "
+                           "scatter less or about as much (Owen 1997), so it contains the probability at least as "
+                           "often as stated; the standard error is the scatter between independent hypercubes."
+                         : "Clopper and Pearson's interval of independent samples: it contains the probability at "
+                           "least as often as stated.";
   long so_far = 0;
   std::size_t next = 1;
   for (std::size_t i = 0; i < failed.size(); ++i) {
@@ -314,16 +313,15 @@ std::string write_sampling_markdown(const std::string& title, const results::Sam
     const results::FailureProbability& p = *sampling.failure;
     text += fmt::format(
         "\nFactor of safety: mean {:.3f}, deviation {:.3f}, skewness {:.2f}, {:.3f} to {:.3f}.\n\n"
-        "Probability of failure P(F < 1) = {} ({} of {} samples), between {} and {} with {:g} % "
-        "confidence; reliability index β = {}.\n",
+        "Probability of failure P(F < 1) = {} ({} of {} samples), between {} and {} with {:g} % confidence; "
+        "reliability index β = {}.\n",
         f->mean, f->deviation, f->skewness, f->smallest, f->largest, show_probability(p.share.probability),
         p.share.count, p.share.samples, show_probability(p.share.lower), show_probability(p.share.upper),
         100 * p.confidence, show_index(p.index));
   }
   if (const auto& f = sampling.first_order)
     text += fmt::format(
-        "\nFirst order at the means: F = {:.3f}, deviation {:.4f}, β = {:.3f} (normal), {:.3f} "
-        "(lognormal).\n",
+        "\nFirst order at the means: F = {:.3f}, deviation {:.4f}, β = {:.3f} (normal), {:.3f} (lognormal).\n",
         f->mean_factor, f->deviation, f->index_normal, f->index_lognormal);
   if (const auto& d = sampling.design_point) {
     text += fmt::format("\nMost probable failure (Hasofer and Lind): β = {:.3f}, probability {}, at", d->index,

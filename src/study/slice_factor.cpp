@@ -2,7 +2,6 @@
 #include "study/slice_factor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <set>

@@ -156,12 +156,12 @@ void check_folder(const input::LoadedCase& base, const StudyPlan& plan, const St
     if (!fs::exists(options.folder)) return;
     const std::string folder = options.folder.string();
     if (!fs::is_directory(options.folder))
-      throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
+      throw Error(ExitCode::folder_exists, "'{}' is a file; a study needs a folder", folder);
     if (options.overwrite)
       return run::check_replaced(base, options.folder, [&](const fs::path& file) { return is_of_study(plan, file); });
     if (holds_nothing(options.folder)) return;
     if (options.resume) return run::require_list(options.folder);
-    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
+    throw Error(ExitCode::folder_exists, "the folder '{}' is not empty; {}", folder, ways);
   });
 }
 
@@ -175,10 +175,9 @@ std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions&
     const fs::path folder = join_name(options.folder, v.name);
     if (!options.overwrite || !fs::is_directory(folder)) continue;
     if (has_list(folder))
-      throw Error(
-          ExitCode::folder_exists,
-          fmt::format("'{}' holds results that this study did not write; move them away, or give another folder",
-                      folder.string()));
+      throw Error(ExitCode::folder_exists,
+                  "'{}' holds results that this study did not write; move them away, or give another folder",
+                  folder.string());
     FileList{folder};  // the folder holds files of the user: they are left alone, and files of the run are listed
   }
   return files;
@@ -192,8 +191,7 @@ std::optional<results::RunResult> load_variant(const fs::path& folder) try {
 
 void check_row(const fs::path& folder, StudyRow& row) try {
   if (!row.result)
-    throw Error(ExitCode::wrong_input, fmt::format("'{}' is missing or of another run: put it back, or repeat the job",
-                                                   (folder / "summary.json").string()));
+    fail_input("'{}' is missing or of another run: put it back, or repeat the job", (folder / "summary.json").string());
   run::require_list(folder);
   run::check_kept(folder);
   row.summary.status = VariantStatus::finished;
@@ -212,10 +210,9 @@ void check_variants(const StudyPlan& plan, const StudyOptions& options) {
       changed += (changed.empty() ? "'" : ", '") + v.name + "'";
   }
   if (!changed.empty())
-    throw Error(ExitCode::wrong_input,
-                fmt::format("in '{}' the results of {} belong to another input; resume with the same case, or start "
-                            "anew with --overwrite",
-                            options.folder.string(), changed));
+    fail_input(
+        "in '{}' the results of {} belong to another input; resume with the same case, or start anew with --overwrite",
+        options.folder.string(), changed);
 }
 
 std::vector<StudyRow> begin_rows(const StudyPlan& plan) {

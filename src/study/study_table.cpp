@@ -18,7 +18,6 @@
 #include "results/json.hpp"
 #include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
-#include "study/extrapolation.hpp"
 
 namespace talus::study {
 

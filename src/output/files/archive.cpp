@@ -58,14 +58,9 @@ std::int64_t compute_checksum(const std::map<std::string, ArchiveValue>& values)
   return sum.value();
 }
 
-void store(hid_t file, const std::string& name, const std::vector<double>& v) {
-  hdf5::write<double>(file, name, v, 1, false);
-}
-void store(hid_t file, const std::string& name, const std::vector<int>& v) {
-  hdf5::write<int>(file, name, v, 1, false);
-}
-void store(hid_t file, const std::string& name, const std::vector<std::int64_t>& v) {
-  hdf5::write<std::int64_t>(file, name, v, 1, false);
+template <class T>
+void store(hid_t file, const std::string& name, const std::vector<T>& v) {
+  hdf5::write<T>(file, name, v, 1, false);
 }
 void store(hid_t file, const std::string& name, const std::string& v) {
   hdf5::write_text(file, name, v);
@@ -80,14 +75,14 @@ ArchiveValue load(hid_t file, const std::string& name, char kind) {
 }
 
 [[noreturn]] void throw_unreadable(const std::string& path, const std::string& why) {
-  throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path, why));
+  fail_input("cannot read '{}': {}", path, why);
 }
 
 }  // namespace
 
 void ArchiveWriter::add(const std::string& name, ArchiveValue value) {
   if (name.empty() || name.find('\n') != std::string::npos || !values_.emplace(name, std::move(value)).second)
-    throw Error(ExitCode::internal_error, fmt::format("'{}' cannot be put into an archive (again)", name));
+    throw Error(ExitCode::internal_error, "'{}' cannot be put into an archive (again)", name);
 }
 
 void ArchiveWriter::put(const std::string& name, std::span<const double> values) {
@@ -122,8 +117,8 @@ void ArchiveWriter::write(const fs::path& path) {
     hdf5::write_attribute(file, ".", "checksum", std::span(&checksum, 1));
     image = file.take();
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::no_memory, fmt::format("cannot write '{}': HDF5 refused {}, as it does where memory ends",
-                                                 path.string(), failure.what()));
+    throw Error(ExitCode::no_memory, "cannot write '{}': HDF5 refused {}, as it does where memory ends", path.string(),
+                failure.what());
   }
   write_atomically(path, image.bytes(), fs::exists(path) ? "the one written before is whole" : "");
 }

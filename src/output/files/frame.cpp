@@ -86,22 +86,19 @@ std::vector<Field> read_fields(hid_t file, const std::string& group, bool with_v
 }
 
 /// Opens a frame file and calls `take` with it; failures of HDF5 become an Error with one sentence.
-template <class Take>
-auto read_from(const fs::path& path, Take&& take) {
+auto read_from(const fs::path& path, auto&& take) {
   const hdf5::Guard guard;
-  if (!fs::exists(path))
-    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': there is no such file", path.string()));
+  if (!fs::exists(path)) fail_input("cannot read '{}': there is no such file", path.string());
   try {
     const hdf5::Handle file = hdf5::open(path);
     const std::string format = hdf5::read_text_attribute(file, ".", "format");
     const std::int64_t version = hdf5::read_integer_attribute(file, ".", "version");
     if (format != format_name || version != format_version)
-      throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': it is '{}' version {}, not '{}' version {}",
-                                                     path.string(), format, version, format_name, format_version));
+      fail_input("cannot read '{}': it is '{}' version {}, not '{}' version {}", path.string(), format, version,
+                 format_name, format_version);
     return take(static_cast<hid_t>(file));
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': the file is damaged or no frame of a run ({})",
-                                                   path.string(), failure.what()));
+    fail_input("cannot read '{}': the file is damaged or no frame of a run ({})", path.string(), failure.what());
   }
 }
 
@@ -142,8 +139,8 @@ void write_frame(const fs::path& path, const Frame& frame, const std::string& sa
     fill(file, frame);
     image = file.take();
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::no_memory,
-                fmt::format("cannot store a frame: HDF5 refused {}, as it does where memory ends", failure.what()));
+    throw Error(ExitCode::no_memory, "cannot store a frame: HDF5 refused {}, as it does where memory ends",
+                failure.what());
   }
   write_atomically(path, image.bytes(), safe);
 }

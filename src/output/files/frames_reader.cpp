@@ -22,9 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
-  throw Error(
-      ExitCode::wrong_input,
-      fmt::format("cannot read '{}': the file is damaged or no file of this program ({})", path.string(), what));
+  fail_input("cannot read '{}': the file is damaged or no file of this program ({})", path.string(), what);
 }
 
 /// Body of the child process. It needs no Guard, since the child is a copy of this process, which holds the Guard.
@@ -49,7 +47,7 @@ double find_longest_look(const std::vector<fs::path>& files) {
 
 void look_in_child(const std::vector<fs::path>& files, Depth depth) {
   const double longest = find_longest_look(files);
-  do_in_child("the results were examined", [&](ByteWriter&) {
+  do_in_child("the results were examined", [&](Message&) {
     limit_processor_time(longest);
     for (const fs::path& path : files) look_at(path, depth);
   });
@@ -82,8 +80,6 @@ void examine(const std::vector<fs::path>& files, Depth depth) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the files of a folder that contain frames.
 std::vector<fs::path> list_files(const fs::path& folder) {
   std::vector<fs::path> files{results_file(folder), mesh_file(folder)};
@@ -115,8 +111,7 @@ void remove_single_frames(const fs::path& folder) {
 
 /// Assembles the results if any frame is not yet part of them, and removes the single frames.
 void finish_folder(const fs::path& folder, const Index& index) {
-  if (index.frames.empty())
-    throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
+  if (index.frames.empty()) fail_input("there are no frames of a run in '{}'", folder.string());
   if (has_single_frames(index)) assemble(folder, index);
   try {
     remove_single_frames(folder);
@@ -154,8 +149,8 @@ ResultsWriter::ResultsWriter(fs::path folder, int next, int count)
 ResultsWriter ResultsWriter::start(const fs::path& folder) {
   for (const fs::path& file : list_files(folder))
     if (fs::exists(file))
-      throw Error(ExitCode::folder_exists, fmt::format("'{}' already holds results ('{}'); nothing was written",
-                                                       folder.string(), file.lexically_relative(folder).string()));
+      throw Error(ExitCode::folder_exists, "'{}' already holds results ('{}'); nothing was written", folder.string(),
+                  file.lexically_relative(folder).string());
   return {folder, 0, 0};
 }
 
@@ -212,8 +207,7 @@ ResultsReader::ResultsReader(const fs::path& folder) : content_(std::make_unique
   c.folder = folder;
   examine(list_files(folder));
   c.index = read_index(folder);
-  if (c.index.frames.empty())
-    throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
+  if (c.index.frames.empty()) fail_input("there are no frames of a run in '{}'", folder.string());
   for (const auto& [number, entry] : c.index.frames) {
     c.numbers.push_back(number);
     c.times.push_back(entry.time);
@@ -242,8 +236,8 @@ const std::vector<std::string>& ResultsReader::field_names() const {
 
 Frame ResultsReader::read(int index) const {
   if (index < 0 || index >= size())
-    throw Error(ExitCode::wrong_input, fmt::format("there is no frame {} in '{}': they are counted from 0 to {}", index,
-                                                   content_->folder.string(), size() - 1));
+    fail_input("there is no frame {} in '{}': they are counted from 0 to {}", index, content_->folder.string(),
+               size() - 1);
   return read_entry(content_->folder, content_->index, content_->numbers[static_cast<std::size_t>(index)]);
 }
 

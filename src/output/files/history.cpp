@@ -119,7 +119,7 @@ double parse_number(const std::string& text, const fs::path& path, int line) {
   double value = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failure != std::errc() || end != text.data() + text.size())
-    throw Error(ExitCode::wrong_input, fmt::format("{}:{}: error: '{}' is not a number", path.string(), line, text));
+    fail_input("{}:{}: error: '{}' is not a number", path.string(), line, text);
   return value;
 }
 
@@ -168,9 +168,8 @@ History History::resume(const fs::path& path, const std::vector<Column>& columns
   if (!fs::exists(path)) return start(path, columns);
   const std::string text = read_text_file(path), header = make_header(columns);
   if (!text.starts_with(header))
-    throw Error(ExitCode::wrong_input,
-                fmt::format("cannot go on with '{}': its columns are '{}' where '{}' was expected", path.string(),
-                            text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
+    fail_input("cannot go on with '{}': its columns are '{}' where '{}' was expected", path.string(),
+               text.substr(0, text.find('\n')), header.substr(0, header.size() - 1));
   // The next row must not be appended to an incomplete row of a killed run.
   const std::size_t whole = text.rfind('\n') + 1;
   if (whole != text.size()) write_atomically(path, text.substr(0, whole), safe_clause);
@@ -181,8 +180,7 @@ History History::resume(const fs::path& path, const std::vector<Column>& columns
 
 void History::append(std::span<const double> row) {
   if (row.size() != columns_)
-    throw Error(ExitCode::internal_error,
-                fmt::format("a row of '{}' has {} values, not {}", path_.string(), row.size(), columns_));
+    throw Error(ExitCode::internal_error, "a row of '{}' has {} values, not {}", path_.string(), row.size(), columns_);
   std::string line;
   for (const double value : row) {
     if (!line.empty()) line += ',';
@@ -226,14 +224,14 @@ HistoryTable read_history(const fs::path& path) {
   HistoryTable table;
   const std::string text = read_text_file(path);
   const std::vector<std::string> lines = split(text.substr(0, text.rfind('\n') + 1), '\n');
-  if (lines.empty()) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': it is empty", path.string()));
+  if (lines.empty()) fail_input("cannot read '{}': it is empty", path.string());
   for (const std::string& title : split(lines[0], ',')) table.columns.push_back(parse_column(title));
   table.values.resize(table.columns.size());
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> cells = split(lines[i], ',');
     if (cells.size() != table.columns.size())
-      throw Error(ExitCode::wrong_input, fmt::format("{}:{}: error: {} values where {} columns were expected",
-                                                     path.string(), i + 1, cells.size(), table.columns.size()));
+      fail_input("{}:{}: error: {} values where {} columns were expected", path.string(), i + 1, cells.size(),
+                 table.columns.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
       table.values[c].push_back(parse_number(cells[c], path, static_cast<int>(i) + 1));
   }

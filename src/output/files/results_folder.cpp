@@ -27,9 +27,7 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 }
 
 [[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
-  throw Error(
-      ExitCode::wrong_input,
-      fmt::format("cannot read '{}': the file is damaged or no result of this program ({})", path.string(), what));
+  fail_input("cannot read '{}': the file is damaged or no result of this program ({})", path.string(), what);
 }
 
 /// Splits `text` into lines.
@@ -50,9 +48,8 @@ void read_assembled(const fs::path& folder, Index& index) {
     const hdf5::Handle file = hdf5::open(path);
     const std::int64_t version = hdf5::read_integer_attribute(file, "talus", "version");
     if (version != format_version)
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("cannot read '{}': its format has version {}, this program knows {}", path.string(),
-                              version, format_version));
+      fail_input("cannot read '{}': its format has version {}, this program knows {}", path.string(), version,
+                 format_version);
     index.points = read_series(file);
     const std::vector<std::int64_t> steps = hdf5::read<std::int64_t>(file, "talus/step");
     const std::vector<std::int64_t> stages = hdf5::read<std::int64_t>(file, "talus/stage");
@@ -156,8 +153,6 @@ Frame read_entry(const fs::path& folder, const Index& index, int number) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A results file under its temporary name, with its series.
 class Heavy {
@@ -268,8 +263,8 @@ void assemble(const fs::path& folder, const Index& index) {
     discard(results_file(folder));
     discard(mesh_file(folder));
     if (failure.reason != 0) throw_cannot_write(current, failure.reason, safe);
-    throw Error(ExitCode::cannot_write,
-                fmt::format("cannot write '{}': HDF5 refused {}; {}", current.string(), failure.what(), safe));
+    throw Error(ExitCode::cannot_write, "cannot write '{}': HDF5 refused {}; {}", current.string(), failure.what(),
+                safe);
   } catch (const Error&) {
     discard(results_file(folder));
     discard(mesh_file(folder));

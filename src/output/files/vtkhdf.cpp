@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace talus::output {
 
@@ -29,8 +28,7 @@ void append_missing(hid_t file, const std::string& name, std::size_t rows, int c
   hdf5::append<double>(file, name, nothing, static_cast<std::size_t>(components));
 }
 
-template <class Member>
-void write_column(hid_t file, const std::string& name, const Series& series, Member member) {
+void write_column(hid_t file, const std::string& name, const Series& series, auto member) {
   std::vector<std::int64_t> column;
   for (const SeriesStep& step : series.steps) column.push_back(step.*member);
   hdf5::write<std::int64_t>(file, name, column);

@@ -63,12 +63,12 @@ std::string draw_flags(const std::vector<Flag>& flags, double top) {
     const std::string x = fmt::format("{:.10g}", flag.mark.factor);
     if (flag.mark.lower && flag.mark.upper && *flag.mark.upper > *flag.mark.lower)
       script += fmt::format(
-          "set object rectangle from {:.10g}, graph 0 to {:.10g}, graph 1 behind fillcolor rgb '{}' "
-          "fillstyle solid 0.15 noborder\n",
+          "set object rectangle from {:.10g}, graph 0 to {:.10g}, graph 1 behind fillcolor rgb '{}' fillstyle solid "
+          "0.15 noborder\n",
           *flag.mark.lower, *flag.mark.upper, colour(flag.order));
     script += fmt::format(
-        "set arrow from {0}, graph 0 to {0}, screen {1:.5f} nohead front linewidth 1.5 dashtype 2 "
-        "linecolor rgb '{2}'\n",
+        "set arrow from {0}, graph 0 to {0}, screen {1:.5f} nohead front linewidth 1.5 dashtype 2 linecolor rgb "
+        "'{2}'\n",
         x, y, colour(flag.order));
     script += fmt::format("set label {} at {}, screen {:.5f} left offset 0.6,0 front textcolor rgb '{}'\n",
                           quote(flag.text), x, y, colour(flag.order));
@@ -150,7 +150,7 @@ std::string point_style(const char* c, int type, double size) {
 
 void draw(const CurvePlot& plot, const std::filesystem::path& picture) {
   if (plot.factors.empty() || plot.factors.size() != plot.displacements.size())
-    throw Error(ExitCode::wrong_input, "a displacement curve without points cannot be drawn");
+    fail_input("a displacement curve without points cannot be drawn");
   const double unit = plot.units_per_metre;
   const PlotSeries curve{"", plot.factors, scale(plot.displacements, unit)};
   std::vector<FactorMark> criteria = plot.criteria;
@@ -231,7 +231,7 @@ void draw(const TablePlot& plot, const std::filesystem::path& picture) {
     widest = std::max(widest, estimate_width(s.label));
     any = any || !s.x.empty();
   }
-  if (!any) throw Error(ExitCode::wrong_input, "a table without rows cannot be drawn");
+  if (!any) fail_input("a table without rows cannot be drawn");
   const double right = plot.series.size() > 1 ? std::min(0.45 * width, widest + 75) : 30;
   std::string script = make_frame(plot.title, plot.x_label, plot.y_label, right, plot.title.empty() ? 16 : 46);
   script += fmt::format(

@@ -49,12 +49,12 @@ constexpr double right = 125, bottom = 62;  ///< [px]
 
 // Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten equally spaced values.
 constexpr const char* viridis =
-    "0 '#440154', 1 '#482878', 2 '#3e4a89', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', "
-    "8 '#b5de2b', 9 '#fde725'";
+    "0 '#440154', 1 '#482878', 2 '#3e4a89', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 "
+    "'#b5de2b', 9 '#fde725'";
 // RdBu of ColorBrewer (https://colorbrewer2.org), from blue over white to red.
 constexpr const char* blue_white_red =
-    "0 '#2166ac', 1 '#4393c3', 2 '#92c5de', 3 '#d1e5f0', 4 '#f7f7f7', 5 '#fddbc7', 6 '#f4a582', 7 '#d6604d', "
-    "8 '#b2182b'";
+    "0 '#2166ac', 1 '#4393c3', 2 '#92c5de', 3 '#d1e5f0', 4 '#f7f7f7', 5 '#fddbc7', 6 '#f4a582', 7 '#d6604d', 8 "
+    "'#b2182b'";
 
 /// Estimates the distance between neighbouring points as the root of the area per point. The covered area is counted in
 /// square cells with a few points each.
@@ -96,8 +96,7 @@ bool is_signed(const std::vector<double>& values) {
 // NOLINTNEXTLINE(readability-function-size): the commands of one picture, in the order of gnuplot
 void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   const std::size_t count = plot.values.size();
-  if (count == 0 || plot.positions.size() != 3 * count)
-    throw Error(ExitCode::wrong_input, "a frame without points cannot be drawn");
+  if (count == 0 || plot.positions.size() != 3 * count) fail_input("a frame without points cannot be drawn");
   const double unit = plot.units_per_metre;
   std::vector<std::size_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i] = i;
@@ -120,7 +119,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   std::vector<double> all_x = x, all_y = y;
   all_x.insert(all_x.end(), lost_x.begin(), lost_x.end());
   all_y.insert(all_y.end(), lost_y.begin(), lost_y.end());
-  if (all_x.empty()) throw Error(ExitCode::wrong_input, "a frame without points cannot be drawn");
+  if (all_x.empty()) fail_input("a frame without points cannot be drawn");
   const double diameter = plot.point_diameter > 0 ? plot.point_diameter * unit : estimate_spacing(all_x, all_y, box);
   for (const auto& outline : plot.outlines)
     for (const auto& p : outline) box.include(p[0] * unit, p[1] * unit);
@@ -162,8 +161,8 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
     s += fmt::format("set label {} at screen {:.6f}, screen {:.6f} right textcolor rgb '{}'\n", quote(plot.subtitle),
                      sx(left + w), 1 - sy(22), text_colour);
   s += fmt::format(
-      "set palette defined ({})\nset cbrange [{:.10g}:{:.10g}]\nset colorbox vertical user origin screen "
-      "{:.6f}, screen {:.6f} size screen {:.6f}, screen {:.6f} noborder\n",
+      "set palette defined ({})\nset cbrange [{:.10g}:{:.10g}]\nset colorbox vertical user origin screen {:.6f}, "
+      "screen {:.6f} size screen {:.6f}, screen {:.6f} noborder\n",
       diverging ? blue_white_red : viridis, range[0], range[1], sx(left + w + 22), sy(bottom), sx(16), sy(h));
   s += make_tics("cb", range[1] - range[0], std::max(4.0, h / 40));
   const std::string bar_label = make_label("", plot.unit);

@@ -72,20 +72,20 @@ void run(const fs::path& picture, const std::string& script) {
   posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT)
     throw Error(ExitCode::cannot_write,
-                fmt::format("cannot draw '{}': gnuplot is not installed (Debian: apt install gnuplot-nox); the script "
-                            "for it stands beside it",
-                            picture.string()));
+                "cannot draw '{}': gnuplot is not installed (Debian: apt install gnuplot-nox); the script for it "
+                "stands beside it",
+                picture.string());
   if (failure != 0)
-    throw Error(ExitCode::cannot_write, fmt::format("cannot draw '{}': gnuplot cannot be started: {}", picture.string(),
-                                                    std::strerror(failure)));
+    throw Error(ExitCode::cannot_write, "cannot draw '{}': gnuplot cannot be started: {}", picture.string(),
+                std::strerror(failure));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   std::error_code none;
   const bool drawn = fs::file_size(temporary_name(picture), none) > 0 && !none;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !drawn) {
     clear_temporary(picture);
-    throw Error(ExitCode::cannot_write, fmt::format("cannot draw '{}': gnuplot failed: {}", picture.string(),
-                                                    find_reason(read_start(errors.get()))));
+    throw Error(ExitCode::cannot_write, "cannot draw '{}': gnuplot failed: {}", picture.string(),
+                find_reason(read_start(errors.get())));
   }
 }
 
@@ -117,12 +117,11 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
         width, height);
   else if (picture.extension() == ".png")
     terminal = fmt::format(
-        "set terminal pngcairo enhanced size {},{} font 'Sans,9' fontscale 2 linewidth 2 pointscale 2 "
-        "background 'white'\ntitle_font = ',10.5'\n",
+        "set terminal pngcairo enhanced size {},{} font 'Sans,9' fontscale 2 linewidth 2 pointscale 2 background "
+        "'white'\ntitle_font = ',10.5'\n",
         2 * width, 2 * height);
   else
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' cannot be drawn: its name ends neither with .svg nor with .png", picture.string()));
+    fail_input("'{}' cannot be drawn: its name ends neither with .svg nor with .png", picture.string());
   const std::string common = "set encoding utf8\n" + body;
   const fs::path script = fs::path(picture).replace_extension(".gp");
   const auto files = FileList::find(picture);

@@ -109,8 +109,7 @@ std::string draw_legend(const PointPlot& plot, double width, double height) {
 }  // namespace
 
 void draw(const PointPlot& plot, const std::filesystem::path& picture) {
-  if (plot.lines.empty() || plot.diagrams.empty())
-    throw Error(ExitCode::wrong_input, "element tests cannot be drawn: there are none");
+  if (plot.lines.empty() || plot.diagrams.empty()) fail_input("element tests cannot be drawn: there are none");
   double widest = 0;
   for (const PointLine& line : plot.lines) widest = std::max(widest, estimate_width(line.label));
   const double width = left_margin + 2 * panel_width + gap + legend_gap + line_sample + widest + 24;

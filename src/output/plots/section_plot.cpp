@@ -65,7 +65,7 @@ class Legend {
 }  // namespace
 
 void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
-  if (plot.surfaces.empty()) throw Error(ExitCode::wrong_input, "a section without slip surfaces cannot be drawn");
+  if (plot.surfaces.empty()) fail_input("a section without slip surfaces cannot be drawn");
   const double unit = 1 / units::get_si_factor(plot.length_unit);
   Box box;
   for (const auto& outline : plot.outlines)

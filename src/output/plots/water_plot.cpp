@@ -174,8 +174,8 @@ std::string make_water_table(const std::vector<WaterCurves>& soils) {
   const ShownUnits units = soils.empty() ? ShownUnits{} : soils.front().units;
   const ShownUnit &stress = units.stress, speed = units.speed();
   std::string text = fmt::format(
-      "material,suction [{0}],saturation [-],saturation_slope [1/{0}],bishop_chi [-],relative_conductivity [-],"
-      "conductivity [{1}]\n",
+      "material,suction [{0}],saturation [-],saturation_slope [1/{0}],bishop_chi [-],relative_conductivity "
+      "[-],conductivity [{1}]\n",
       stress.name, speed.name);
   for (const WaterCurves& soil : soils)
     for (std::size_t i = 0; i < soil.suction.size(); ++i)
@@ -259,8 +259,8 @@ std::string draw_saturation(const WaterCurves& soil, std::size_t row, double row
                           row, line_colours[2], quote("Bishop's χ"));
   if (!soil.saturation_pairs.empty())
     script += fmt::format(
-        ", \\\n     $pairs{} using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb '#000000' title "
-        "'pairs of the table'",
+        ", \\\n     $pairs{} using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb '#000000' title 'pairs of "
+        "the table'",
         row);
   return script + "\n";
 }
@@ -298,15 +298,14 @@ std::string draw_conductivity(const WaterCurves& soil, std::size_t row, double r
 }  // namespace
 
 void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
-  if (plot.soils.empty()) throw Error(ExitCode::wrong_input, "soil-water curves cannot be drawn: there is no wet soil");
+  if (plot.soils.empty()) fail_input("soil-water curves cannot be drawn: there is no wet soil");
   const double height = top + row_height * static_cast<double>(plot.soils.size());
   std::string script;
   for (std::size_t i = 0; i < plot.soils.size(); ++i) {
     const WaterCurves& soil = plot.soils[i];
     const std::string row = std::to_string(i);
     if (!(soil.saturated_conductivity > 0))
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("the conductivity of '{}' cannot be drawn: it is not above 0", soil.material));
+      fail_input("the conductivity of '{}' cannot be drawn: it is not above 0", soil.material);
     const double saturated = find_shown_conductivity(soil);
     const std::vector<double> suction = scale(soil.suction, 1 / soil.units.stress.si);
     script += make_data("curve" + row, {suction, soil.saturation, scale(soil.relative, saturated)});
