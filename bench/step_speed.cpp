@@ -23,9 +23,9 @@
 #include <utility>
 
 #include "mpm/backend/device_image.hpp"
-#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
+#include "mpm/solver/step.hpp"
 #include "wet_yardstick.hpp"
 
 namespace {

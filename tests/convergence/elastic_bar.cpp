@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus {

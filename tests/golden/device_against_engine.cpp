@@ -11,7 +11,7 @@
 #include "golden/device_comparison.hpp"
 #include "golden/plain_translation.hpp"
 #include "mpm/kernels/element_kernels.hpp"
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "mpm/state/node_rows.hpp"
 #include "support/clay_block.hpp"
 

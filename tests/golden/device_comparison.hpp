@@ -10,9 +10,9 @@
 
 #include "golden/tested_device.hpp"
 #include "mpm/backend/emulated.hpp"
-#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
+#include "mpm/solver/step.hpp"
 
 namespace talus::golden {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "golden/plain_translation.hpp"
-#include "mpm/solver/critical_step.hpp"
 #include "mpm/solver/observe.hpp"
+#include "mpm/solver/step.hpp"
 #include "reference/plain_mpm.hpp"
 
 namespace talus {

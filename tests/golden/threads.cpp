@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus {

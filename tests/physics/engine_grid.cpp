@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "mpm/kernels/element_kernels.hpp"
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {

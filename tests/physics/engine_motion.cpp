@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/draw.hpp"
 #include "support/soil_body.hpp"
 

@@ -2,7 +2,7 @@
 // Equalised-mass bodies at frozen geometry: small elements no longer reduce the time step, and the state of rest is the
 // same.
 
-#include "mpm/state/loads.hpp"
+#include "mpm/state/body.hpp"
 #include "run/mpm/stage/auxiliary_body.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "lem/search/search.hpp"
-#include "lem/slices/drawdown.hpp"
 #include "lem/slices/mass.hpp"
 #include "support/lem_sections.hpp"
 

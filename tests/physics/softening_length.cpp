@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mpm/solver/critical_step.hpp"
+#include "mpm/solver/step.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {

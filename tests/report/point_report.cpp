@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "laboratory/run_point_tests.hpp"
+#include "laboratory/point_test.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mpm/kernels/softening.hpp"
-#include "mpm/solver/critical_step.hpp"
-#include "mpm/state/loads.hpp"
+#include "mpm/solver/step.hpp"
+#include "mpm/state/body.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus::support {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "base/dual.hpp"
-#include "fem/solid/point.hpp"
+#include "fem/solid/system.hpp"
 #include "support/external_model.hpp"
 
 namespace talus::fem {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "study/extrapolation.hpp"
+#include "study/study_table.hpp"
 
 namespace talus::study {
 namespace {

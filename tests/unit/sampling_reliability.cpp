@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Probability of failure and reliability index against closed forms, and the coverage of the confidence intervals.
 
-#include "study/reliability.hpp"
+#include "study/sampled_numbers.hpp"
 
 #include <gtest/gtest.h>
 
