@@ -4,7 +4,7 @@ import { CsvButton } from "../charts/base/Legend";
 import type { MethodComparison, MethodRow } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatInterval, formatSentence } from "../page/format";
-import { ChartTable, numbers, wrapped } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { report } from "../state";
 import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
 import { findMethods, listRows } from "./methodTable";
@@ -29,47 +29,35 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
     <ChartTable
       label={label}
       class="compared-factors"
-      head={[
-        "Method",
-        "Criterion",
-        ...numbers("F", "Range"),
-        scale !== null && "Mark",
-        ...wrapped(reference && `against ${reference.title}`),
-        ...numbers("Time"),
-        "Note",
-      ]}
-    >
-      {rows.map((row, i) => {
-        const difference = compare(row);
-        // The titles of the other methods begin with the method.
-        const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
-        return (
-          <tr key={i}>
-            <th scope="row">
-              {before}
+      rows={rows}
+      columns={[
+        [
+          "Method",
+          (row) => (
+            <>
+              {/* The titles of the other methods begin with the method. */}
+              {row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>}
               {row.title}
-            </th>
-            <td>{row.criterion}</td>
-            <td class="number">
-              <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>
-            </td>
-            <td class="number">{formatInterval(row)}</td>
-            {scale && (
-              <td>
-                <FactorMark scale={scale} row={row} />
-              </td>
-            )}
-            {reference && (
-              <td class="number">
-                {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
-              </td>
-            )}
-            <td class="number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
-            <td>{row.note || "–"}</td>
-          </tr>
-        );
-      })}
-    </ChartTable>
+            </>
+          ),
+          "name",
+        ],
+        ["Criterion", (row) => row.criterion],
+        ["F", (row) => <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>, "number"],
+        ["Range", formatInterval, "number"],
+        scale && ["Mark", (row) => <FactorMark scale={scale} row={row} />],
+        reference && [
+          `against ${reference.title}`,
+          (row) => {
+            const difference = compare(row);
+            return row === reference ? "=" : difference === null ? "–" : formatDifference(difference);
+          },
+          "wrap",
+        ],
+        ["Time", (row) => (row.seconds === null ? "–" : formatDuration(row.seconds)), "number"],
+        ["Note", (row) => row.note || "–"],
+      ]}
+    />
   );
 }
 

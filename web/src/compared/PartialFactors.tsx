@@ -2,7 +2,7 @@
 /** Partial factors, design values and the over-design factor. */
 import { formatNumber } from "../charts/base/numbers";
 import type { DesignStatement } from "../contract";
-import { ChartTable, SymbolText, numbers } from "../page/DataTable";
+import { ChartTable, SymbolText } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 
@@ -37,26 +37,24 @@ export function PartialFactors({ partial }: { partial: DesignStatement }) {
         <ChartTable
           label="Design values"
           class="compared-narrow"
-          head={["Soil", "Quantity", ...numbers("Characteristic", "Design")]}
-        >
-          {partial.materials.map((m) => (
-            <tr key={`${m.material} ${m.quantity}`}>
-              <th scope="row">{m.material}</th>
-              <td>
-                {m.quantity}
-                {m.symbol && (
-                  <>
-                    {" "}
-                    <SymbolText text={m.symbol} />
-                  </>
-                )}
-                {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
-              </td>
-              <td class="number">{formatNumber(m.characteristic, 4)}</td>
-              <td class="number">{formatNumber(m.design, 4)}</td>
-            </tr>
-          ))}
-        </ChartTable>
+          rows={partial.materials}
+          columns={[
+            ["Soil", (m) => m.material, "name"],
+            [
+              "Quantity",
+              (m) => (
+                <>
+                  {m.quantity}
+                  {m.symbol && " "}
+                  {m.symbol && <SymbolText text={m.symbol} />}
+                  {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
+                </>
+              ),
+            ],
+            ["Characteristic", (m) => formatNumber(m.characteristic, 4), "number"],
+            ["Design", (m) => formatNumber(m.design, 4), "number"],
+          ]}
+        />
       )}
       {partial.notes.map((text) => (
         <p key={text} class="chart-note">

@@ -5,7 +5,7 @@ import { useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import { formatFactor, formatSentence } from "../page/format";
-import { ChartTable, numbers } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
 import { flowRuns, type FlowRun } from "./flowRuns";
@@ -23,22 +23,15 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
     <ChartTable
       label="Factors of safety by finite elements"
       class="elements-factors"
-      head={["Flow", ...numbers("ψ", "F, non-convergence", "between", "F, sharp rise of displacement")]}
-    >
-      {runs.map((run) => (
-        <tr key={run.flow}>
-          <th scope="row">{run.title}</th>
-          <td class="number">{describeAngles(run.psi)}</td>
-          <td class="number">
-            <strong>{formatFactor(run.factor, "none")}</strong>
-          </td>
-          <td class="number">
-            {formatFactor(run.stable, "none")} and {formatFactor(run.failed, "none")}
-          </td>
-          <td class="number">{formatFactor(run.by_displacement, "none")}</td>
-        </tr>
-      ))}
-    </ChartTable>
+      rows={runs}
+      columns={[
+        ["Flow", (run) => run.title, "name"],
+        ["ψ", (run) => describeAngles(run.psi), "number"],
+        ["F, non-convergence", (run) => <strong>{formatFactor(run.factor, "none")}</strong>, "number"],
+        ["between", (run) => `${formatFactor(run.stable, "none")} and ${formatFactor(run.failed, "none")}`, "number"],
+        ["F, sharp rise of displacement", (run) => formatFactor(run.by_displacement, "none"), "number"],
+      ]}
+    />
   );
 }
 

@@ -2,14 +2,13 @@
 /** The trials of the strength reduction with their residuals. */
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import { ChartTable, numbers, wrapped } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { report } from "../state";
 import type { FlowRun } from "./flowRuns";
 
 export function TrialTable({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;
   const rows = runs.flatMap((run) => run.trials.map((trial) => ({ run, trial })));
-  const several = runs.length > 1;
   const take = <K extends keyof (typeof rows)[number]["trial"]>(key: K) => rows.map(({ trial }) => trial[key]);
   const columns = () => [
     { name: "flow", values: rows.map(({ run }) => run.title) },
@@ -33,32 +32,26 @@ export function TrialTable({ runs }: { runs: FlowRun[] }) {
         </summary>
         <ChartTable
           label="Trials of the strength reduction by finite elements"
-          head={[
-            several && "Flow",
-            ...numbers("F"),
-            "Equilibrium",
-            ...numbers("Iterations"),
-            ...wrapped("Force residual", "Displacement residual", titleWithUnit("Largest displacement", unit.name)),
-            ...numbers("Time [s]"),
+          rows={rows}
+          columns={[
+            runs.length > 1 && ["Flow", ({ run }) => run.title],
+            ["F", ({ trial }) => trial.factor.toFixed(4), "name number"],
+            [
+              "Equilibrium",
+              ({ trial }) =>
+                trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>,
+            ],
+            ["Iterations", ({ trial }) => formatNumber(trial.iterations), "number"],
+            ["Force residual", ({ trial }) => formatNumber(trial.force_residual, 2), "wrap"],
+            ["Displacement residual", ({ trial }) => formatNumber(trial.displacement_residual, 2), "wrap"],
+            [
+              titleWithUnit("Largest displacement", unit.name),
+              ({ trial }) => formatNumber(trial.displacement / unit.si, 4),
+              "wrap",
+            ],
+            ["Time [s]", ({ trial }) => formatNumber(trial.seconds, 3), "number"],
           ]}
-        >
-          {rows.map(({ run, trial }, i) => (
-            <tr key={i}>
-              {several && <td>{run.title}</td>}
-              <th scope="row" class="number">
-                {trial.factor.toFixed(4)}
-              </th>
-              <td>
-                {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
-              </td>
-              <td class="number">{formatNumber(trial.iterations)}</td>
-              <td class="number">{formatNumber(trial.force_residual, 2)}</td>
-              <td class="number">{formatNumber(trial.displacement_residual, 2)}</td>
-              <td class="number">{formatNumber(trial.displacement / unit.si, 4)}</td>
-              <td class="number">{formatNumber(trial.seconds, 3)}</td>
-            </tr>
-          ))}
-        </ChartTable>
+        />
       </details>
     </figure>
   );

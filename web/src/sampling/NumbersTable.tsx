@@ -3,7 +3,7 @@
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
 import { formatUnit } from "../page/format";
-import { ChartTable, numbers, wrapped } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { showName } from "./names";
 
 export function NumbersTable({ sampling }: { sampling: Sampling }) {
@@ -16,29 +16,27 @@ export function NumbersTable({ sampling }: { sampling: Sampling }) {
       <h4>Uncertain numbers</h4>
       <ChartTable
         label="Uncertain numbers"
-        head={[
-          "Number",
-          "Distribution",
-          ...numbers("Sampled mean", "deviation", "from", "to"),
-          ...wrapped(ranks.length > 0 && "Rank correlation with F"),
+        rows={sampling.numbers}
+        columns={[
+          [
+            "Number",
+            (n) => (
+              <>
+                {showName(n.name)}
+                {n.unit && ` [${formatUnit(n.unit)}]`}
+                <div class="chart-missing">{n.key}</div>
+              </>
+            ),
+            "name",
+          ],
+          ["Distribution", (n) => n.text],
+          ["Sampled mean", (n) => formatNumber(n.sampled.mean, 4), "number"],
+          ["deviation", (n) => formatNumber(n.sampled.deviation, 3), "number"],
+          ["from", (n) => formatNumber(n.sampled.smallest, 4), "number"],
+          ["to", (n) => formatNumber(n.sampled.largest, 4), "number"],
+          ranks.length > 0 && ["Rank correlation with F", (n) => formatNumber(rank(n.key), 2), "wrap"],
         ]}
-      >
-        {sampling.numbers.map((n) => (
-          <tr key={n.key}>
-            <th scope="row">
-              {showName(n.name)}
-              {n.unit && ` [${formatUnit(n.unit)}]`}
-              <div class="chart-missing">{n.key}</div>
-            </th>
-            <td>{n.text}</td>
-            <td class="number">{formatNumber(n.sampled.mean, 4)}</td>
-            <td class="number">{formatNumber(n.sampled.deviation, 3)}</td>
-            <td class="number">{formatNumber(n.sampled.smallest, 4)}</td>
-            <td class="number">{formatNumber(n.sampled.largest, 4)}</td>
-            {ranks.length > 0 && <td class="number">{formatNumber(rank(n.key), 2)}</td>}
-          </tr>
-        ))}
-      </ChartTable>
+      />
       {correlations.map((c) => (
         <p key={c.keys.join()} class="chart-note">
           Correlation of {c.keys.map(name).join(" and ")}: {formatNumber(c.asked, 3)} asked,{" "}

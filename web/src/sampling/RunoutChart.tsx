@@ -2,7 +2,7 @@
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
 import { formatNumber } from "../charts/base/numbers";
 import type { SampledRunout } from "../contract";
-import { ChartTable, numbers } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { BandChart } from "./BandChart";
 import { formatShare } from "./probability";
 
@@ -23,19 +23,14 @@ export function RunoutChart({ runout }: { runout: SampledRunout }) {
       {runout.exceedance.length > 0 && (
         <ChartTable
           label="Probability that the runout exceeds a distance"
-          head={[...numbers(`Farther than [${runout.unit}]`, "Probability", "from", "to")]}
-        >
-          {runout.exceedance.map((e) => (
-            <tr key={e.distance}>
-              <th scope="row" class="number">
-                {formatNumber(e.distance, 3)}
-              </th>
-              <td class="number">{formatShare(e.probability)}</td>
-              <td class="number">{formatShare(e.lower)}</td>
-              <td class="number">{formatShare(e.upper)}</td>
-            </tr>
-          ))}
-        </ChartTable>
+          rows={runout.exceedance}
+          columns={[
+            [`Farther than [${runout.unit}]`, (e) => formatNumber(e.distance, 3), "name number"],
+            ["Probability", (e) => formatShare(e.probability), "number"],
+            ["from", (e) => formatShare(e.lower), "number"],
+            ["to", (e) => formatShare(e.upper), "number"],
+          ]}
+        />
       )}
     </div>
   );

@@ -3,7 +3,7 @@
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { SliceResult, SliceSearch, SlipSurface } from "../contract";
 import { formatCoordinate, formatSentence } from "../page/format";
-import { ChartTable, numbers, wrapped } from "../page/DataTable";
+import { ChartTable, type Column } from "../page/DataTable";
 import { report } from "../state";
 import { listLimits, nameReason, titleMethod, type SlicedSurface } from "./sliceData";
 
@@ -59,27 +59,17 @@ export function RefusedTable({ lem: { search } }: { lem: SliceResult }) {
       <h4>Refused, of {formatNumber(search.tried, 6)} surfaces</h4>
       <ChartTable
         label="Refused surfaces by method and reason"
-        head={["Method", ...wrapped(...reasons.map(nameReason)), ...numbers("All")]}
-      >
-        {refused.map(([method, counts]) => {
-          return (
-            <tr key={method}>
-              <th scope="row">{titleMethod(method)}</th>
-              {reasons.map((reason) => (
-                <td key={reason} class="number">
-                  {formatNumber(counts[reason] ?? 0, 6)}
-                </td>
-              ))}
-              <td class="number">
-                {formatNumber(
-                  Object.values(counts).reduce((sum, count) => sum + count, 0),
-                  6,
-                )}
-              </td>
-            </tr>
-          );
-        })}
-      </ChartTable>
+        rows={refused}
+        columns={[
+          ["Method", ([method]) => titleMethod(method), "name"],
+          ...reasons.map((reason): Column<(typeof refused)[number]> => [
+            nameReason(reason),
+            ([, counts]) => formatNumber(counts[reason] ?? 0, 6),
+            "wrap",
+          ]),
+          ["All", ([, counts]) => formatNumber(Object.values(counts).reduce((sum, n) => sum + n, 0), 6), "number"],
+        ]}
+      />
     </figure>
   );
 }

@@ -68,9 +68,10 @@ export function Legend({ items, hidden, onToggle, markers }: LegendProps) {
 }
 
 /** Saves `columns()` as a file named after the project and `part`. */
-export function CsvButton({ part, columns, what }: { part: string; columns: () => CsvColumn[]; what?: string }) {
+export function CsvButton(props: { part: string; columns: () => (CsvColumn | false)[]; what?: string }) {
+  const { part, columns, what } = props;
   const save = () => {
-    const content = new Blob([writeCsv(columns())], { type: "text/csv;charset=utf-8" });
+    const content = new Blob([writeCsv(columns().filter((column) => column !== false))], { type: "text/csv;charset=utf-8" });
     saveFile(content, makeFileName(report.value.title, part));
   };
   return (

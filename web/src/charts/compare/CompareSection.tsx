@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 
 import type { Comparison } from "../../contract";
-import { ChartTable, numbers } from "../../page/DataTable";
+import { ChartTable } from "../../page/DataTable";
 import { report } from "../../state";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -35,11 +35,17 @@ function Verdict({ comparison }: { comparison: Comparison }) {
   return comparison.passes ? <span class="chart-good">✓ passes</span> : <span class="chart-bad">✗ misses</span>;
 }
 
+/** "+0.02 (+1.5 %)". */
+function writeDifference(c: Comparison): string {
+  const { absolute, relative } = measureDifference(c);
+  const signed = (v: number, unit = "") => `${v > 0 ? "+" : ""}${formatNumber(v, 3)}${unit}`;
+  if (absolute === null) return "–";
+  return signed(absolute / c.unit.si) + (relative === null ? "" : ` (${signed(100 * relative, " %")})`);
+}
+
 export function CompareSection() {
   const all = listComparisons(report.value);
   if (all.length === 0) return null;
-  const percent = (v: number | null) => (v === null ? "–" : `${v > 0 ? "+" : ""}${formatNumber(100 * v, 3)} %`);
-  const signed = (v: number | null) => (v !== null && v > 0 ? "+" : "") + formatNumber(v, 3);
   return (
     <section class="chart-section" aria-labelledby="chart-compare-title">
       <div class="chart-head">
@@ -49,31 +55,25 @@ export function CompareSection() {
       <p>{describeCount(all)}</p>
       <ChartTable
         label="Table of comparisons"
-        head={["Quantity", "Verdict", ...numbers("Computed", "Published", "Difference", "Tolerance"), "Source"]}
-      >
-        {all.map((c) => {
-          const d = measureDifference(c);
-          return (
-            <tr key={c.name}>
-              <th scope="row">{titleWithUnit(c.title, c.unit.name)}</th>
-              <td>
-                <Verdict comparison={c} />
-              </td>
-              <td class="number">{formatNumber(c.computed === null ? null : c.computed / c.unit.si)}</td>
-              <td class="number">{formatNumber(c.published / c.unit.si)}</td>
-              <td class="number">
-                {signed(d.absolute === null ? null : d.absolute / c.unit.si)}
-                {d.relative !== null && <> ({percent(d.relative)})</>}
-              </td>
-              <td class="number">± {nameTolerance(c)}</td>
-              <td>
+        rows={all}
+        columns={[
+          ["Quantity", (c) => titleWithUnit(c.title, c.unit.name), "name"],
+          ["Verdict", (c) => <Verdict comparison={c} />],
+          ["Computed", (c) => formatNumber(c.computed === null ? null : c.computed / c.unit.si), "number"],
+          ["Published", (c) => formatNumber(c.published / c.unit.si), "number"],
+          ["Difference", writeDifference, "number"],
+          ["Tolerance", (c) => `± ${nameTolerance(c)}`, "number"],
+          [
+            "Source",
+            (c) => (
+              <>
                 {c.source}
                 {c.note && <div class="chart-missing">{c.note}</div>}
-              </td>
-            </tr>
-          );
-        })}
-      </ChartTable>
+              </>
+            ),
+          ],
+        ]}
+      />
       <DifferenceChart all={all} />
     </section>
   );

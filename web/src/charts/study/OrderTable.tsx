@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** When the monitored points of each variant began to move, and in which order. */
-import { ChartTable, numbers } from "../../page/DataTable";
+import { ChartTable, type Column } from "../../page/DataTable";
 import { CsvButton } from "../base/Legend";
 import { formatNumber } from "../base/numbers";
 import type { Study } from "./shownStudy";
@@ -27,23 +27,20 @@ export function OrderTable({ study }: { study: Study }) {
       </div>
       <ChartTable
         label="When the monitored points began to move"
-        head={["Variant", ...numbers(...monitors.map((name) => `${name} [s]`)), "In words"]}
-      >
-        {rows.map((r) => (
-          <tr key={r.name}>
-            <th scope="row">{r.name}</th>
-            {monitors.map((name) => {
+        rows={rows}
+        columns={[
+          ["Variant", (r) => r.name, "name"],
+          ...monitors.map((name): Column<(typeof rows)[number]> => [
+            `${name} [s]`,
+            (r) => {
               const time = onset(r, name);
-              return (
-                <td key={name} class="number">
-                  {time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3)}
-                </td>
-              );
-            })}
-            <td>{r.motion!.sentence}</td>
-          </tr>
-        ))}
-      </ChartTable>
+              return time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3);
+            },
+            "number",
+          ]),
+          ["In words", (r) => r.motion!.sentence],
+        ]}
+      />
     </figure>
   );
 }

@@ -2,7 +2,7 @@
 /** Factors of safety over the size that the study extrapolates, and where their lines meet size zero. */
 import * as Plot from "@observablehq/plot";
 
-import { ChartTable, numbers, wrapped } from "../../page/DataTable";
+import { ChartTable } from "../../page/DataTable";
 import { formatFactor } from "../../page/format";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -106,31 +106,19 @@ export function StudyExtrapolation({ study }: { study: Study }) {
       />
       <ChartTable
         label="Extrapolated factors of safety"
-        head={[
-          "Factor",
-          ...numbers("Sizes", "Coarsest", "Finest"),
-          ...wrapped("At zero, line through all"),
-          ...numbers("±"),
-          ...wrapped("Line through the finest two"),
-          ...numbers("Order p", "with p"),
+        rows={factors}
+        columns={[
+          ["Factor", title, "name"],
+          ["Sizes", (f) => f.sizes.length, "number"],
+          ["Coarsest", (f) => formatFactor(f.factors[0]), "number"],
+          ["Finest", (f) => formatFactor(f.factors.at(-1)), "number"],
+          ["At zero, line through all", (f) => <strong>{formatFactor(f.linear)}</strong>, "wrap"],
+          ["±", (f) => formatFactor(f.standard_error), "number"],
+          ["Line through the finest two", (f) => formatFactor(f.finest_pair), "wrap"],
+          ["Order p", (f) => formatNumber(f.order, 3), "number"],
+          ["with p", (f) => formatFactor(f.by_order), "number"],
         ]}
-      >
-        {factors.map((f) => (
-          <tr key={title(f)}>
-            <th scope="row">{title(f)}</th>
-            <td class="number">{f.sizes.length}</td>
-            <td class="number">{formatFactor(f.factors[0] ?? null)}</td>
-            <td class="number">{formatFactor(f.factors.at(-1) ?? null)}</td>
-            <td class="number">
-              <strong>{formatFactor(f.linear)}</strong>
-            </td>
-            <td class="number">{formatFactor(f.standard_error)}</td>
-            <td class="number">{formatFactor(f.finest_pair)}</td>
-            <td class="number">{formatNumber(f.order, 3)}</td>
-            <td class="number">{formatFactor(f.by_order)}</td>
-          </tr>
-        ))}
-      </ChartTable>
+      />
       <p class="chart-note">
         ± is the standard error from the scatter of the meshes about the line. The order p is the exponent of the size
         that fits best, where there are four sizes.

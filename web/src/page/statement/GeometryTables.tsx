@@ -21,13 +21,6 @@ function describeWater(dimension: 2 | 3, count: number, wet: Water | undefined):
 /** A line that was calculated has a point in every element. */
 const mostPoints = 12;
 
-/** Evenly chosen, both ends among them. */
-function thin(points: number[][]): number[][] {
-  if (points.length <= mostPoints) return points;
-  const step = (points.length - 1) / (mostPoints - 1);
-  return Array.from({ length: mostPoints }, (_, i) => points[Math.round(i * step)]!);
-}
-
 /** Coordinates in the unit of lengths, one after the other. */
 function Points({ points }: { points: number[][] }) {
   return (
@@ -38,6 +31,21 @@ function Points({ points }: { points: number[][] }) {
         </Fragment>
       ))}
     </span>
+  );
+}
+
+/** Some of them where there are many, evenly chosen with both ends. */
+function ThinPoints({ points }: { points: number[][] }) {
+  if (points.length <= mostPoints) return <Points points={points} />;
+  const step = (points.length - 1) / (mostPoints - 1);
+  return (
+    <>
+      <Points points={Array.from({ length: mostPoints }, (_, i) => points[Math.round(i * step)]!)} />
+      <span class="note">
+        {" "}
+        ({mostPoints} of {points.length} points)
+      </span>
+    </>
   );
 }
 
@@ -77,35 +85,25 @@ export function GeometryTables() {
     <>
       <Facts caption={hasPoints ? "Geometry, water and mesh" : "Geometry and water"} rows={rows} />
       {polygons.length > 0 && (
-        <DataTable caption={`Polygons, corners in ${units.length.name}`} head={["Polygon", "Material", "Corners"]}>
-          {polygons.map((polygon) => (
-            <tr key={polygon.name}>
-              <th scope="row">{polygon.name}</th>
-              <td>{polygon.material || "–"}</td>
-              <td class="prose">
-                <Points points={polygon.points} />
-              </td>
-            </tr>
-          ))}
-        </DataTable>
+        <DataTable
+          caption={`Polygons, corners in ${units.length.name}`}
+          rows={polygons}
+          columns={[
+            ["Polygon", (polygon) => polygon.name, "name"],
+            ["Material", (polygon) => polygon.material || "–"],
+            ["Corners", (polygon) => <Points points={polygon.points} />, "prose"],
+          ]}
+        />
       )}
       {used && used.water_table.length > 0 && (
         <DataTable
           caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}
-          head={["Water table", "Points"]}
-        >
-          {used.water_table.map((points, i) => (
-            <tr key={i}>
-              <th scope="row">{used.water_table.length > 1 ? `${used.title}, line ${i + 1}` : used.title}</th>
-              <td class="prose">
-                <Points points={thin(points)} />
-                {points.length > mostPoints && (
-                  <span class="note"> ({mostPoints} of {points.length} points)</span>
-                )}
-              </td>
-            </tr>
-          ))}
-        </DataTable>
+          rows={used.water_table}
+          columns={[
+            ["Water table", (_, i) => (used.water_table.length > 1 ? `${used.title}, line ${i + 1}` : used.title), "name"],
+            ["Points", (points) => <ThinPoints points={points} />, "prose"],
+          ]}
+        />
       )}
     </>
   );

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 /** The materials: characteristic and design values, and values at failure. */
+import type { MaterialRow, SoilWater } from "../../contract";
 import { report } from "../../state";
-import { DataTable, numbers, SymbolText, TableHead } from "../DataTable";
+import { CaptionedTable, SymbolText, TableHead, TableRows, type Column } from "../DataTable";
 import { formatFactor, formatNumber, formatSentence, formatUnit } from "../format";
-import type { SoilWater } from "../../contract";
+
+type Property = MaterialRow["properties"][number];
 
 /** The laws of the soil's water and their parameters, which no strength factor divides. */
-function SoilWaterRows({ water, columns, spare }: { water: SoilWater; columns: number; spare: number }) {
+function SoilWaterRows({ water, columns }: { water: SoilWater; columns: Column<Property>[] }) {
+  const rows = water.parameters.map((p): Property => ({ ...p, characteristic: p.value, design: null, at_failure: null }));
   return (
     <>
       <tr>
-        <th scope="row" colSpan={columns} class="prose">
+        <th scope="row" colSpan={columns.filter(Boolean).length} class="prose">
           <span class="note">
             {[`Retention: ${water.retention}`, `Conductivity: ${water.conductivity}`, `Effective stress: ${water.chi}`]
               .map(formatSentence)
@@ -18,21 +21,7 @@ function SoilWaterRows({ water, columns, spare }: { water: SoilWater; columns: n
           </span>
         </th>
       </tr>
-      {water.parameters.map((parameter) => (
-        <tr key={parameter.key}>
-          <th scope="row">{parameter.title}</th>
-          <td>
-            <SymbolText text={parameter.symbol} />
-          </td>
-          <td>{formatUnit(parameter.unit) || "–"}</td>
-          <td class="number">{formatNumber(parameter.value)}</td>
-          {Array.from({ length: spare }, (_, i) => (
-            <td key={i} class="number">
-              –
-            </td>
-          ))}
-        </tr>
-      ))}
+      <TableRows columns={columns} rows={rows} />
     </>
   );
 }
@@ -43,23 +32,23 @@ export function MaterialTable() {
   const hasDesign = properties.some((property) => property.design !== null);
   const hasFailure = properties.some((property) => property.at_failure !== null);
   const main = answer.factors.find((factor) => factor.main)?.value;
-  const columns = 4 + (hasDesign ? 1 : 0) + (hasFailure ? 1 : 0);
+  const columns: Column<Property>[] = [
+    ["Property", (p) => p.title, "name"],
+    ["Symbol", (p) => p.symbol && <SymbolText text={p.symbol} />],
+    ["Unit", (p) => formatUnit(p.unit) || "–"],
+    ["Characteristic", (p) => (p.characteristic === null ? "none" : formatNumber(p.characteristic)), "number"],
+    hasDesign && ["Design", (p) => formatNumber(p.design), "number"],
+    hasFailure && ["At failure", (p) => formatNumber(p.at_failure), "number"],
+  ];
   if (model.materials.length === 0) return <p>The results name no materials.</p>;
   return (
     <>
-      <DataTable caption="Properties of the materials" quiet>
-        <TableHead
-          cells={[
-            "Property",
-            "Symbol",
-            "Unit",
-            ...numbers("Characteristic", hasDesign && "Design", hasFailure && "At failure"),
-          ]}
-        />
+      <CaptionedTable caption="Properties of the materials" quiet>
+        <TableHead columns={columns} />
         {model.materials.map((material) => (
           <tbody key={material.name}>
             <tr class="group">
-              <th scope="rowgroup" colSpan={columns}>
+              <th scope="rowgroup" colSpan={columns.filter(Boolean).length}>
                 {material.name}
                 <span class="note">
                   {" "}
@@ -68,22 +57,11 @@ export function MaterialTable() {
                 </span>
               </th>
             </tr>
-            {material.properties.map((property) => (
-              <tr key={property.key}>
-                <th scope="row">{property.title}</th>
-                <td>{property.symbol && <SymbolText text={property.symbol} />}</td>
-                <td>{formatUnit(property.unit) || "–"}</td>
-                <td class="number">
-                  {property.characteristic === null ? "none" : formatNumber(property.characteristic)}
-                </td>
-                {hasDesign && <td class="number">{formatNumber(property.design)}</td>}
-                {hasFailure && <td class="number">{formatNumber(property.at_failure)}</td>}
-              </tr>
-            ))}
-            {material.water && <SoilWaterRows water={material.water} columns={columns} spare={columns - 4} />}
+            <TableRows columns={columns} rows={material.properties} />
+            {material.water && <SoilWaterRows water={material.water} columns={columns} />}
           </tbody>
         ))}
-      </DataTable>
+      </CaptionedTable>
       <p class="note">
         Characteristic values are those of the {kind === "study" ? "first variant" : "case file"}.
         {hasDesign && " Design values are divided by the strength factor of the last stage."}

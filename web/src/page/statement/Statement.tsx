@@ -9,9 +9,7 @@ import { Part } from "../Part";
 import { WarningList } from "../Warnings";
 import { GeometryTables } from "./GeometryTables";
 import { MaterialTable } from "./MaterialTable";
-import { ResultTables } from "./ResultTables";
-import { StageTable } from "./StageTable";
-import { SupportTables } from "./SupportTables";
+import { ResultTables, StageTable, SupportTables } from "./RunTables";
 import { TitleBlock } from "./TitleBlock";
 import { WaterResults, WaterTables } from "./WaterTables";
 
