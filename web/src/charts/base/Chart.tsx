@@ -22,8 +22,8 @@ export interface ChartProps {
   cross?: Signal<number | null>;
   /** Reading of the crosshair at a stop, and its marks (in the units of the axes). */
   read: (stop: number) => { text: string; marks: CrossMark[] };
-  /** Shows the reading above the chart; otherwise it is for screen readers only. */
-  showReading?: boolean;
+  /** The reading is for screen readers only. */
+  quiet?: boolean;
   /** Text in place of a reading before the first one. */
   hint?: string;
   onPick?: (stop: number) => void;
@@ -118,8 +118,8 @@ export function Chart(props: ChartProps) {
 
   return (
     <div class="chart">
-      <p class={props.showReading ? "chart-reading" : "chart-reading chart-unseen"} aria-live="polite">
-        {reading || (props.showReading ? props.hint : "")}
+      <p class={props.quiet ? "chart-reading chart-unseen" : "chart-reading"} aria-live="polite">
+        {reading || props.hint}
       </p>
       <div
         ref={box}

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** Ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
+/** Axes and margins of a chart; ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
+import * as Plot from "@observablehq/plot";
+
 import { formatNumber, isPlain } from "./numbers";
 
 export interface AxisText {
@@ -15,11 +17,7 @@ export function findStep(low: number, high: number, count: number): number {
   if (!(raw > 0)) return 0;
   const power = 10 ** Math.floor(Math.log10(raw));
   const error = raw / power;
-  const factor =
-    error >= Math.sqrt(50) ? 10
-    : error >= Math.sqrt(10) ? 5
-    : error >= Math.sqrt(2) ? 2
-    : 1;
+  const factor = error >= Math.sqrt(50) ? 10 : error >= Math.sqrt(10) ? 5 : error >= Math.sqrt(2) ? 2 : 1;
   return factor * power;
 }
 
@@ -76,5 +74,58 @@ export function formatLogTick(value: number): string {
   return formatNumber(value, 2);
 }
 
-/** The title of an abscissa is in the middle below its ticks. */
-export const centred = { labelAnchor: "center", labelArrow: "none", labelOffset: 36 } as const;
+interface AxisProps {
+  title: string;
+  unit?: string;
+  domain: readonly [number, number];
+  log?: boolean;
+  /** About how many ticks. */
+  count?: number;
+  inset?: number;
+}
+
+/** An axis of values: ticks of a linear one share the decimals and a power of ten, which is in the title. */
+export function makeAxis({ title, unit = "", domain, log = false, count = 5, inset }: AxisProps) {
+  const text = describeAxis(domain[0], domain[1], count);
+  return {
+    type: log ? ("log" as const) : ("linear" as const),
+    domain,
+    label: titleWithPower(title, unit, log ? "" : text.power),
+    ticks: log ? findLogTicks(domain, count) : count,
+    tickFormat: log ? formatLogTick : text.format,
+    inset,
+  };
+}
+
+interface Layout {
+  height: number;
+  /** [px] above, right, below, left. */
+  margins: [number, number, number, number];
+  x: Plot.ScaleOptions;
+  y: Plot.ScaleOptions;
+  marks: Plot.Markish[];
+  /** Axis whose ticks have lines across the chart. */
+  grid?: "x" | "y" | "none";
+}
+
+/** Options of a chart as all have them: the title of the abscissa in the middle below its ticks, colours as they are given. */
+export function layOut({ height, margins, x, y, marks, grid = "y" }: Layout): Plot.PlotOptions {
+  const [marginTop, marginRight, marginBottom, marginLeft] = margins;
+  const line = { stroke: "var(--line)", strokeOpacity: 1 };
+  return {
+    height,
+    marginTop,
+    marginRight,
+    marginBottom,
+    marginLeft,
+    x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, ...x },
+    y: { labelArrow: "none", ...y },
+    symbol: { type: "identity" },
+    color: { type: "identity" },
+    marks: [
+      grid === "y" ? Plot.gridY({ ticks: y.ticks, ...line }) : [],
+      grid === "x" ? Plot.gridX({ ticks: x.ticks, ...line }) : [],
+      marks,
+    ],
+  };
+}

@@ -5,7 +5,7 @@ import * as Plot from "@observablehq/plot";
 import type { Comparison } from "../../contract";
 import { ChartTable } from "../../page/DataTable";
 import { report } from "../../state";
-import { centred } from "../base/axes";
+import { layOut } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { isMissing, measureDifference, listComparisons } from "./differences";
 import { CsvButton } from "../base/Legend";
@@ -104,24 +104,24 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
   const draw = (width: number): Plot.PlotOptions => {
     const wide = width >= 560;
     const longest = Math.max(...rows.map((r) => r.c.title.length));
-    return {
+    return layOut({
       height: rows.length * (wide ? 28 : 44) + 56,
-      marginLeft: wide ? Math.min(longest * 6.6 + 16, width * 0.45) : 12,
-      marginRight: 20,
-      marginTop: 8,
-      marginBottom: 46,
+      margins: [8, 20, 46, wide ? Math.min(longest * 6.6 + 16, width * 0.45) : 12],
       x: {
         domain: [-reach - 0.15, reach + 0.15],
         label: "(computed − published) / tolerance",
-        ...centred,
         ticks: [-3, -2, -1, 0, 1, 2, 3].filter((t) => Math.abs(t) <= reach),
         tickFormat: (v: number) => formatNumber(v),
       },
       y: { domain: [rows.length - 0.5, -0.5], axis: null },
+      grid: "none",
       marks: [
         Plot.rect([0], { x1: -1, x2: 1, y1: -0.5, y2: rows.length - 0.5, fill: good, fillOpacity: 0.14 }),
         Plot.ruleX([0], { stroke: "var(--muted)" }),
-        Plot.ruleY(rows.map((_, k) => k), { stroke: "var(--line)" }),
+        Plot.ruleY(
+          rows.map((_, k) => k),
+          { stroke: "var(--line)" },
+        ),
         Plot.link(rows, {
           x1: 0,
           x2: (r) => shown(r.over!),
@@ -139,15 +139,18 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
           stroke: (r) => (r.c.passes ? good : bad),
           strokeWidth: 2,
         }),
-        Plot.text(rows.filter((r) => Math.abs(r.over!) > edge), {
-          x: (r) => shown(r.over!),
-          y: (r) => rows.indexOf(r),
-          text: (r) => `${r.over! < 0 ? "◂ " : ""}${formatNumber(r.over, 3)}${r.over! > 0 ? " ▸" : ""}`,
-          dy: -11,
-          dx: 4,
-          textAnchor: "middle",
-          fill: bad,
-        }),
+        Plot.text(
+          rows.filter((r) => Math.abs(r.over!) > edge),
+          {
+            x: (r) => shown(r.over!),
+            y: (r) => rows.indexOf(r),
+            text: (r) => `${r.over! < 0 ? "◂ " : ""}${formatNumber(r.over, 3)}${r.over! > 0 ? " ▸" : ""}`,
+            dy: -11,
+            dx: 4,
+            textAnchor: "middle",
+            fill: bad,
+          },
+        ),
         Plot.text(rows, {
           frameAnchor: "left",
           y: (_, k) => k,
@@ -157,9 +160,7 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
           textAnchor: wide ? "end" : "start",
         }),
       ],
-      color: { type: "identity" },
-      symbol: { type: "identity" },
-    };
+    });
   };
   return (
     <Chart
@@ -173,7 +174,6 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
         const verdict = c.passes ? "passes" : "misses";
         return { text: `${c.title}: difference ${formatNumber(over, 3)} tolerances, ${verdict}`, marks: [] };
       }}
-      showReading
       hint="The band is the tolerance: a dot inside passes."
     />
   );

@@ -5,7 +5,7 @@ import type { Signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { findStageSpans, type Panel } from "./histories";
 import { AxisChoice, Legend } from "../base/Legend";
@@ -40,11 +40,12 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const single = series.length === 1 ? series[0] : undefined;
   const visible = series.filter((s) => !hidden.has(s.name));
   const times = useMemo(() => panel.x.values.map((t) => t ?? Number.NaN), [panel]);
-  const limits = useMemo(() => findRestLimits(report.value.result.input, report.value.model.slope_height), [report.value]);
+  const limits = useMemo(
+    () => findRestLimits(report.value.result.input, report.value.model.slope_height),
+    [report.value],
+  );
   const limit =
-    panel.kind === "force_ratio" ? limits.forceRatio
-    : panel.kind === "nodal_speed" ? limits.nodalSpeed
-    : null;
+    panel.kind === "force_ratio" ? limits.forceRatio : panel.kind === "nodal_speed" ? limits.nodalSpeed : null;
   const shape = (v: number | null) => (v === null || !log ? v : Math.abs(v) > 0 ? Math.abs(v) : null);
   const drawn = visible.flatMap((s) => s.values.map(shape)).filter((v): v is number => Number.isFinite(v));
   const domain: [number, number] = drawn.length ? findDomain(drawn, log, limit) : [log ? 0.1 : 0, 1];
@@ -59,26 +60,14 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const draw = (width: number): Plot.PlotOptions => {
     const first = times[0] ?? 0;
     const last = times[times.length - 1] ?? 1;
-    const axis = describeAxis(domain[0], domain[1], 5);
-    const ticks = log ? findLogTicks(domain, 6) : 5;
+    const axis = makeAxis({ title, unit, domain, log, count: log ? 6 : 5 });
     const stages = isOfStages(own) ? findStageSpans(report.value.model.stages) : [];
-    return {
+    return layOut({
       height: panel.kind === "energy" || monitors ? 250 : 200,
-      marginLeft: 58,
-      marginRight: 12,
-      marginTop: 26,
-      marginBottom: 44,
-      x: { domain: [first, last], label: titleWithUnit(panel.x.title, panel.x.unit), ...centred, ticks: 6 },
-      y: {
-        type: log ? "log" : "linear",
-        domain,
-        label: titleWithPower(title, unit, log ? "" : axis.power),
-        labelArrow: "none",
-        ticks,
-        tickFormat: log ? formatLogTick : axis.format,
-      },
+      margins: [26, 12, 44, 58],
+      x: { domain: [first, last], label: titleWithUnit(panel.x.title, panel.x.unit), ticks: 6 },
+      y: axis,
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
         log ? [] : Plot.ruleY([0], { stroke: "var(--muted)", strokeWidth: 1 }),
         stages.slice(1).map((s) => Plot.ruleX([s.start], { stroke: "var(--muted)", strokeDasharray: "1 3" })),
         Plot.text(
@@ -100,24 +89,24 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
             { stroke: s.style.colour, strokeWidth: 1.6, strokeDasharray: s.style.dash, clip: true },
           ),
         ),
-        limit !== null && log ?
-          [
-            Plot.ruleY([limit], { stroke: "var(--ink)", strokeWidth: 1, strokeDasharray: "2 2" }),
-            Plot.text([limit], {
-              y: (d: number) => d,
-              text: () => `rest: below ${formatNumber(limit, 2)}`,
-              frameAnchor: "right",
-              textAnchor: "end",
-              dy: -7,
-              fill: "var(--ink)",
-              stroke: "var(--ground)",
-              strokeWidth: 3,
-            }),
-          ]
-        : [],
+        limit !== null && log
+          ? [
+              Plot.ruleY([limit], { stroke: "var(--ink)", strokeWidth: 1, strokeDasharray: "2 2" }),
+              Plot.text([limit], {
+                y: (d: number) => d,
+                text: () => `rest: below ${formatNumber(limit, 2)}`,
+                frameAnchor: "right",
+                textAnchor: "end",
+                dy: -7,
+                fill: "var(--ink)",
+                stroke: "var(--ground)",
+                strokeWidth: 3,
+              }),
+            ]
+          : [],
         Plot.ruleX([first], { stroke: "var(--muted)" }),
       ],
-    };
+    });
   };
 
   const show = (stop: number) => {
@@ -152,6 +141,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         />
       )}
       <Chart
+        quiet
         label={panel.title}
         draw={draw}
         depends={[panel, log, hidden, report.value]}
@@ -172,11 +162,11 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         }}
       />
       <p class="chart-note">
-        {at < 0 ?
-          (panel.note ?? below ?? "\u00a0")
-        : single ?
-          `${formatTime(at)}: ${formatQuantity(single.values[at], unit)}`
-        : formatTime(at)}
+        {at < 0
+          ? (panel.note ?? below ?? "\u00a0")
+          : single
+            ? `${formatTime(at)}: ${formatQuantity(single.values[at], unit)}`
+            : formatTime(at)}
       </p>
     </figure>
   );

@@ -58,7 +58,6 @@ function Diagram({ group }: { group: CurveGroup }) {
         depends={[group, hidden]}
         stops={stops}
         printWidth={520}
-        showReading
         hint="Symbols: measured. Lines: fitted; faint: with the parameters at the start."
         read={(i) => {
           const here = shown.flatMap(({ curve, style }) => {
@@ -111,15 +110,17 @@ function ParameterTable({ calibration }: { calibration: Calibration }) {
         ["Standard error", describeError, "number"],
         ["Start", (p) => formatNumber(p.start), "number"],
         ["Range", (p) => `${formatNumber(p.low)} to ${formatNumber(p.high)}`, "number"],
-        ...parameters.map((_, j): Column<CalibratedParameter> => [
-          `Corr. with ${j + 1}`,
-          (__, i) => {
-            const c = i === j ? null : (correlation[i]?.[j] ?? null);
-            const text = c === null ? "–" : c.toFixed(2).replace("-", "−");
-            return c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text;
-          },
-          "number",
-        ]),
+        ...parameters.map(
+          (_, j): Column<CalibratedParameter> => [
+            `Corr. with ${j + 1}`,
+            (__, i) => {
+              const c = i === j ? null : (correlation[i]?.[j] ?? null);
+              const text = c === null ? "–" : c.toFixed(2).replace("-", "−");
+              return c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text;
+            },
+            "number",
+          ],
+        ),
       ]}
     />
   );

@@ -46,7 +46,6 @@ function Diagram(props: {
       depends={[group, shown]}
       stops={stops}
       printWidth={320}
-      showReading
       hint={`${capitalise(title)}.`}
       read={(i) => {
         const here = readLines(shown, panel.x, panel.y, stops[i]!);

@@ -6,7 +6,7 @@ import { useMemo } from "preact/hooks";
 import type { Table } from "../../contract";
 import { formatCoordinate } from "../../page/format";
 import { report } from "../../state";
-import { centred, describeAxis } from "../base/axes";
+import { describeAxis, layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { titleWithUnit } from "../base/numbers";
@@ -46,18 +46,13 @@ export function GroundChart({ table }: { table: Table }) {
     const height = findHeight(width);
     const ticks = width < 480 ? 5 : 8;
     const along = describeAxis(x[0] ?? 0, x[x.length - 1] ?? 1, ticks);
-    const upright = describeAxis(low - pad, high + pad, 5);
     const exaggeration = height.taken / height.scaled;
-    return {
+    return layOut({
       height: height.taken + margin.top + margin.bottom,
-      marginLeft: margin.left,
-      marginRight: margin.right,
-      marginTop: margin.top,
-      marginBottom: margin.bottom,
-      x: { label: titleWithUnit(abscissa, table.x.unit), ...centred, ticks, tickFormat: along.format },
-      y: { domain: [low - pad, high + pad], label: titleWithUnit("Height", unit), labelArrow: "none", ticks: 5, tickFormat: upright.format },
+      margins: [margin.top, margin.right, margin.bottom, margin.left],
+      x: { label: titleWithUnit(abscissa, table.x.unit), ticks, tickFormat: along.format },
+      y: makeAxis({ title: "Height", unit, domain: [low - pad, high + pad] }),
       marks: [
-        Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.areaY(change, { x: "0", y1: "1", y2: "2", fill: lines[1]?.style.colour ?? "none", fillOpacity: 0.12 }),
         lines.map((l) =>
           Plot.line(
@@ -72,7 +67,7 @@ export function GroundChart({ table }: { table: Table }) {
         }),
         Plot.ruleX([x[0] ?? 0], { stroke: "var(--muted)" }),
       ],
-    };
+    });
   };
 
   return (
@@ -87,7 +82,6 @@ export function GroundChart({ table }: { table: Table }) {
         draw={draw}
         depends={[table]}
         stops={x}
-        showReading
         hint="Point at the ground to read it."
         read={(i) => ({
           text: `${abscissa} = ${formatHere(x[i])}: ${lines

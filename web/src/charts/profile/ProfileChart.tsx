@@ -5,10 +5,10 @@ import * as Plot from "@observablehq/plot";
 import type { SequenceField } from "../../contract";
 import { formatCoordinate } from "../../page/format";
 import { report } from "../../state";
-import { centred, describeAxis, titleWithPower } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { Symbol } from "../base/Legend";
-import { formatQuantity, titleWithUnit } from "../base/numbers";
+import { formatQuantity } from "../base/numbers";
 import { type Bin, findLayer } from "./profileData";
 import type { SeriesStyle } from "../base/styles";
 
@@ -41,42 +41,30 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
   // Zero is on the axis: how large a value is shows only beside it.
   const low = Math.min(0, ...bins.map((b) => b.mean / unit.si)) * 1.05;
   const high = Math.max(0, ...bins.map((b) => b.mean / unit.si)) * 1.05 || (low < 0 ? 0 : 1);
-  const axis = describeAxis(low, high, 6);
-
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(280, Math.min(420, width * 0.6)),
-    marginLeft: 52,
-    marginRight: 24,
-    marginTop: 28,
-    marginBottom: 46,
-    x: {
-      domain: [low, high],
-      label: titleWithPower(field.title, unit.name, axis.power),
-      ...centred,
-      ticks: 6,
-      tickFormat: axis.format,
-    },
-    y: {
-      domain: [bottom / length.si, highest / length.si],
-      label: titleWithUnit(`Height ${letter}`, length.name),
-      labelArrow: "none",
-      ticks: 6,
-      tickFormat: describeAxis(bottom / length.si, highest / length.si, 6).format,
-    },
-    marks: [
-      Plot.gridX({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.ruleX([0], { stroke: "var(--muted)" }),
-      lines.flatMap((l) => {
-        const points = l.bins.map((b) => [b.mean / unit.si, b.height / length.si]);
-        return [
-          Plot.line(points, { stroke: l.style.colour, strokeWidth: 1.5, strokeDasharray: l.style.dash }),
-          Plot.dot(points, { stroke: l.style.colour, symbol: l.style.symbol, r: 3.2, fill: "var(--ground)" }),
-        ];
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(280, Math.min(420, width * 0.6)),
+      margins: [28, 24, 46, 52],
+      x: makeAxis({ title: field.title, unit: unit.name, domain: [low, high], count: 6 }),
+      y: makeAxis({
+        title: `Height ${letter}`,
+        unit: length.name,
+        domain: [bottom / length.si, highest / length.si],
+        count: 6,
       }),
-      Plot.ruleY([bottom / length.si], { stroke: "var(--muted)" }),
-    ],
-  });
-
+      grid: "x",
+      marks: [
+        Plot.ruleX([0], { stroke: "var(--muted)" }),
+        lines.flatMap((l) => {
+          const points = l.bins.map((b) => [b.mean / unit.si, b.height / length.si]);
+          return [
+            Plot.line(points, { stroke: l.style.colour, strokeWidth: 1.5, strokeDasharray: l.style.dash }),
+            Plot.dot(points, { stroke: l.style.colour, symbol: l.style.symbol, r: 3.2, fill: "var(--ground)" }),
+          ];
+        }),
+        Plot.ruleY([bottom / length.si], { stroke: "var(--muted)" }),
+      ],
+    });
 
   return (
     <>
@@ -105,7 +93,6 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
         draw={draw}
         depends={[lines, field]}
         stops={heights}
-        showReading
         hint="Point at a height to read it."
         read={(i) => {
           const hits = lines.map((l) => ({ line: l, bin: l.bins.find((b) => b.layer === layers[i]) }));

@@ -6,14 +6,19 @@ import { useMemo, useState } from "preact/hooks";
 
 import { formatPlace } from "../../page/format";
 import { report } from "../../state";
-import { centred, describeAxis, titleWithPower } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { Choice, CsvButton, Legend } from "../base/Legend";
 import { interpolate } from "../study/motionData";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { useSwitches } from "../base/useSwitches";
 import {
-  chooseField, findAxis, makeSectionCharts, makeSectionColumns, type SectionChart, type SectionOfRun,
+  chooseField,
+  findAxis,
+  makeSectionCharts,
+  makeSectionColumns,
+  type SectionChart,
+  type SectionOfRun,
 } from "./sectionData";
 import { styleOf } from "../base/styles";
 
@@ -48,40 +53,29 @@ function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelP
     () => Array.from({ length: stopCount }, (_, i) => first + ((last - first) * i) / (stopCount - 1)),
     [first, last],
   );
-  const text = describeAxis(...ends.value, 5);
-  const value = {
-    domain: ends.value,
-    label: titleWithPower(field.title, unit.name, text.power),
-    ticks: 5,
-    tickFormat: text.format,
-  };
+  const value = makeAxis({ title: field.title, unit: unit.name, domain: ends.value });
   const place = { domain: ends.place, label: titleWithUnit(axis.title, length.name), ticks: 6 };
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: axis.steep ? Math.max(280, Math.min(380, width * 0.8)) : Math.max(230, Math.min(300, width * 0.6)),
-    marginLeft: 58,
-    marginRight: 18,
-    marginTop: 26,
-    marginBottom: 46,
-    x: axis.steep ? { ...value, ...centred } : { ...place, ...centred },
-    y: axis.steep ? { ...place, labelArrow: "none" } : { ...value, labelArrow: "none" },
-    marks: [
-      axis.steep ?
-        Plot.gridX({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 })
-      : Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      axis.steep ?
-        Plot.ruleX([0], { stroke: "var(--muted)" })
-      : Plot.ruleY([0], { stroke: "var(--muted)" }),
-      lines.map((l) =>
-        Plot.line(
-          l.points.map((p) => {
-            const v = p.v ?? Number.NaN;
-            return axis.steep ? [v, p.s] : [p.s, v];
-          }),
-          { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash },
+  const rule = axis.steep ? Plot.ruleX : Plot.ruleY;
+  const draw = (width: number) =>
+    layOut({
+      height: axis.steep ? Math.max(280, Math.min(380, width * 0.8)) : Math.max(230, Math.min(300, width * 0.6)),
+      margins: [26, 18, 46, 58],
+      x: axis.steep ? value : place,
+      y: axis.steep ? place : value,
+      grid: axis.steep ? "x" : "y",
+      marks: [
+        rule([0], { stroke: "var(--muted)" }),
+        lines.map((l) =>
+          Plot.line(
+            l.points.map((p) => {
+              const v = p.v ?? Number.NaN;
+              return axis.steep ? [v, p.s] : [p.s, v];
+            }),
+            { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash },
+          ),
         ),
-      ),
-    ],
-  });
+      ],
+    });
   return (
     <figure aria-label={chart.title}>
       {chart.title && <h4>{chart.title}</h4>}
@@ -92,13 +86,16 @@ function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelP
         depends={[chart, hidden, field, ends]}
         stops={stops}
         cross={cross}
-        showReading
         hint={axis.steep ? "Point at a height to read it." : "Point at a place to read it."}
         printWidth={330}
         read={(i) => {
           const at = stops[i]!;
           const here = lines.flatMap((l) => {
-            const v = interpolate(l.points.map((p) => p.s), l.points.map((p) => p.v), at);
+            const v = interpolate(
+              l.points.map((p) => p.s),
+              l.points.map((p) => p.v),
+              at,
+            );
             return v === null ? [] : [{ l, v }];
           });
           return {
@@ -128,14 +125,18 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
   const names = [...new Set(charts.flatMap((c) => c.lines.map((l) => l.name)))];
   const lines = charts.flatMap((c) => c.lines);
   const places = lines.flatMap((l) => l.place).map((s) => s / length.si);
-  const values = lines.flatMap((l) => l.values).filter((v) => v !== null).map((v) => v / field.unit.si);
+  const values = lines
+    .flatMap((l) => l.values)
+    .filter((v) => v !== null)
+    .map((v) => v / field.unit.si);
   // Zero is on the axis unless the values change little in comparison with their size, as a porosity does.
   let [low, high] = [Math.min(...values), Math.max(...values)];
   if (!(low <= high)) [low, high] = [0, 1];
   const pad = 0.05 * (high - low) || 0.05 * Math.abs(high) || 1;
   const near = high - low < 0.2 * Math.max(Math.abs(low), Math.abs(high));
-  const value: [number, number] =
-    near ? [low - pad, high + pad] : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
+  const value: [number, number] = near
+    ? [low - pad, high + pad]
+    : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
   const ends = { place: [Math.min(...places), Math.max(...places)] as [number, number], value };
   const formatHere = (p: number[]) => formatPlace(p.slice(0, report.value.model.dimension));
   return (
@@ -149,7 +150,9 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
           Field{" "}
           <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
             {section.fields.map((f) => (
-              <option key={f.name} value={f.name}>{titleWithUnit(f.title, f.unit.name)}</option>
+              <option key={f.name} value={f.name}>
+                {titleWithUnit(f.title, f.unit.name)}
+              </option>
             ))}
           </select>
         </label>
@@ -168,11 +171,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
           />
         )}
       </div>
-      <Legend
-        hidden={hidden}
-        onToggle={toggle}
-        items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))}
-      />
+      <Legend hidden={hidden} onToggle={toggle} items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))} />
       <div class="chart-grid">
         {charts.map((c) => (
           <SectionPanel

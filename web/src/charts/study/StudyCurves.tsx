@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
 import { report } from "../../state";
-import { centred, describeAxis, findLogTicks, formatLogTick } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { makeCurveColumns } from "../curve/curveData";
 import { AxisChoice, type AxisKind, CsvButton, Legend } from "../base/Legend";
@@ -39,8 +39,6 @@ export function StudyCurves({ study }: { study: Study }) {
   const low = Math.min(...shown);
   const high = Math.max(...shown);
 
-  const ticks = log ? findLogTicks([low, high], 6) : 6;
-
   const columns = () => {
     const parts = curves.map((c) => makeCurveColumns(c.curve));
     const names = curves.flatMap((c) => c.curve.points.map(() => c.name));
@@ -48,33 +46,28 @@ export function StudyCurves({ study }: { study: Study }) {
     return [{ name: "variant", values: names }, ...joined];
   };
 
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(300, Math.min(440, width * 0.55)),
-    marginLeft: 62,
-    marginRight: 16,
-    marginTop: 28,
-    marginBottom: 48,
-    x: { label: "Strength reduction factor SRF", ...centred, ticks: width < 480 ? 5 : 8, inset: 6 },
-    y: {
-      type: log ? "log" : "linear",
-      label: titleWithUnit("Largest displacement", unit.name),
-      labelArrow: "none",
-      ticks,
-      tickFormat: log ? formatLogTick : describeAxis(0, high, 6).format,
-      inset: 6,
-    },
-    symbol: { type: "identity" },
-    marks: [
-      Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
-      visible.map(({ points, style }) => {
+  const axis = makeAxis({
+    title: "Largest displacement",
+    unit: unit.name,
+    domain: log ? [low, high] : [0, high],
+    log,
+    count: 6,
+    inset: 6,
+  });
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(300, Math.min(440, width * 0.55)),
+      margins: [28, 16, 48, 62],
+      x: { label: "Strength reduction factor SRF", ticks: width < 480 ? 5 : 8, inset: 6 },
+      y: { ...axis, domain: undefined, label: titleWithUnit("Largest displacement", unit.name) },
+      marks: visible.map(({ points, style }) => {
         const place = { x: "x", y: "y", stroke: style.colour };
         return [
           Plot.line(points, { ...place, strokeWidth: 1.5, strokeDasharray: style.dash }),
           Plot.dot(points, { ...place, symbol: style.symbol, r: 2.8, fill: "var(--ground)" }),
         ];
       }),
-    ],
-  });
+    });
 
   return (
     <figure aria-label="Displacement curves of the variants" class="chart-figure">
@@ -96,7 +89,6 @@ export function StudyCurves({ study }: { study: Study }) {
         draw={draw}
         depends={[study, scale, hidden]}
         stops={stops}
-        showReading
         hint="Point at a factor to read all curves."
         read={(i) => {
           const here = visible.flatMap((c) => {

@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 
 import { ChartTable } from "../../page/DataTable";
 import { formatFactor } from "../../page/format";
-import { centred } from "../base/axes";
+import { layOut } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
@@ -23,56 +23,32 @@ export function StudyExtrapolation({ study }: { study: Study }) {
     ])
     .sort((a, b) => a.x - b.x);
   const largest = Math.max(...points.map((p) => p.x));
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(280, Math.min(380, width * 0.5)),
-    marginLeft: 58,
-    marginRight: 20,
-    marginTop: 28,
-    marginBottom: 46,
-    x: {
-      domain: [0, largest * 1.05],
-      label: titleWithUnit(key, unit),
-      ...centred,
-      ticks: width < 420 ? 4 : 7,
-      inset: 8,
-    },
-    y: { label: "Factor of safety", labelArrow: "none", ticks: 6, inset: 10, zero: false },
-    symbol: { type: "identity" },
-    marks: [
-      Plot.gridY({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
-      factors.map((f, k) => {
+  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0);
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(280, Math.min(380, width * 0.5)),
+      margins: [28, 20, 46, 58],
+      x: { domain: [0, largest * 1.05], label: titleWithUnit(key, unit), ticks: width < 420 ? 4 : 7, inset: 8 },
+      y: { label: "Factor of safety", ticks: 6, inset: 10, zero: false },
+      marks: factors.map((f, k) => {
         const { colour, dash, symbol } = styleOf(k);
-        const [n, sum] = [f.sizes.length, (values: number[]) => values.reduce((a, b) => a + b, 0)];
         // The least squares line passes through the mean of the sizes and of the factors.
-        const [x, y] = [sum(f.sizes) / n, sum(f.factors) / n];
-        const slope = x > 0 ? (y - f.linear) / x : 0;
+        const [x, y] = [sum(f.sizes) / f.sizes.length, sum(f.factors) / f.sizes.length];
+        const end = f.linear + (x > 0 ? (largest * (y - f.linear)) / x : 0);
+        const points = f.sizes.map((size, i) => [size, f.factors[i]!]);
         return [
           Plot.line(
             [
               [0, f.linear],
-              [largest, f.linear + slope * largest],
+              [largest, end],
             ],
-            {
-              stroke: colour,
-              strokeWidth: 1.4,
-              strokeDasharray: dash || "5 3",
-            },
+            { stroke: colour, strokeWidth: 1.4, strokeDasharray: dash || "5 3" },
           ),
-          Plot.dot(
-            f.sizes.map((size, i) => [size, f.factors[i]!]),
-            {
-              stroke: colour,
-              strokeWidth: 1.6,
-              fill: "var(--ground)",
-              symbol,
-              r: 4.2,
-            },
-          ),
+          Plot.dot(points, { stroke: colour, strokeWidth: 1.6, fill: "var(--ground)", symbol, r: 4.2 }),
           Plot.dot([[0, f.linear]], { stroke: colour, fill: colour, symbol, r: 4.6 }),
         ];
       }),
-    ],
-  });
+    });
   return (
     <figure aria-label={`Factors extrapolated to ${key} = 0`} class="chart-figure">
       <div class="chart-head">
@@ -93,7 +69,6 @@ export function StudyExtrapolation({ study }: { study: Study }) {
         draw={draw}
         depends={[extrapolation]}
         stops={[...new Set(points.map((p) => p.x))]}
-        showReading
         hint="Point at a size to read it; filled marks are extrapolated."
         read={(i) => {
           const x = [...new Set(points.map((p) => p.x))][i]!;

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";
 
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { findLogTicks, formatLogTick, layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { AxisChoice, type AxisKind, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
@@ -54,17 +54,12 @@ export function StudyPlot({ study }: { study: Study }) {
     const low = Math.min(...points.map((p) => p.y));
     const high = Math.max(...points.map((p) => p.y));
     const pad = (high - low) * 0.1 || Math.abs(high) * 0.1 || 1;
-    const axis = describeAxis(low - pad, high + pad, 6);
-    return {
+    return layOut({
       height: labels && narrow ? 420 : 360,
-      marginLeft: 62,
-      marginRight: 20,
-      marginTop: 28,
-      marginBottom: labels ? 34 + 3.8 * Math.max(...study.rows.map((r) => r.name.length)) : 48,
+      margins: [28, 20, labels ? 34 + 3.8 * Math.max(...study.rows.map((r) => r.name.length)) : 48, 62],
       x: key
         ? {
             label: titleWithUnit(key.title, key.unit),
-            ...centred,
             inset: 14,
             ...(logX ? logTicks(points.map((p) => p.x)) : { ticks: narrow ? 5 : 8 }),
           }
@@ -76,15 +71,9 @@ export function StudyPlot({ study }: { study: Study }) {
             tickRotate: -35,
           },
       y: logY
-        ? { label: titleWithUnit(result.title, result.unit), labelArrow: "none", inset: 12, ...logTicks([low, high]) }
-        : {
-            domain: [low - pad, high + pad],
-            label: titleWithPower(result.title, result.unit, axis.power),
-            labelArrow: "none",
-            ticks: 6,
-            tickFormat: axis.format,
-          },
-      symbol: { type: "identity" },
+        ? { label: titleWithUnit(result.title, result.unit), inset: 12, ...logTicks([low, high]) }
+        : makeAxis({ title: result.title, unit: result.unit, domain: [low - pad, high + pad], count: 6 }),
+      grid: "none",
       marks: [
         Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--line)" }),
@@ -101,7 +90,7 @@ export function StudyPlot({ study }: { study: Study }) {
           ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--ink)" })
           : [],
       ],
-    };
+    });
   };
 
   return (
@@ -140,7 +129,6 @@ export function StudyPlot({ study }: { study: Study }) {
         draw={draw}
         depends={[study, resultName, keyName, axisKind]}
         stops={stops}
-        showReading
         hint="Point at a variant to read it."
         read={(i) => {
           const here = points.filter((p) => p.x === stops[i]);
