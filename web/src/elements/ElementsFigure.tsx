@@ -19,6 +19,7 @@ import type { WaterQuantity } from "../water/waterFields";
 import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
 import type { FlowRun } from "./flowRuns";
 import { useFields } from "./useFields";
+import { useToggles } from "../charts/base/Select";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 
@@ -35,7 +36,7 @@ export function chooseMagnification(largest: number, height: number): number {
 export function ElementsFigure({ run }: { run: FlowRun }) {
   const fields = useFields(run);
   const [quantity, setQuantity] = useState<Quantity>("strain");
-  const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
+  const [on, toggle] = useToggles({ mesh: false, deformed: false, yields: false, slip: true });
   const ofSolid = quantity === "strain" || quantity === "displacement";
   const { opacity, slider } = useOpacity();
   const layer = useWaterLayer(ofSolid || quantity === "none" ? null : quantity);
@@ -76,12 +77,6 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
               above: false,
             },
     [fields, quantity, scale],
-  );
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
   );
   const values = quantity === "displacement" ? lengths : fields?.strain;
   return (

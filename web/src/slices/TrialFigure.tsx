@@ -21,6 +21,7 @@ import { chooseColours, hasSlices, nameSurface, rankTrials, slicedSurfaces, titl
 import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
 import { drawTrials, findTrial, trialWidth } from "./trialPainter";
 import { useTrials } from "./useTrials";
+import { useToggles } from "../charts/base/Select";
 
 type Shown = "banded" | "below" | "best";
 
@@ -41,7 +42,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const { arrays, failure } = useTrials(slices);
   const [show, setShow] = useState<Shown>("banded");
   const [limit, setLimit] = useState<number | null>(null);
-  const [on, setOn] = useState({ slices: true, thrust: true, others: false, ranges: true });
+  const [on, toggle] = useToggles({ slices: true, thrust: true, others: false, ranges: true });
   const dark = useDark();
   const { length } = report.value.units;
   const method = slices.trials?.methods.indexOf(selected.method) ?? -1;
@@ -62,12 +63,6 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const bar = useMemo<Bar | null>(
     () => bands && { title: "Factor of safety", ...bands, below: false, above: false },
     [bands],
-  );
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
   );
   const count = trials ? trials.order.reduce((sum, i) => sum + (trials.factors[i]! <= most ? 1 : 0), 0) : 0;
   return (

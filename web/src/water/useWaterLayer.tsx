@@ -13,6 +13,7 @@ import type { Bar } from "../viewer/scaleBar";
 import { findLimits, takeQuantity, useWaterArrays, type WaterQuantity } from "./waterFields";
 import { drawFlow, drawLevels } from "./waterPainter";
 import { startWater, type ShownWater, type WaterStates } from "./waterStates";
+import { Select, useToggles } from "../charts/base/Select";
 
 export const quantityTitles: { [name in WaterQuantity]: string } = {
   pressure: "pore pressure",
@@ -68,18 +69,12 @@ export function useWaterLayer(
   given?: number,
 ): WaterLayer {
   const [picked, setIndex] = useState(states.length - 1);
-  const [on, setOn] = useState({ lines: true, arrows: false });
+  const [on, toggle] = useToggles({ lines: true, arrows: false });
   const index = given ?? picked;
   const state = states[index];
   const arrays = useWaterArrays(state, water_mesh);
   const shown = useMemo(() => (arrays && quantity ? takeQuantity(arrays, quantity) : null), [arrays, quantity]);
   const scaled = useMemo(() => (shown && quantity ? makeBar(quantity, findLimits(shown)) : null), [shown]);
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
-  );
   const hasSuction = quantity === "pressure" && shown !== null && findLimits(shown)[0] < 0;
   const hasLines = shown !== null && quantity !== "saturation";
   return {
@@ -105,16 +100,7 @@ export function useWaterLayer(
     controls: (
       <>
         {states.length > 1 && given === undefined && (
-          <label>
-            Water at{" "}
-            <select value={index} onChange={(e) => setIndex(Number(e.currentTarget.value))}>
-              {states.map((s, i) => (
-                <option key={s.title} value={i}>
-                  {s.title}
-                </option>
-              ))}
-            </select>
-          </label>
+          <Select label="Water at" value={index} options={states.map((s, i) => [i, s.title])} onChange={(value) => setIndex(Number(value))} />
         )}
         {hasLines && toggle("lines", quantity === "head" ? "Head lines" : "Contours")}
         {arrays?.velocity && toggle("arrows", "Flow")}

@@ -11,6 +11,7 @@ import { HistoryPanel } from "./HistoryPanel";
 import { type HistoryGroup, groupHistories, makePanels } from "./histories";
 import { CsvButton } from "../base/Legend";
 import { useSwitches } from "../base/useSwitches";
+import { Select } from "../base/Select";
 
 /** The table as it is, and the residual of the energy balance where it can be formed. */
 function makeColumns(table: Table): CsvColumn[] {
@@ -42,16 +43,7 @@ export function HistorySection() {
       {groups.length > 1 && <p class="chart-note chart-printed">Time of: {group.title}</p>}
       {groups.length > 1 && (
         <div class="chart-bar">
-          <label>
-            Time of{" "}
-            <select value={chosen} onChange={(e) => setChosen(Number(e.currentTarget.value))}>
-              {groups.map((g, i) => (
-                <option key={i} value={i}>
-                  {g.title}
-                </option>
-              ))}
-            </select>
-          </label>
+          <Select label="Time of" value={chosen} options={groups.map((g, i) => [i, g.title])} onChange={(value) => setChosen(Number(value))} />
         </div>
       )}
       <Panels key={chosen} group={group} />

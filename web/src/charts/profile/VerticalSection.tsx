@@ -12,6 +12,7 @@ import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { ProfileChart, type ProfileLine } from "./ProfileChart";
 import { type Bin, findLayer, makeProfile, takeFrame } from "./profileData";
 import { styleOf } from "../base/styles";
+import { Select } from "../base/Select";
 
 /** More lines than this cannot be distinguished. */
 const mostTimes = 6;
@@ -115,28 +116,15 @@ export function VerticalSection() {
         <CsvButton part={`profile-${field.name}`} columns={columns} />
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {sequence.fields.map((f) => (
-              <option key={f.name} value={f.name}>
-                {titleWithUnit(f.title, f.unit.name)}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label>
-          Frames of{" "}
-          <select value={index} onChange={(e) => pickSequence(Number(e.currentTarget.value))}>
-            {report.value.sequences.map((s, i) =>
-              s.frames.length > 0 && s.fields.length > 0 ?
-                <option key={s.id} value={i}>
-                  {s.title}
-                </option>
-              : null,
-            )}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={sequence.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
+        <Select
+          label="Frames of"
+          value={index}
+          options={report.value.sequences.flatMap((s, i): [number, string][] =>
+            s.frames.length > 0 && s.fields.length > 0 ? [[i, s.title]] : [],
+          )}
+          onChange={(value) => pickSequence(Number(value))}
+        />
       </div>
       <div class="chart-bar">
         {across.map((d) => {

@@ -21,6 +21,7 @@ import {
   type SectionOfRun,
 } from "./sectionData";
 import { styleOf } from "../base/styles";
+import { Select } from "../base/Select";
 
 const stopCount = 81;
 
@@ -146,16 +147,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
         <CsvButton part={`section-${section.name}`} columns={() => makeSectionColumns(runs)} />
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {section.fields.map((f) => (
-              <option key={f.name} value={f.name}>
-                {titleWithUnit(f.title, f.unit.name)}
-              </option>
-            ))}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={section.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
         {runs.length > 1 && (
           <Choice
             label="One chart for each"

@@ -35,7 +35,7 @@ export function StudyExtrapolation({ study }: { study: Study }) {
         // The least squares line passes through the mean of the sizes and of the factors.
         const [x, y] = [sum(f.sizes) / f.sizes.length, sum(f.factors) / f.sizes.length];
         const end = f.linear + (x > 0 ? (largest * (y - f.linear)) / x : 0);
-        const points = f.sizes.map((size, i) => [size, f.factors[i]!]);
+        const marks = f.sizes.map((size, i) => [size, f.factors[i]!]);
         return [
           Plot.line(
             [
@@ -44,7 +44,7 @@ export function StudyExtrapolation({ study }: { study: Study }) {
             ],
             { stroke: colour, strokeWidth: 1.4, strokeDasharray: dash || "5 3" },
           ),
-          Plot.dot(points, { stroke: colour, strokeWidth: 1.6, fill: "var(--ground)", symbol, r: 4.2 }),
+          Plot.dot(marks, { stroke: colour, strokeWidth: 1.6, fill: "var(--ground)", symbol, r: 4.2 }),
           Plot.dot([[0, f.linear]], { stroke: colour, fill: colour, symbol, r: 4.6 }),
         ];
       }),

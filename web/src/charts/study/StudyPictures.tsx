@@ -19,6 +19,7 @@ import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { joinScales, listPictures, type PictureRow } from "./pictureData";
 import { nameTime } from "../sections/sectionData";
 import type { Study, StudyRow } from "./shownStudy";
+import { Select } from "../base/Select";
 
 interface PictureProps {
   row: PictureRow;
@@ -145,14 +146,7 @@ export function StudyPictures({ study }: { study: Study }) {
         <h4>The variants side by side</h4>
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {first.fields.map((f) => (
-              <option key={f.name} value={f.name}>{titleWithUnit(f.title, f.unit.name)}</option>
-            ))}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={first.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
         <ColourBar field={field} limits={limits} />
       </div>
       <div class="picture-table" style={{ "--picture-columns": columns }}>

@@ -10,6 +10,7 @@ import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 import { findNumeric, findVaried, nameGroup } from "./studyData";
 import type { Study } from "./shownStudy";
+import { Select } from "../base/Select";
 
 const byVariant = "";
 
@@ -47,6 +48,8 @@ export function StudyPlot({ study }: { study: Study }) {
   const logX = key !== null && spansDecades(points.map((p) => p.x));
   const canLog = spansDecades(points.map((p) => p.y));
   const logY = canLog && axisKind === "log";
+
+  const list = (columns: typeof keys) => columns.map((c): [string, string] => [c.name, titleWithUnit(c.title, c.unit)]);
 
   const draw = (width: number): Plot.PlotOptions => {
     const narrow = width < 560;
@@ -100,27 +103,13 @@ export function StudyPlot({ study }: { study: Study }) {
         {key ? ` over ${key.title}` : " by variant"}
       </h4>
       <div class="chart-bar">
-        <label>
-          Result{" "}
-          <select value={result.name} onChange={(e) => setResult(e.currentTarget.value)}>
-            {results.map((c) => (
-              <option key={c.name} value={c.name}>
-                {titleWithUnit(c.title, c.unit)}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label>
-          over{" "}
-          <select value={key?.name ?? byVariant} onChange={(e) => setKey(e.currentTarget.value)}>
-            {keys.map((c) => (
-              <option key={c.name} value={c.name}>
-                {titleWithUnit(c.title, c.unit)}
-              </option>
-            ))}
-            <option value={byVariant}>variant</option>
-          </select>
-        </label>
+        <Select label="Result" value={result.name} options={list(results)} onChange={setResult} />
+        <Select
+          label="over"
+          value={key?.name ?? byVariant}
+          options={[...list(keys), [byVariant, "variant"]]}
+          onChange={setKey}
+        />
         {canLog && <AxisChoice label="Axis of the result" value={axisKind} onChange={setAxisKind} />}
       </div>
       {groups.length > 1 && <Legend markers items={groups.map((g, i) => ({ id: g, title: g, style: styleOf(i) }))} />}
