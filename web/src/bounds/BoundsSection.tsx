@@ -7,10 +7,9 @@ import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { BoundsDrawn, BoundsResult } from "../contract";
 import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
-import { findSoilBox } from "../drawing/pen";
+import { findSoilBox, paintTriangles } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { drawSurface } from "../drawing/surfaceLines";
-import { paintTriangles } from "../drawing/trianglePainter";
 import { useOpacity } from "../drawing/useOpacity";
 import { bandLook } from "../elements/ElementsFigure";
 import { ChartTable } from "../page/DataTable";
@@ -18,8 +17,7 @@ import { formatFactor, formatSentence, roundDown, roundUp } from "../page/format
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
-import { drawArrows, drawCrosses } from "./marks";
-import { useBounds } from "./useBounds";
+import { drawArrows, drawCrosses, useBounds } from "./fields";
 
 type Field = "holds" | "moves";
 

@@ -5,11 +5,11 @@ import { describe, expect, it } from "vitest";
 import type { Report } from "../contract";
 import { chooseMagnification } from "../elements/ElementsFigure";
 import { moveNodes } from "../elements/fieldPainter";
-import { selectsMethod } from "../page/selected";
+import { selectsMethod } from "../page/methods/settings";
 import { listSections } from "../page/sections";
 import { findDensity, formatShare } from "../sampling/probability";
 import { report } from "../state";
-import { listSurfaces } from "./surfaces";
+import { listSurfaces } from "./methodTable";
 
 const points = [
   [0, 0],

@@ -4,8 +4,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import type { Bar, Key } from "../viewer/scaleBar";
 import type { Box, Pen } from "./pen";
-import { listen } from "./pointer";
-import { View } from "./view";
+import { listen, View } from "./view";
 import "./drawing.css";
 
 interface Props {

@@ -2,8 +2,8 @@
 /** The water of a section: ponds with their level, the water table, and where water comes out of the ground. */
 import type { WaterState } from "../contract";
 import { report } from "../state";
-import { startWater } from "../water/waterStates";
-import { makeTicks } from "../viewer/format";
+import { startWater } from "../water/waterFields";
+import { makeTicks } from "../viewer/scale";
 import { drawWaterMark, strokeLine, type Pixel } from "../viewer/lines";
 import { fontFamily } from "../viewer/scaleBar";
 import type { Theme } from "../viewer/theme";

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
-/** How much of the soils is seen through a field that is painted over them. */
-import { useState } from "preact/hooks";
+/** Settings of drawings: whether the page is dark, and how much of the soils is seen through a field that is painted over them. */
+import { useEffect, useState } from "preact/hooks";
+
+import { isDark, watchTheme } from "../viewer/theme";
+
+export function useDark(): boolean {
+  const [dark, setDark] = useState(isDark);
+  useEffect(() => watchTheme(() => setDark(isDark())), []);
+  return dark;
+}
 
 const usual = 0.72;
 

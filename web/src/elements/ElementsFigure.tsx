@@ -2,7 +2,7 @@
 /** FEM at failure: shear strain or displacement, optionally deformed, plastic elements, slip line. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
+import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
@@ -17,9 +17,7 @@ import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
 import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
-import type { FlowRun } from "./flowRuns";
-import { useFields } from "./useFields";
-import { useToggles } from "../charts/base/Select";
+import { type FlowRun, useFields } from "./flowRuns";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 

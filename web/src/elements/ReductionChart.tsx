@@ -5,10 +5,9 @@ import { useMemo, useState } from "preact/hooks";
 
 import { layOut, makeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import { AxisChoice, type AxisKind, Legend } from "../charts/base/Legend";
+import { AxisChoice, type AxisKind, Legend, useSwitches } from "../charts/base/Legend";
 import { formatQuantity } from "../charts/base/numbers";
 import { styleOf } from "../charts/base/styles";
-import { useSwitches } from "../charts/base/useSwitches";
 import { report } from "../state";
 import type { FlowRun } from "./flowRuns";
 

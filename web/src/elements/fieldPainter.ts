@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Paints a field on a mesh of quadratic triangles: colours run as the shape functions do. */
-import type { Pen } from "../drawing/pen";
-import { paintTriangles } from "../drawing/trianglePainter";
+import { paintTriangles, type Pen } from "../drawing/pen";
 import type { Scale } from "../viewer/scale";
 
 export interface QuadraticMesh {

@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: MIT
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
+import { formatNumber } from "../charts/base/numbers";
 import { findMethods } from "../compared/methodTable";
+import type { DesignStatement, Factor, ShownResult } from "../contract";
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
-import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
-import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
-import { formatNumber } from "../charts/base/numbers";
-import type { Factor, ShownResult } from "../contract";
 import "./answer.css";
+import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
+
+/** γ_R of the design values, which divides the factor of safety; 1 without. */
+export const getResistance = (partial: DesignStatement | null) =>
+  partial?.values.find(({ key }) => key === "resistance")?.value ?? 1;
+
+/** A fold for fewer rows saves nothing. */
+const worthFolding = 3;
+
+/** With MPM alone all factors; with several methods the main ones and those that explain the differences. */
+export function splitFactors(factors: Factor[]): { shown: Factor[]; folded: Factor[] } {
+  if (factors.every((factor) => factor.method === "mpm")) return { shown: factors, folded: [] };
+  const main = factors.find((factor) => factor.method === "lem" && factor.main);
+  const isShown = (factor: Factor) =>
+    factor.main ||
+    factor.method === "bounds" ||
+    ((factor.source === "noncircular" || factor.source === "critical") && factor.by === main?.by) ||
+    factor.measure === "equilibrium" ||
+    factor.by === "frozen" ||
+    factor.by === "bilinear";
+  const folded = factors.filter((factor) => !isShown(factor));
+  return folded.length < worthFolding ? { shown: factors, folded: [] } : { shown: factors.filter(isShown), folded };
+}
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const findPartialFactors = () => findMethods(report.value)?.partial_factors ?? null;

@@ -1,8 +1,31 @@
 // SPDX-License-Identifier: MIT
 /** Tables from their columns; a wide one scrolls inside its own box where the screen is narrow. */
 import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
 
-import { Scroller } from "./Scroller";
+interface Props {
+  class: string;
+  /** Name of the scrolled content, for screen readers. */
+  label: string;
+  children: ComponentChildren;
+}
+
+export function Scroller({ class: name, label, children }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const [scrolls, setScrolls] = useState(false);
+  useEffect(() => {
+    const element = box.current;
+    if (!element) return;
+    const observer = new ResizeObserver(() => setScrolls(element.scrollWidth > element.clientWidth + 1));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+  return (
+    <div ref={box} class={name} role="group" aria-label={label} tabIndex={scrolls ? 0 : undefined}>
+      {children}
+    </div>
+  );
+}
 
 /**
  * Words on a column: "name" for the names of the rows, "number" for numbers, which are aligned to the right, "wrap" for

@@ -4,12 +4,10 @@ import { useMemo, useState } from "preact/hooks";
 
 import { report } from "../state";
 import { CopyButton } from "./CopyButton";
-import { CaptionedTable, TableHead, TableRows, type Column } from "./DataTable";
+import { CaptionedTable, type Column, TableHead, TableRows } from "./DataTable";
 import { formatCount, formatUnit } from "./format";
-import { formatInput, listBlocks, type InputBlock, type InputRow } from "./inputRows";
-import { Lazy } from "./Lazy";
-import { Part } from "./Part";
-import { writeToml } from "./toml";
+import { formatInput, type InputBlock, type InputRow, listBlocks, writeToml } from "./inputRows";
+import { Lazy, Part } from "./Part";
 
 const columns: Column<InputRow>[] = [
   ["Key", (row) => <code>{row.key}</code>, "name"],

@@ -3,13 +3,10 @@
 import { useState } from "preact/hooks";
 
 import { report } from "../state";
-import { Guard } from "./Guard";
-import { Lazy } from "./Lazy";
+import { Guard, Lazy, Part } from "./Part";
 import { openAtMechanism } from "./opening";
-import { Part } from "./Part";
 import { listSections, type Section } from "./sections";
-import { TitleBlock } from "./statement/TitleBlock";
-import { TitleLine } from "./TitleLine";
+import { TitleBlock, TitleLine } from "./TitleLine";
 import { TopBar } from "./TopBar";
 
 /** Beside the answer. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The outcome of each variant of a study: its status, why it did not finish, its warnings. */
-import { shownStudy } from "../charts/study/shownStudy";
+import { shownStudy } from "../charts/study/studyData";
 import { DataTable } from "./DataTable";
 import { formatCount, formatSentence } from "./format";
 import { Part } from "./Part";

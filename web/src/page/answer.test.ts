@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 
 import type { DesignStatement, Factor, Report } from "../contract";
 import { findMechanism } from "./opening";
-import { getResistance, splitFactors } from "./shortFactors";
+import { getResistance, splitFactors } from "./Answer";
 
 const makeFactor = (method: Factor["method"], name: string, value: number, kind: Partial<Factor>, main = false) =>
   ({ method, name, title: name, value, lower: null, upper: null, note: "", main, ...kind }) as Factor;

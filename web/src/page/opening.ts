@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Initial state of the viewer with slip surfaces of other methods over the material points. */
 import { effect } from "@preact/signals";
-import { findRestLimits, judgeTrial } from "../charts/curve/rest";
+import { findRestLimits, judgeTrial } from "../charts/curve/curveData";
 import { findMethods } from "../compared/methodTable";
 import type { Report } from "../contract";
 import { fieldName, frameIndex, sequenceIndex } from "../state";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Prepares printing: light colours, all parts drawn, everything unfolded, a running title. */
 import { formatDate } from "./format";
-import { drawEverything } from "./Lazy";
+import { drawEverything } from "./Part";
 import type { Report } from "../contract";
 
 let theme: string | undefined;

@@ -3,17 +3,15 @@
 import type { ComponentChildren } from "preact";
 
 import { BoundsSection } from "../bounds/BoundsSection";
-import {
-  CalibrationSection,
-  CompareSection,
-  CurveSection,
-  HistorySection,
-  PointSection,
-  ProfileSection,
-  SoilWaterSection,
-  StudySection,
-} from "../charts/Charts";
-import { listComparisons } from "../charts/compare/differences";
+import "../charts/charts.css";
+import { CurveSection } from "../charts/curve/CurveSection";
+import { HistorySection } from "../charts/history/HistorySection";
+import { CalibrationSection } from "../charts/laboratory/CalibrationSection";
+import { PointSection } from "../charts/laboratory/PointSection";
+import { ProfileSection } from "../charts/profile/ProfileSection";
+import { StudySection } from "../charts/study/StudySection";
+import { SoilWaterSection } from "../charts/water/SoilWaterSection";
+import { CompareSection, listComparisons } from "../charts/compare/CompareSection";
 import { MethodsSection } from "../compared/MethodsSection";
 import { findMethods } from "../compared/methodTable";
 import { Overview } from "../compared/Overview";

@@ -8,7 +8,7 @@ import type { CsvColumn } from "../charts/base/csv";
 import { CsvButton, Legend } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
-import { showName, showValue } from "./names";
+import { showName, showValue } from "./probability";
 
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;
 const high = { colour: "var(--series-1)", dash: "", symbol: "circle" } as const;

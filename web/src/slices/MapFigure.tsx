@@ -5,7 +5,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { formatNumber } from "../charts/base/numbers";
 import type { FactorMap, Slices } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
-import { useDark } from "../drawing/dark";
+import { useDark } from "../drawing/useOpacity";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
 import { LineKey } from "../drawing/Keys";
 import { findBox, findSoilBox, joinBoxes, type Pen } from "../drawing/pen";
@@ -15,11 +15,10 @@ import { findColour, writeColour } from "../viewer/colours";
 import { strokeLine } from "../viewer/lines";
 import { makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
-import { binTrials, takeMap, type CentreMap } from "./centreMap";
-import { traceContour } from "./contours";
-import { chooseColours, nameSurface, rankTrials, titleMethod, type SlicedSurface } from "./sliceData";
+import { binTrials, type CentreMap, takeMap, traceContour } from "./centreMap";
+import { chooseColours, nameSurface, rankTrials, type SlicedSurface, titleMethod } from "./sliceData";
 import { criticalLook, drawCritical } from "./surfacePainter";
-import { useTrials } from "./useTrials";
+import { useTrials } from "./trialPainter";
 
 function useFactors(map: FactorMap | undefined): Float32Array | null {
   const [values, setValues] = useState<{ id: string; factors: Float32Array } | null>(null);

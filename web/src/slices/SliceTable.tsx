@@ -5,11 +5,9 @@ import { useState } from "preact/hooks";
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { formatCoordinate, formatFactor } from "../page/format";
-import { SymbolText } from "../page/DataTable";
-import { Scroller } from "../page/Scroller";
+import { Scroller, SymbolText } from "../page/DataTable";
 import { report } from "../state";
-import { orderValues } from "./order";
-import { hasSlices, makeSliceTable, nameSurface, type SlicedSurface } from "./sliceData";
+import { hasSlices, makeSliceTable, nameSurface, orderValues, type SlicedSurface } from "./sliceData";
 
 const writeValue = (value: number | null, digits: number | "place") =>
   digits !== "place" ? formatNumber(value, digits)

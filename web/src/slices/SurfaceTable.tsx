@@ -5,7 +5,7 @@ import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { formatFactor } from "../page/format";
 import { ChartTable } from "../page/DataTable";
 import { report } from "../state";
-import { nameReason, nameSurface, slicedSurfaces, type SlicedSurface } from "./sliceData";
+import { nameReason, nameSurface, type SlicedSurface, slicedSurfaces } from "./sliceData";
 
 interface Props {
   selected: SlicedSurface;

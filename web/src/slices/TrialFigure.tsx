@@ -2,12 +2,14 @@
 /** The section with every trial surface coloured by its factor, the critical ones, slices and line of thrust. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
+import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Slices, SlipSurface } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
-import { useDark } from "../drawing/dark";
-import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { useDark } from "../drawing/useOpacity";
+import {
+  clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater,
+} from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -15,13 +17,13 @@ import { drawSurface, drawSurfaceLabels, type SurfaceLabel } from "../drawing/su
 import { report } from "../state";
 import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
-import { drawRanges } from "./ranges";
-import { chooseLimit, makeBands } from "./bands";
-import { chooseColours, hasSlices, nameSurface, rankTrials, slicedSurfaces, titleMethod, type SlicedSurface } from "./sliceData";
-import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
-import { drawTrials, findTrial, trialWidth } from "./trialPainter";
-import { useTrials } from "./useTrials";
-import { useToggles } from "../charts/base/Select";
+import {
+  criticalLook, drawCritical, drawRanges, drawSlices, drawThrust, hasThrust, thrustLook,
+} from "./surfacePainter";
+import { chooseLimit, drawTrials, findTrial, makeBands, trialWidth, useTrials } from "./trialPainter";
+import {
+  chooseColours, hasSlices, nameSurface, rankTrials, type SlicedSurface, slicedSurfaces, titleMethod,
+} from "./sliceData";
 
 type Shown = "banded" | "below" | "best";
 

@@ -39,7 +39,7 @@ export function nameSurface(surface: SlicedSurface): string {
 
 export const titleMethod = (name: string) => slicedSurfaces.value.find((s) => s.method === name)?.title ?? name;
 
-export interface SliceColumn {
+interface SliceColumn {
   name: string;
   title: string;
   /** Text for the head of the table, with subscripts. */
@@ -171,4 +171,15 @@ export function chooseColours(dark: boolean): Uint8Array {
     return reversed;
   }
   return table;
+}
+
+export function orderValues(values: readonly (number | string | null)[], down: boolean): number[] {
+  const sign = down ? -1 : 1;
+  return Array.from(values.keys()).sort((a, b) => {
+    const [x, y] = [values[a] ?? null, values[b] ?? null];
+    if (x === null || y === null) return Number(x === null) - Number(y === null) || a - b;
+    const difference =
+      typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y), "en");
+    return sign * difference || a - b;
+  });
 }

@@ -10,7 +10,7 @@ import { styleOf } from "../charts/base/styles";
 import { formatFactor } from "../page/format";
 import { report } from "../state";
 import { findRain, listLevels, listRain, type LevelLine, type RainBar } from "./rain";
-import type { ShownTimeline } from "./shownTimeline";
+import type { ShownTimeline } from "./chosen";
 
 interface Props {
   timeline: ShownTimeline;

@@ -4,9 +4,8 @@ import { formatNumber } from "../charts/base/numbers";
 import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
-import { chooseMoment, chosenMoment, findRelease, showRelease } from "./chosen";
+import { chooseMoment, chosenMoment, findRelease, type ShownRelease, shownTimeline, showRelease } from "./chosen";
 import "./timeline.css";
-import { shownTimeline, type ShownRelease } from "./shownTimeline";
 
 /** Moved soil after each release, and its dependence on the time of release. */
 function Releases({ releases }: { releases: ShownRelease[] }) {

@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: MIT
-/** Shown part of the timeline: one time for the curve, the section and the table; the released points. */
-import { signal } from "@preact/signals";
+/** The timeline with the words and fields that the report adds, and its shown part: one time for the curve, the section and the table; the released points. */
+import { computed, signal } from "@preact/signals";
 
 import type { Release, Timeline } from "../contract";
 import { frameIndex, report, sequenceIndex } from "../state";
+
+export const shownTimeline = computed(() => {
+  const { result, timeline: shown } = report.value;
+  const { timeline } = result;
+  if (!timeline || !shown) return undefined;
+  return {
+    ...timeline,
+    unit: shown.unit,
+    sentence: shown.sentence,
+    water_mesh: shown.water_mesh,
+    factors: timeline.factors.map((factor, i) => ({ ...factor, title: shown.factors[i]! })),
+    elements: timeline.elements.map((reduction, i) => ({ ...reduction, title: shown.elements[i]! })),
+    states: timeline.states.map((state, i) => ({ ...state, ...shown.states[i]! })),
+    releases: timeline.releases.map((release, i) => ({ ...release, ...shown.releases[i]! })),
+  };
+});
+
+export type ShownTimeline = NonNullable<typeof shownTimeline.value>;
+export type ShownRelease = ShownTimeline["releases"][number];
 
 const picked = signal<number | null>(null);
 

@@ -3,15 +3,13 @@
 import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
-import { drawHydraulic } from "./hydraulics";
+import { drawHydraulic, drawSupport } from "./symbols";
 import { drawCrack, drawSoilNames } from "../drawing/ground";
 import { drawExitMarks, drawPonds, listExits, findUsedWater } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
-import type { OtherSurface } from "./otherSurfaces";
-import type { LayerName } from "./settings";
-import { drawSupport } from "./supports";
+import type { LayerName, OtherSurface } from "./settings";
 import type { Theme } from "./theme";
 
 export interface Overlay {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/** Settings of the viewer by the reader: colours, limits, layers, arrows, the view in space, playing. */
+/** Settings of the viewer by the reader: colours, limits, layers, surfaces of other methods, arrows, the view in space, playing. */
 import { signal } from "@preact/signals";
 
-import { report, sequenceIndex, frameIndex, fieldName } from "../state";
+import { listSurfaces, type NamedSurface } from "../compared/methodTable";
+import { fieldName, frameIndex, report, sequenceIndex } from "../state";
 import type { ColourMapName } from "./colours";
 
 /** null: viridis, or blue–white–red for a quantity that has both signs. */
@@ -102,4 +103,13 @@ export function openAtFailure(): void {
   // Released soil is looked at for how far it went.
   if (report.value.timeline?.releases && fields.includes("displacement")) fieldName.value = "displacement";
   if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
+}
+
+export type OtherSurface = NamedSurface & { shown: boolean };
+
+/** Slip surfaces of other methods; those of MPM are drawn by the viewer itself. */
+export function listOtherSurfaces(): OtherSurface[] {
+  return listSurfaces()
+    .filter((surface) => surface.method !== "mpm")
+    .map((surface) => ({ ...surface, shown: chosenSurfaces.value[surface.name] ?? surface.first }));
 }

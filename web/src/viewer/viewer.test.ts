@@ -4,11 +4,9 @@ import { describe, expect, it } from "vitest";
 
 import { Camera } from "./camera";
 import { findColour, tabulateColours } from "./colours";
-import { makeTicks, writeNumber } from "./format";
+import { makeScale, makeTicks, writeNumber } from "./scale";
 import { measureSpacing } from "./extent";
-import { findMovedLimit, findMovedLimits } from "./moved";
-import { findStrainRidge } from "./ridge";
-import { makeScale } from "./scale";
+import { findMovedLimit, findMovedLimits, findStrainRidge } from "./slipLines";
 
 /** A square grid of points in a box of 40 m by 15 m with a band of strain around a height over x. */
 function makeBand(height: (x: number) => number, strength: number) {

@@ -2,7 +2,7 @@
 // The residual of the energy balance: zero for exact mechanics, and exactly the energy that was put aside.
 import { expect, test } from "vitest";
 
-import { findEnergyBalance } from "../../src/charts/history/energy";
+import { findEnergyBalance } from "../../src/charts/history/histories";
 import type { TableColumn } from "../../src/contract";
 
 const column = (part: TableColumn["part"], values: (number | null)[]) => ({ part, values });

@@ -2,7 +2,7 @@
 // The crosshair reads the nearest value, compared with a plain search over all of them.
 import { expect, test } from "vitest";
 
-import { findNearest, findNearestFrame } from "../../src/charts/base/nearest";
+import { findNearest, findNearestFrame } from "../../src/charts/base/rows";
 
 test("the nearest of uneven abscissas, against a search over all", () => {
   const sorted = [1, 1.05, 1.1, 1.5, 1.52, 1.55, 1.57, 1.58, 1.6, 1.61, 1.7, 1.75];

@@ -2,7 +2,7 @@
 // The table of a study: order of its rows, groups of lines, and differences from published values.
 import { expect, test } from "vitest";
 
-import { measureDifference } from "../../src/charts/compare/differences";
+import { measureDifference } from "../../src/charts/compare/CompareSection";
 import { findBars, findNumeric, makeStudyColumns, nameGroup, orderRows } from "../../src/charts/study/studyData";
 
 const column = (name: string, values: (number | null)[], shown = values.map((v) => (v === null ? "" : String(v)))) =>

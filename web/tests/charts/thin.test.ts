@@ -2,7 +2,7 @@
 // A thinned history shows every peak and every gap of the whole one.
 import { expect, test } from "vitest";
 
-import { pickRows } from "../../src/charts/base/thin";
+import { pickRows } from "../../src/charts/base/rows";
 
 test("extremes of every stretch, ends and gaps stay; the rest is few", () => {
   const values = Array.from({ length: 20000 }, (_, i): number | null => Math.sin(i * 0.37) * Math.exp(-i / 5000));

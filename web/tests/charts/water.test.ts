@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 
 import { makeColumn } from "./columns";
 import { makePanels } from "../../src/charts/history/histories";
-import { chooseTimeUnit, findChanging, makeCurves } from "../../src/charts/water/soilWaterData";
+import { chooseTimeUnit, findChanging, makeCurves } from "../../src/charts/water/SoilWaterSection";
 import type { HydraulicCondition, SoilWater, Table } from "../../src/contract";
 
 const column = makeColumn;

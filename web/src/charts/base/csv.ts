@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Tables as CSV (RFC 4180): header `name [unit]`, numbers with all their digits, empty where there is no value. */
-
+/** Tables as CSV (RFC 4180): header `name [unit]`, numbers with all their digits, empty where there is no value; and files saved. */
 export interface CsvColumn {
   name: string;
   /** "-" for plain numbers; left out for words. */
@@ -37,4 +36,13 @@ export function makeFileName(title: string, part: string): string {
       .replace(/[^a-z0-9.]+/g, "-")
       .replace(/^[-.]+|[-.]+$/g, "");
   return [clean(title).slice(0, 60), clean(part)].filter(Boolean).join("-") + ".csv";
+}
+
+export function saveFile(content: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  // The browser has taken the data by then; without this the blob would stay for the life of the page.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

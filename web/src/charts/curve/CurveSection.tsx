@@ -8,11 +8,12 @@ import { formatFactor, roundDown, roundUp } from "../../page/format";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { makeCurveColumns, placeFlags, sampleBranch } from "./curveData";
+import {
+  findRestLimits, judgeTrial, makeCurveColumns, placeFlags, sampleBranch, stateWords, type TrialState,
+} from "./curveData";
 import { AxisChoice, type AxisKind, CsvButton } from "../base/Legend";
-import { findNearestFrame } from "../base/nearest";
+import { findNearestFrame } from "../base/rows";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
 import { styleOf } from "../base/styles";
 
 const criterionTitles: Record<CriterionKind, string> = {

@@ -4,13 +4,12 @@ import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
 import type { Calibration, CalibratedParameter } from "../../contract";
-import { DataTable, type Column } from "../../page/DataTable";
+import { type Column, DataTable } from "../../page/DataTable";
 import { report } from "../../state";
 import { type CurveGroup, findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "./calibrationData";
 import { Chart } from "../base/Chart";
-import { CsvButton, Legend } from "../base/Legend";
+import { CsvButton, Legend, useSwitches } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
 import { capitalise, layOutDiagram } from "./diagram";
 
 function Diagram({ group }: { group: CurveGroup }) {

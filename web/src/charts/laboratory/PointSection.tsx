@@ -7,9 +7,8 @@ import type { PointGroup, PointTest, PointTests } from "../../contract";
 import { DataTable, SymbolText } from "../../page/DataTable";
 import { report } from "../../state";
 import { Chart } from "../base/Chart";
-import { CsvButton, Legend } from "../base/Legend";
+import { CsvButton, Legend, useSwitches } from "../base/Legend";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
 import { capitalise, layOutDiagram } from "./diagram";
 import { findSpan, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
 

@@ -9,7 +9,7 @@ import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
-import type { Study } from "./shownStudy";
+import type { Study } from "./studyData";
 
 export function StudyExtrapolation({ study }: { study: Study }) {
   const { extrapolation } = study;

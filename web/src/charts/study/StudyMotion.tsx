@@ -7,12 +7,10 @@ import { useMemo, useState } from "preact/hooks";
 import { report } from "../../state";
 import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { Choice, CsvButton, Legend } from "../base/Legend";
-import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart } from "./motionData";
+import { Choice, CsvButton, Legend, useSwitches } from "../base/Legend";
+import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart, type Study } from "./studyData";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
-import type { Study } from "./shownStudy";
 
 /** Times at which the crosshair stops. */
 const stopCount = 201;

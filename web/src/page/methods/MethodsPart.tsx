@@ -5,9 +5,8 @@ import { useMemo } from "preact/hooks";
 
 import { report } from "../../state";
 import { CopyButton } from "../CopyButton";
-import { Lazy } from "../Lazy";
-import { Part } from "../Part";
-import { Scroller } from "../Scroller";
+import { Lazy, Part } from "../Part";
+import { Scroller } from "../DataTable";
 import { writeMethods, type Paragraph } from "./paragraphs";
 import { writePlainMethods, writeTexMethods } from "./plainText";
 import type { Piece } from "./writer";

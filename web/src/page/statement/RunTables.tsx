@@ -5,7 +5,7 @@ import { report } from "../../state";
 import { DataTable } from "../DataTable";
 import { describeDrainage, methodNames } from "../FactorTable";
 import { formatDuration, formatFactor, formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
-import { selectsMethod } from "../selected";
+import { selectsMethod } from "../methods/settings";
 
 export function SupportTables() {
   const { model, result } = report.value;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/** Rows of a table: the nearest to an abscissa, and those of a long history that a chart of some hundred pixels needs. */
+/** Index of the number of ascending `sorted` nearest to `x`, the lower of two equally near; -1 when there is none. */
+export function findNearest(sorted: ArrayLike<number>, x: number): number {
+  let low = 0;
+  let high = sorted.length - 1;
+  if (high < 0 || Number.isNaN(x)) return -1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle]! < x) low = middle;
+    else high = middle;
+  }
+  return Math.abs(sorted[high]! - x) < Math.abs(sorted[low]! - x) ? high : low;
+}
+
+/** Index of the frame whose `key` is nearest to `x`; frames without one are passed over; -1 when none has one. */
+export function findNearestFrame<T>(frames: readonly T[], key: (frame: T) => number | null, x: number): number {
+  let best = -1;
+  let distance = Infinity;
+  frames.forEach((frame, i) => {
+    const k = key(frame);
+    if (k !== null && Math.abs(k - x) < distance) {
+      best = i;
+      distance = Math.abs(k - x);
+    }
+  });
+  return best;
+}
+
+/**
+ * Rows that give the same picture as all: of every one of `columns` equal groups the first, the smallest and
+ * the largest value, and the last row of all. Every peak stays. All rows when there are few.
+ */
+export function pickRows(values: readonly (number | null)[], columns: number): number[] {
+  const count = values.length;
+  if (count <= 3 * columns) return Array.from({ length: count }, (_, i) => i);
+  const picked = new Set<number>();
+  for (let c = 0; c < columns; ++c) {
+    const from = Math.floor((c * count) / columns);
+    const to = Math.floor(((c + 1) * count) / columns);
+    let low = -1;
+    let high = -1;
+    for (let i = from; i < to; ++i) {
+      const v = values[i];
+      // A gap has to stay a gap.
+      if (v === null || v === undefined) picked.add(i);
+      else {
+        if (low < 0 || v < values[low]!) low = i;
+        if (high < 0 || v > values[high]!) high = i;
+      }
+    }
+    for (const i of [from, low, high]) if (i >= 0) picked.add(i);
+  }
+  picked.add(count - 1);
+  return [...picked].sort((a, b) => a - b);
+}
