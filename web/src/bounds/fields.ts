@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The fields of both bounds, decoded, and their marks: crosses of principal stresses, arrows of velocities. */
-import { useEffect, useState } from "preact/hooks";
-
 import type { BoundsDrawn } from "../contract";
 import type { Pen, Triangles } from "../drawing/pen";
-import { load, loadIntegers, loadPlaces } from "../state";
+import { load, loadIntegers, loadPlaces, useLoaded } from "../state";
 
 interface BoundsFields {
   holds: { mesh: Triangles; middles: number[][]; stress: Float32Array; utilisation: Float32Array } | null;
@@ -55,20 +53,11 @@ async function loadMoves(field: BoundsDrawn["moves"]): Promise<BoundsFields["mov
   return { mesh: separate(nodes, triangles, 6), nodes, velocity, shear_rate: repeat(shear_rate) };
 }
 
-/** null until they are there. */
-export function useBounds(bounds: BoundsDrawn | undefined): BoundsFields | null {
-  const [fields, setFields] = useState<BoundsFields | null>(null);
-  useEffect(() => {
-    if (!bounds) return;
-    let wanted = true;
-    Promise.all([loadHolds(bounds.holds), loadMoves(bounds.moves)]).then(
-      ([holds, moves]) => wanted && setFields({ holds, moves }),
-      () => wanted && setFields({ holds: null, moves: null }),
-    );
-    return () => void (wanted = false);
-  }, [bounds]);
-  return fields;
-}
+export const useBounds = (bounds: BoundsDrawn): BoundsFields | null =>
+  useLoaded(async () => {
+    const [holds, moves] = await Promise.all([loadHolds(bounds.holds), loadMoves(bounds.moves)]);
+    return { holds, moves };
+  }, bounds);
 
 /** Sides of the squares that have one mark each [px]. */
 const spacing = 26;

@@ -5,7 +5,7 @@ import { printing } from "../charts/base/printing";
 import { Camera, type Vec } from "../viewer/camera";
 import { drawRulers, findRulerWidth } from "../viewer/rulers";
 import { type Bar, drawScaleBar, type Key, uprightFrom } from "../viewer/scaleBar";
-import { isDark, paperTheme, readTheme, type Theme, watchTheme } from "../viewer/theme";
+import { isDark, listenTo, paperTheme, readTheme, type Theme, watchTheme } from "../viewer/theme";
 import type { Box, Pen } from "./pen";
 import { drawLengthBar } from "./standingWater";
 
@@ -45,13 +45,10 @@ export class View {
     observer.observe(host);
     const toPaper = () => this.resize(paperWidth, paperTheme);
     const toScreen = () => this.resize();
-    addEventListener("beforeprint", toPaper);
-    addEventListener("afterprint", toScreen);
     this.ends.push(
       () => observer.disconnect(),
       watchTheme(() => this.request(true)),
-      () => removeEventListener("beforeprint", toPaper),
-      () => removeEventListener("afterprint", toScreen),
+      listenTo(window, { beforeprint: toPaper, afterprint: toScreen }),
     );
     if (printing.value) toPaper();
     else toScreen();
@@ -208,17 +205,12 @@ export function listen(host: HTMLElement, view: View, point: (at: [number, numbe
     const { left, top } = host.getBoundingClientRect();
     view.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - left, event.clientY - top);
   };
-  const pairs: [string, (event: never) => void][] = [
-    ["pointerdown", down],
-    ["pointermove", move],
-    ["pointerup", up],
-    ["pointercancel", up],
-    ["pointerleave", leave],
-  ];
-  for (const [name, act] of pairs) host.addEventListener(name, act as EventListener);
-  host.addEventListener("wheel", wheel, { passive: false });
-  return () => {
-    for (const [name, act] of pairs) host.removeEventListener(name, act as EventListener);
-    host.removeEventListener("wheel", wheel);
-  };
+  return listenTo(host, {
+    pointerdown: down,
+    pointermove: move,
+    pointerup: up,
+    pointercancel: up,
+    pointerleave: leave,
+    wheel,
+  });
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** The strength reductions of the finite elements, with what their figures and tables add to the results; their mesh and fields, decoded. */
 import { computed } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
 
-import { load, loadIntegers, loadPlaces, report } from "../state";
-import type { QuadraticMesh } from "./fieldPainter";
+import type { ElementsDrawn, PackedElementFields } from "../contract";
+import { load, loadIntegers, loadPlaces, report, useLoaded } from "../state";
 
 export const flowRuns = computed(() => {
   const { result, finite_elements: drawn } = report.value;
@@ -21,41 +20,20 @@ export const flowRuns = computed(() => {
 /** One strength reduction: with the flow rule as given, or associated. */
 export type FlowRun = (typeof flowRuns.value)[number];
 
-interface ElementFields {
-  mesh: QuadraticMesh;
-  run: FlowRun;
-  displacement: Float32Array;
-  strain: Float32Array;
-  yields: Float32Array;
+async function loadFields(mesh: ElementsDrawn["mesh"], { displacement, shear_strain, yields }: PackedElementFields) {
+  const [nodes, elements] = await Promise.all([loadPlaces(mesh.nodes), loadIntegers(mesh.elements)]);
+  const [moves, strain, plastic] = await Promise.all([displacement, shear_strain, yields].map(load));
+  return {
+    mesh: { nodes, elements: Uint32Array.from(elements) },
+    displacement: moves!,
+    strain: strain!,
+    yields: plastic!,
+  };
 }
 
-/** null until they are there, and where there are none. */
-export function useFields(run: FlowRun | undefined): ElementFields | null {
-  const [fields, setFields] = useState<ElementFields | null>(null);
-  useEffect(() => {
+/** Mesh and fields of the finite elements, decoded. */
+export const useFields = (run: FlowRun | undefined) =>
+  useLoaded(() => {
     const mesh = report.value.finite_elements?.mesh;
-    if (!mesh || !run?.fields) return setFields(null);
-    const { displacement, shear_strain, yields } = run.fields;
-    let wanted = true;
-    Promise.all([
-      loadPlaces(mesh.nodes),
-      loadIntegers(mesh.elements),
-      load(displacement),
-      load(shear_strain),
-      load(yields),
-    ]).then(
-      ([nodes, numbers, moves, strain, plastic]) =>
-        wanted &&
-        setFields({
-          mesh: { nodes, elements: Uint32Array.from(numbers) },
-          run,
-          displacement: moves,
-          strain,
-          yields: plastic,
-        }),
-      () => wanted && setFields(null),
-    );
-    return () => void (wanted = false);
-  }, [run]);
-  return fields?.run === run ? fields : null;
-}
+    return mesh && run?.fields && loadFields(mesh, run.fields);
+  }, run);

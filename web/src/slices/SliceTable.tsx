@@ -3,11 +3,12 @@
 import { useState } from "preact/hooks";
 
 import { CsvButton } from "../charts/base/Legend";
+import { orderValues } from "../charts/base/rows";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { formatCoordinate, formatFactor } from "../page/format";
 import { Scroller, SymbolText } from "../page/DataTable";
 import { report } from "../state";
-import { hasSlices, makeSliceTable, nameSurface, orderValues, type SlicedSurface } from "./sliceData";
+import { hasSlices, makeSliceTable, nameSurface, type SlicedSurface } from "./sliceData";
 
 const writeValue = (value: number | null, digits: number | "place") =>
   digits !== "place" ? formatNumber(value, digits)

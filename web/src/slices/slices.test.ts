@@ -3,10 +3,11 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { CriticalSurface, Report } from "../contract";
+import { orderValues } from "../charts/base/rows";
 import { report } from "../state";
 import { binTrials, traceContour } from "./centreMap";
 import { chooseLimit, findTrial, makeBands } from "./trialPainter";
-import { makeSliceTable, orderValues, rankTrials } from "./sliceData";
+import { makeSliceTable, rankTrials } from "./sliceData";
 import { traceThrust } from "./surfacePainter";
 
 const units = {

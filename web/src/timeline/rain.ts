@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The rain of a case as bars, and the levels that change with time. */
 import type { HydraulicCondition } from "../contract";
+import { evaluateSeries } from "../viewer/symbols";
 
 export interface RainBar {
   /** [s] */
@@ -45,13 +46,7 @@ export function listLevels(conditions: HydraulicCondition[], duration: number): 
   return conditions.flatMap(({ condition, on, series }) => {
     if (condition !== "total_head" || !series || series.time.length === 0) return [];
     const { time, values } = series;
-    const at = (t: number) => {
-      const i = time.findIndex((later) => later > t);
-      if (i < 0) return values.at(-1)!;
-      if (i === 0) return values[0]!;
-      const fraction = (t - time[i - 1]!) / (time[i]! - time[i - 1]!);
-      return values[i - 1]! + fraction * (values[i]! - values[i - 1]!);
-    };
+    const at = (t: number) => evaluateSeries({ series }, t);
     const inside = time.flatMap((t, i): [number, number][] => (t >= 0 && t <= duration ? [[t, values[i]!]] : []));
     const before: [number, number] = [0, inside.length && inside[0]![0] === 0 ? inside[0]![1] : at(0)];
     const points: [number, number][] = [before, ...inside, [duration, at(duration)]];

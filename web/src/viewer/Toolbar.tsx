@@ -22,7 +22,7 @@ interface ChoiceProps {
   items: [string, string][];
 }
 
-function Choice(props: ChoiceProps) {
+export function Choice(props: ChoiceProps) {
   const { label, value, choose } = props;
   return (
     <label class="viewer-choice">

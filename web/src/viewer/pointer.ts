@@ -5,6 +5,7 @@ import { inSpace } from "./settings";
 import { shown } from "./shown";
 import { radii } from "./sizes";
 import type { Stage } from "./stage";
+import { listenTo } from "./theme";
 
 /** Calls back with each shown point's index, pixel and depth. */
 function visitPoints(stage: Stage, visit: (index: number, x: number, y: number, depth: number) => void): void {
@@ -107,18 +108,12 @@ export function listenToPointer(host: HTMLElement, stage: Stage): () => void {
   }
 
   const stopMenu = (event: Event) => event.preventDefault();
-  host.addEventListener("pointerdown", press);
-  host.addEventListener("pointermove", move);
-  host.addEventListener("pointerup", release);
-  host.addEventListener("pointercancel", release);
-  host.addEventListener("wheel", turnWheel, { passive: false });
-  host.addEventListener("contextmenu", stopMenu);
-  return () => {
-    host.removeEventListener("pointerdown", press);
-    host.removeEventListener("pointermove", move);
-    host.removeEventListener("pointerup", release);
-    host.removeEventListener("pointercancel", release);
-    host.removeEventListener("wheel", turnWheel);
-    host.removeEventListener("contextmenu", stopMenu);
-  };
+  return listenTo(host, {
+    pointerdown: press,
+    pointermove: move,
+    pointerup: release,
+    pointercancel: release,
+    wheel: turnWheel,
+    contextmenu: stopMenu,
+  });
 }

@@ -48,23 +48,12 @@ export const layerTitles = {
   rulers: "Rulers",
 } as const;
 export type LayerName = keyof typeof layerTitles;
-export const layers = signal<Record<LayerName, boolean>>({
-  points: true,
-  slip: true,
-  ridge: false,
-  otherSurfaces: true,
-  outline: true,
-  soils: true,
-  present: false,
-  path: true,
-  boundaries: true,
-  hydraulics: true,
-  monitors: true,
-  water: true,
-  startWater: false,
-  mesh: false,
-  rulers: true,
-});
+const hiddenAtFirst: LayerName[] = ["ridge", "present", "startWater", "mesh"];
+export const layers = signal(
+  Object.fromEntries(
+    Object.keys(layerTitles).map((name) => [name, !hiddenAtFirst.includes(name as LayerName)]),
+  ) as Record<LayerName, boolean>,
+);
 
 /** Names of surfaces of other methods that are drawn or not, where the reader has chosen. */
 export const chosenSurfaces = signal<{ [name: string]: boolean }>({});

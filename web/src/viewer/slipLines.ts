@@ -65,6 +65,18 @@ function findLeft(positions: ArrayLike<number>): number {
   return left;
 }
 
+/** Points with a value by the column of the section in which they lie. */
+function groupColumns(positions: ArrayLike<number>, values: Float32Array, left: number, width: number) {
+  const columns = new Map<number, number[]>();
+  values.forEach((value, i) => {
+    if (Number.isNaN(value)) return;
+    const c = Math.floor((positions[2 * i]! - left) / width);
+    columns.set(c, columns.get(c) ?? []);
+    columns.get(c)!.push(i);
+  });
+  return columns;
+}
+
 /** Leads the line of a side that ends under the divide, where the other side begins, up to the ground beyond it. */
 function leadUp(line: Line, positions: ArrayLike<number>, spacing: number, divide: Divide, isLeft: boolean): Line {
   const end = (isLeft ? line.at(-1) : line[0])!;
@@ -125,14 +137,7 @@ export function findMovedLimit(
   threshold: number,
 ): [number, number][] {
   const [width, left] = [1.5 * spacing, findLeft(positions)];
-  const columns = new Map<number, number[]>();
-  for (let i = 0; i < displacement.length; ++i) {
-    if (Number.isNaN(displacement[i]!)) continue;
-    const c = Math.floor((positions[2 * i]! - left) / width);
-    const column = columns.get(c);
-    if (column) column.push(i);
-    else columns.set(c, [i]);
-  }
+  const columns = groupColumns(positions, displacement, left, width);
 
   /** null where nothing moved. */
   function findHeight(column: number[]): number | null {
@@ -181,14 +186,7 @@ export function findStrainRidge(positions: ArrayLike<number>, strain: Float32Arr
   if (!(peak > 8 * median)) return [];
 
   const [width, left] = [1.5 * spacing, findLeft(positions)];
-  const columns = new Map<number, number[]>();
-  for (let i = 0; i < count; ++i) {
-    if (Number.isNaN(strain[i]!)) continue;
-    const c = Math.floor((positions[2 * i]! - left) / width);
-    const column = columns.get(c);
-    if (column) column.push(i);
-    else columns.set(c, [i]);
-  }
+  const columns = groupColumns(positions, strain, left, width);
 
   /** Height of the ridge in a column: mean of its band, weighted with the strain; null without a band. */
   function findHeight(c: number): number | null {

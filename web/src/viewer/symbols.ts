@@ -54,7 +54,7 @@ export function drawSupport(context: CanvasRenderingContext2D, line: Point[], fi
 }
 
 /** The value of a condition at a time [s], in the unit of its series: straight between rows, constant beyond. */
-export function evaluateSeries(condition: HydraulicCondition, time: number): number {
+export function evaluateSeries(condition: Pick<HydraulicCondition, "series">, time: number): number {
   const { time: times, values } = condition.series ?? { time: [], values: [] };
   if (!times.length) return Number.NaN;
   // The last row at or before the time: of two rows at one time, the second.

@@ -7,6 +7,7 @@ import { load, report } from "../state";
 import { layers } from "./settings";
 import { fail, frame, shown, type Shown, takeFrame, takePositions } from "./shown";
 import { findMovedLimits, findStrainRidge } from "./slipLines";
+import { measureCircumradius } from "./cells";
 
 /** Triangles whose circumcircle is wider than this many point distances lie outside the soil. */
 const widestTriangle = 1.5;
@@ -108,8 +109,8 @@ export function findWaterTable(
 
   const solid = new Uint8Array(triangles.length / 3);
   for (let t = 0; t < solid.length; ++t) {
-    const corners = [0, 1, 2].map((k) => triangles[3 * t + k]!);
-    if (findCircumradius(at, corners) < widestTriangle * spacing) solid[t] = 1;
+    const [a, b, c] = triangles.subarray(3 * t, 3 * t + 3);
+    if (measureCircumradius(at, a!, b!, c!) < widestTriangle * spacing) solid[t] = 1;
   }
   // The mean of the pressures belongs to the mean of the places: so a plane of pressure stays what it is.
   const smooth = (some: Float64Array) => average(average(some, triangles, solid), triangles, solid);
@@ -138,14 +139,6 @@ export function findWaterTable(
   return joinPieces(pieces, place)
     .filter((line) => measure(line) > shortestLine * spacing)
     .map((line) => prolong(smoothLine(line), spacing));
-}
-
-function findCircumradius(at: Float64Array, [a, b, c]: number[]): number {
-  const [dx, dy] = [at[2 * b!]! - at[2 * a!]!, at[2 * b! + 1]! - at[2 * a! + 1]!];
-  const [ex, ey] = [at[2 * c!]! - at[2 * a!]!, at[2 * c! + 1]! - at[2 * a! + 1]!];
-  const [d, e] = [dx * dx + dy * dy, ex * ex + ey * ey];
-  const cross = 2 * (dx * ey - dy * ex);
-  return Math.hypot(ey * d - dy * e, dx * e - ex * d) / Math.abs(cross);
 }
 
 /** Corners of the slip surfaces in the shown frame [m]: one, or one of each side where the soil moves to both. */

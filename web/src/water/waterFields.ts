@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** The states of the water in time, and their fields: decoded, as quantities that are drawn. */
 import { computed } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
 
 import type { WaterMesh, WaterShown, WaterState } from "../contract";
 import type { Triangles } from "../drawing/pen";
-import { load, loadIntegers, loadPlaces, report } from "../state";
+import { load, loadIntegers, loadPlaces, report, useLoaded } from "../state";
 
 export type ShownWater = WaterState & WaterShown;
 
@@ -54,19 +53,8 @@ async function loadState(state: ShownWater, told: WaterMesh | undefined): Promis
 }
 
 /** null until they are there, and where there are none. */
-export function useWaterArrays(state: ShownWater | undefined, mesh: WaterMesh | undefined): WaterArrays | null {
-  const [arrays, setArrays] = useState<WaterArrays | null>(null);
-  useEffect(() => {
-    if (!state) return setArrays(null);
-    let wanted = true;
-    loadState(state, mesh).then(
-      (found) => wanted && setArrays(found),
-      () => wanted && setArrays(null),
-    );
-    return () => void (wanted = false);
-  }, [state]);
-  return arrays?.state === state ? arrays : null;
-}
+export const useWaterArrays = (state: ShownWater | undefined, mesh: WaterMesh | undefined): WaterArrays | null =>
+  useLoaded(() => state && loadState(state, mesh), state);
 
 /** The mesh and a value for each of its nodes; of a quantity by triangle each triangle has nodes of its own. */
 export function takeQuantity(

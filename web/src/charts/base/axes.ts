@@ -2,7 +2,7 @@
 /** Axes and margins of a chart; ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
 import * as Plot from "@observablehq/plot";
 
-import { formatNumber, isPlain } from "./numbers";
+import { formatNumber, isPlain, raise } from "./numbers";
 
 export interface AxisText {
   /** Text of a tick. */
@@ -35,13 +35,8 @@ export function describeAxis(low: number, high: number, count: number): AxisText
   return {
     // Adding zero turns -0 into 0.
     format: (value) => (Number((value / 10 ** exponent).toFixed(decimals)) + 0).toFixed(decimals).replace("-", "−"),
-    power: exponent ? formatPower(exponent) : "",
+    power: exponent ? `10${raise(exponent)}` : "",
   };
-}
-
-/** "10⁻³". */
-export function formatPower(exponent: number): string {
-  return `10${[...String(exponent)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]!)).join("")}`;
 }
 
 /** "Strain [10⁻³]", "Stress [10³ kPa]". */
@@ -70,7 +65,7 @@ export function findLogTicks([low, high]: readonly [number, number], count: numb
 export function formatLogTick(value: number): string {
   const exponent = Math.log10(value);
   const whole = Math.round(exponent);
-  if (Math.abs(exponent - whole) < 1e-6 && (whole < -2 || whole > 4)) return formatPower(whole);
+  if (Math.abs(exponent - whole) < 1e-6 && (whole < -2 || whole > 4)) return `10${raise(whole)}`;
   return formatNumber(value, 2);
 }
 

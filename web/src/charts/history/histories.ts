@@ -44,24 +44,25 @@ export function findEnergyBalance(table: { columns: Pick<TableColumn, "part" | "
   return { residual, work: Math.max(0, ...done.map((w) => Math.abs(w ?? 0))) };
 }
 
+const kinds = [
+  { id: "force_ratio", title: "Force ratio", log: true, first: true },
+  { id: "nodal_speed", title: "Nodal speed", log: true, first: true },
+  { id: "momentum", title: "Momentum, magnitude", log: true, first: true },
+  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false },
+  { id: "water_flow", title: "Water through the border", log: false, first: true },
+  { id: "water_mass", title: "Water in the model", log: false, first: false },
+  { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
+  { id: "saturation", title: "Degree of saturation", log: false, first: true },
+  { id: "front", title: "Front", log: false, first: true },
+  { id: "largest", title: "Largest displacement", log: false, first: false },
+  { id: "displacement", title: "Displacement", log: false, first: true },
+  { id: "stress", title: "Stress", log: false, first: true },
+  { id: "velocity", title: "Velocity", log: false, first: false },
+  { id: "strain", title: "Strain", log: false, first: false },
+] as const;
+
 /** Quantity of a panel; "other" for one without a group. */
-type PanelKind =
-  | "energy"
-  | "force_ratio"
-  | "nodal_speed"
-  | "momentum"
-  | "largest_pressure"
-  | "water_flow"
-  | "water_mass"
-  | "pore_pressure"
-  | "saturation"
-  | "front"
-  | "largest"
-  | "displacement"
-  | "stress"
-  | "velocity"
-  | "strain"
-  | "other";
+type PanelKind = "energy" | "other" | (typeof kinds)[number]["id"];
 
 interface Series {
   name: string;
@@ -109,31 +110,8 @@ export function groupHistories(report: Pick<Report, "tables" | "sequences">): Hi
 /** Flows below this fraction of the largest are round-off. */
 const leastFlow = 1e-9;
 
-interface Kind {
-  id: PanelKind;
-  title: string;
-  log: boolean;
-  first: boolean;
-}
 
-const kinds: Kind[] = [
-  { id: "force_ratio", title: "Force ratio", log: true, first: true },
-  { id: "nodal_speed", title: "Nodal speed", log: true, first: true },
-  { id: "momentum", title: "Momentum, magnitude", log: true, first: true },
-  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false },
-  { id: "water_flow", title: "Water through the border", log: false, first: true },
-  { id: "water_mass", title: "Water in the model", log: false, first: false },
-  { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
-  { id: "saturation", title: "Degree of saturation", log: false, first: true },
-  { id: "front", title: "Front", log: false, first: true },
-  { id: "largest", title: "Largest displacement", log: false, first: false },
-  { id: "displacement", title: "Displacement", log: false, first: true },
-  { id: "stress", title: "Stress", log: false, first: true },
-  { id: "velocity", title: "Velocity", log: false, first: false },
-  { id: "strain", title: "Strain", log: false, first: false },
-];
-
-function findKind({ quantity, largest }: TableColumn): Kind | undefined {
+function findKind({ quantity, largest }: TableColumn) {
   const whole = quantity === "displacement" ? "largest" : "largest_pressure";
   return kinds.find((k) => k.id === (largest ? whole : quantity));
 }
@@ -176,8 +154,10 @@ export function makePanels(table: Table): Panel[] {
     if (!panel) {
       const { unit, extensive } = column;
       const title = kind?.title ?? whole(column.title);
-      const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit, extensive, x: table.x };
-      rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false, series: [] }));
+      const shown = kind ?? { id: "other" as const, log: false, first: false };
+      const head = { ...shown, id: `${table.id}.${key}`, kind: shown.id };
+      panel = { ...head, title, unit, extensive, x: table.x, series: [] } satisfies Panel;
+      rest.set(key, panel);
     }
     panel.series.push({ name: column.name, title: column.title, values: column.values });
   }

@@ -11,7 +11,8 @@ import { StudyCurves, StudyPlot } from "./StudyPlot";
 import { StudyExtrapolation } from "./StudyExtrapolation";
 import { StudyMotion } from "./StudyMotion";
 import { StudyPictures } from "./StudyPictures";
-import { findBars, findNumeric, makeStudyColumns, orderRows, shownStudy, type Study } from "./studyData";
+import { findBars, findNumeric, makeStudyColumns, shownStudy, takeOrdered, type Study } from "./studyData";
+import { orderValues } from "../base/rows";
 
 function OrderTable({ study }: { study: Study }) {
   const rows = study.rows.filter((r) => r.motion);
@@ -119,7 +120,8 @@ const repeated = new Set(["variant", "result"]);
 
 function StudyTable({ study }: { study: Study }) {
   const [sort, setSort] = useState<{ by: number | null; down: boolean }>({ by: null, down: false });
-  const order = orderRows(sort.by === null ? null : study.columns[sort.by]!, study.rows.length, sort.down);
+  const order =
+    sort.by === null ? [...study.rows.keys()] : orderValues(takeOrdered(study.columns[sort.by]!), sort.down);
   const columns = study.columns.map((c, i) => ({ c, i })).filter(({ c }) => !repeated.has(c.name));
   const varied = study.vary.map((v) => v.key);
   const isNumeric = study.columns.map((c) => c.values.some((v) => v !== null));

@@ -39,22 +39,9 @@ export const shownStudy = computed<Study | undefined>(() => {
 
 type StudyColumn = Study["columns"][number];
 
-/** Row numbers ordered by a column; rows without a value come last in both directions. */
-export function orderRows(column: StudyColumn | null, rows: number, descending: boolean): number[] {
-  const order = Array.from({ length: rows }, (_, i) => i);
-  if (!column) return descending ? order.reverse() : order;
-  const numeric = column.values.some((v) => v !== null);
-  const missing = (i: number) => (numeric ? (column.values[i] ?? null) === null : !column.shown[i]);
-  const sign = descending ? -1 : 1;
-  return order.sort((a, b) => {
-    if (missing(a) || missing(b)) return Number(missing(a)) - Number(missing(b)) || a - b;
-    const difference =
-      numeric ?
-        column.values[a]! - column.values[b]!
-      : column.shown[a]!.localeCompare(column.shown[b]!, "en", { numeric: true });
-    return sign * difference || a - b;
-  });
-}
+/** What a column is ordered by: its numbers, or else its words. */
+export const takeOrdered = (column: StudyColumn) =>
+  column.values.some((v) => v !== null) ? column.values : column.shown.map((text) => text || null);
 
 /** The varied keys' columns, in the order of the study. */
 export function findVaried(study: Study): StudyColumn[] {
