@@ -7,7 +7,6 @@ import "./styles/base.css";
 import "./styles/tables.css";
 import "./styles/bar.css";
 import "./styles/answer.css";
-import "./styles/warnings.css";
 import "./styles/parts.css";
 import "./styles/print.css";
 import { readReport } from "./data";

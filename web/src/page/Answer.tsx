@@ -6,7 +6,6 @@ import type { DesignStatement, Factor, ShownResult } from "../contract";
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
 import { WarningLink, Warnings } from "./Warnings";
-import "./answer.css";
 import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
 
 /** γ_R of the design values, which divides the factor of safety; 1 without. */

@@ -19,7 +19,6 @@ import {
   chooseFigure, chooseMoment, chosenFigure, chosenMoment, findMoment, type FirstFigure, type ShownTimeline,
   shownTimeline,
 } from "./chosen";
-import "./timeline.css";
 
 type Shown = "soils" | WaterQuantity;
 

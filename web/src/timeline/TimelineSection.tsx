@@ -5,7 +5,6 @@ import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
 import { chooseMoment, chosenMoment, findRelease, type ShownRelease, shownTimeline, showRelease } from "./chosen";
-import "./timeline.css";
 
 /** Moved soil after each release, and its dependence on the time of release. */
 function Releases({ releases }: { releases: ShownRelease[] }) {

@@ -17,7 +17,6 @@ import { Toolbar } from "./Toolbar";
 import { startTracing } from "./tracedLines";
 import { Transport } from "./Transport";
 import "./viewer.css";
-import "./narrow.css";
 import { ZoomButtons } from "../drawing/SectionCanvas";
 import { listenTo } from "./theme";
 

@@ -199,7 +199,7 @@ export function Chart(props: ChartProps) {
 
   return (
     <div class="chart">
-      <p class={props.quiet ? "chart-reading chart-unseen" : "chart-reading"} aria-live="polite">
+      <p class={props.quiet ? "unseen" : "chart-reading"} aria-live="polite">
         {reading || props.hint}
       </p>
       <div

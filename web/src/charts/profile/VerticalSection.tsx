@@ -237,7 +237,7 @@ export function VerticalSection() {
                 <input type="range" {...common} onInput={(e) => set(e.currentTarget.valueAsNumber)} />
               </label>
               <label>
-                <span class="chart-unseen">{letter(d)} of the section</span>
+                <span class="unseen">{letter(d)} of the section</span>
                 <input
                   type="number"
                   {...common}
