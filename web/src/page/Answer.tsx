@@ -58,20 +58,20 @@ function Interval({ factor }: { factor: Factor }) {
   );
 }
 
-/** Interval of a run with limit analysis only. */
-function ProvenInterval({ factor }: { factor: Factor }) {
+/** Returns whether a factor, or the proven upper bound, is below what is asked for. */
+const isBelow = ({ value, upper, method }: Factor) => (check(method === "bounds" ? upper : value) ?? 1) < 1;
+
+/** The name of the factor, with what follows where it is too low. */
+function Label({ fails, factor }: { fails: boolean; factor?: Factor }) {
   return (
-    <div class="main-factor">
-      <p class="number">
-        <Interval factor={factor} />
-      </p>
+    <>
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factor.upper !== null && check(factor.upper)! < 1 && <strong class="bad">, below 1: {describeFailure()}</strong>}
-        <span class="criterion">{factor.title}</span>
+        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
+        {factor && <span class="criterion">{factor.title}</span>}
       </p>
-    </div>
+    </>
   );
 }
 
@@ -103,9 +103,7 @@ function Referee({ factor }: { factor: Factor }) {
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
-  const fails = governs
-    ? proven.upper !== null && check(proven.upper)! < 1
-    : factors.some((factor) => check(factor.value)! < 1);
+  const fails = governs ? isBelow(proven) : factors.some(isBelow);
   return (
     <div class={governs ? "main-factor several by-proof" : "main-factor several"}>
       <dl>
@@ -113,34 +111,31 @@ function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | 
           <MethodValue key={factor.name} factor={factor} />
         ))}
       </dl>
-      <WarningLink />
-      <p class="label">
-        {nameFactor()}
-        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
-      </p>
+      <Label fails={fails} />
     </div>
   );
 }
 
+/** The one factor, or the interval of a run with limit analysis only. */
 function MainFactor({ factor }: { factor: Factor }) {
-  const fails = factor.value !== null && check(factor.value)! < 1;
+  const fails = isBelow(factor);
+  const isProven = factor.method === "bounds";
   return (
     <div class="main-factor">
       <p class="number">
-        <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
-        {(factor.lower ?? factor.upper) !== null && (
+        {isProven ? (
+          <Interval factor={factor} />
+        ) : (
+          <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
+        )}
+        {!isProven && (factor.lower ?? factor.upper) !== null && (
           <span class="bracket">
             {factor.method === "lem" && "proven: "}
             {formatInterval(checkInterval(factor))}
           </span>
         )}
       </p>
-      <WarningLink />
-      <p class="label">
-        {nameFactor()}
-        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
-        <span class="criterion">{factor.title}</span>
-      </p>
+      <Label fails={fails} factor={factor} />
     </div>
   );
 }
@@ -254,10 +249,8 @@ export function Answer() {
       </h2>
       {mains.length > 1 || (main && proven) ? (
         <MainFactors factors={mains} proven={proven} />
-      ) : main ? (
-        <MainFactor factor={main} />
       ) : (
-        proven && <ProvenInterval factor={proven} />
+        (main ?? proven) && <MainFactor factor={(main ?? proven)!} />
       )}
       {first && <p class={main || proven ? "in-words" : "in-words only"}>{first}</p>}
       <MoreWords sentences={others} />
