@@ -17,10 +17,6 @@ const parts = [
   [3, 4, 5],
 ] as const;
 
-export function countElements(mesh: QuadraticMesh): number {
-  return mesh.elements.length / 6;
-}
-
 /** Places of the nodes moved by `scale` times their displacement. */
 export function moveNodes(mesh: QuadraticMesh, displacement: Float32Array, scale: number): Float64Array {
   return scale === 0 ? mesh.nodes : mesh.nodes.map((x, i) => x + scale * displacement[i]!);

@@ -59,7 +59,7 @@ const hasTableOf = (given: Report, ...kinds: string[]) => given.tables.some(({ k
 const hasVariants = ({ study_result: study }: Report) => (study?.variants.length ?? 0) > 0;
 const always = () => true;
 
-export const sections: Section[] = [
+const sections: Section[] = [
   { id: "answer", label: "Answer", has: always, draw: () => <Answer /> },
   { id: "section", label: "Section", has: hasSection, draw: drawFirstFigure },
   {

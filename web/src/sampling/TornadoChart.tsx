@@ -13,7 +13,7 @@ import { showName, showValue } from "./probability";
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;
 const high = { colour: "var(--series-1)", dash: "", symbol: "circle" } as const;
 
-export interface TornadoBar {
+interface TornadoBar {
   title: string;
   low_factor: number;
   high_factor: number;

@@ -27,8 +27,8 @@ import {
 
 type Shown = "banded" | "below" | "best";
 
-export const otherLook = { colour: "#8a6100", dash: [8, 4] };
-export const minimumLook = { colour: "#0068a5", dash: [3, 3] };
+const otherLook = { colour: "#8a6100", dash: [8, 4] };
+const minimumLook = { colour: "#0068a5", dash: [3, 3] };
 
 const label = (line: Pixel[], factor: number | null, colour: string): SurfaceLabel[] =>
   factor === null ? [] : [{ line, text: factor.toFixed(3), colour }];

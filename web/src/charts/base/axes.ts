@@ -40,7 +40,7 @@ export function describeAxis(low: number, high: number, count: number): AxisText
 }
 
 /** "Strain [10⁻³]", "Stress [10³ kPa]". */
-export function titleWithPower(title: string, unit: string, power: string): string {
+function titleWithPower(title: string, unit: string, power: string): string {
   const inside = [power, isPlain(unit) ? "" : unit].filter(Boolean).join(" ");
   return inside ? `${title} [${inside}]` : title;
 }
