@@ -11,7 +11,7 @@ import "./styles/parts.css";
 import "./styles/print.css";
 import { readReport } from "./data";
 import { Page } from "./page/Page";
-import { preparePrinting } from "./page/printing";
+import { preparePrinting } from "./page/TopBar";
 import { report } from "./state";
 
 const root = document.getElementById("app")!;

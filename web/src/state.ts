@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Common state of the parts of the page: the shown frame, the field, the picked point. */
+/** Common state of the parts of the page: the shown frame, the field, the picked point, whether it is printed. */
 import { computed, signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 
@@ -50,4 +50,11 @@ export function useLoaded<T>(start: () => Promise<T> | null | undefined, of: unk
     return () => void (wanted = false);
   }, [of]);
   return found && found.of === of ? found.data : null;
+}
+
+export const printing = signal(false);
+
+if (typeof window !== "undefined") {
+  window.addEventListener("beforeprint", () => (printing.value = true));
+  window.addEventListener("afterprint", () => (printing.value = false));
 }

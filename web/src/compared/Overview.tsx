@@ -5,13 +5,11 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice, useSwitches } from "../charts/base/Legend";
 import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
-import { GroundKeys, LineSwatch } from "../drawing/Keys";
+import { GroundKeys, LineSwatch, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useOpacity } from "../drawing/useOpacity";
 import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
-import { paintField } from "../elements/fieldPainter";
-import { flowRuns, useFields } from "../elements/flowRuns";
+import { flowRuns, paintField, useFields } from "../elements/fields";
 import { formatCount } from "../page/format";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 
 import type { Factor, Report } from "../contract";
 import { chooseMagnification } from "../elements/ElementsFigure";
-import { moveNodes } from "../elements/fieldPainter";
+import { moveNodes } from "../elements/fields";
 import { selectsMethod } from "../page/methods/settings";
 import { listSections } from "../page/sections";
 import { findDensity, formatShare } from "../sampling/probability";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The two canvases of a drawing, its view, when they are drawn; mouse, fingers and wheel over it. */
-import { saveFile } from "../charts/base/csv";
-import { printing } from "../charts/base/printing";
+import { saveFile } from "../charts/base/rows";
+import { printing } from "../state";
 import { Camera, type Vec } from "../viewer/camera";
 import { drawRulers, findRulerWidth } from "../viewer/rulers";
 import { type Bar, drawScaleBar, type Key, uprightFrom } from "../viewer/scaleBar";

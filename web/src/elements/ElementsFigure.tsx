@@ -5,10 +5,9 @@ import { useMemo, useState } from "preact/hooks";
 import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
-import { GroundKeys, LineKey } from "../drawing/Keys";
+import { GroundKeys, LineKey, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useOpacity } from "../drawing/useOpacity";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
@@ -16,8 +15,7 @@ import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
-import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
-import { type FlowRun, useFields } from "./flowRuns";
+import { drawMesh, drawYielding, type FlowRun, moveNodes, paintField, useFields } from "./fields";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 

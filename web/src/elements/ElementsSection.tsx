@@ -9,7 +9,7 @@ import { formatFactor, formatSentence } from "../page/format";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
 import { ReductionChart } from "./ReductionChart";
-import { type FlowRun, flowRuns } from "./flowRuns";
+import { type FlowRun, flowRuns } from "./fields";
 
 function TrialTable({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;

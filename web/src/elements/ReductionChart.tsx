@@ -9,7 +9,7 @@ import { AxisChoice, type AxisKind, Legend, useSwitches } from "../charts/base/L
 import { formatQuantity } from "../charts/base/numbers";
 import { styleOf } from "../charts/base/styles";
 import { report } from "../state";
-import type { FlowRun } from "./flowRuns";
+import type { FlowRun } from "./fields";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;

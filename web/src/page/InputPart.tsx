@@ -3,11 +3,10 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { report } from "../state";
-import { CopyButton } from "./CopyButton";
+import { CopyButton, Lazy, Part } from "./Part";
 import { CaptionedTable, type Column, TableHead, TableRows } from "./DataTable";
 import { formatCount, formatUnit } from "./format";
 import { formatInput, type InputBlock, type InputRow, listBlocks, writeToml } from "./inputRows";
-import { Lazy, Part } from "./Part";
 
 const columns: Column<InputRow>[] = [
   ["Key", (row) => <code>{row.key}</code>, "name"],

@@ -9,7 +9,7 @@ import {
   formatCoordinate, formatDate, formatDifference, formatDuration, formatFactor, formatNumber, formatPlace,
   formatQuantity, formatSentence, roundDown, roundUp, splitSentences,
 } from "./format";
-import { findMechanism } from "./opening";
+import { findMechanism } from "./Page";
 
 describe("ends of proven intervals", () => {
   it("are rounded outward", () => {

@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 
 import { layOut } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import type { CsvColumn } from "../charts/base/csv";
+import type { CsvColumn } from "../charts/base/rows";
 import { CsvButton, Legend } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";

@@ -6,11 +6,10 @@ import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Slices, SlipSurface } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
-import { useDark } from "../drawing/useOpacity";
+import { GroundKeys, LineKey, useDark } from "../drawing/Keys";
 import {
   clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater,
 } from "../drawing/ground";
-import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { drawSurface, drawSurfaceLabels, type SurfaceLabel } from "../drawing/surfaceLines";

@@ -9,8 +9,7 @@ import { Chart } from "../charts/base/Chart";
 import { styleOf } from "../charts/base/styles";
 import { formatFactor } from "../page/format";
 import { report } from "../state";
-import { findRain, listLevels, listRain, type LevelLine, type RainBar } from "./rain";
-import type { ShownTimeline } from "./chosen";
+import { findRain, type LevelLine, listLevels, listRain, type RainBar, type ShownTimeline } from "./chosen";
 
 interface Props {
   timeline: ShownTimeline;

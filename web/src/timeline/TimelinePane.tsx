@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useDark, useOpacity } from "../drawing/useOpacity";
+import { useDark, useOpacity } from "../drawing/Keys";
 import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import { type CsvColumn, makeFileName, saveFile, writeCsv } from "../charts/base/csv";
+import { type CsvColumn, makeFileName, saveFile, writeCsv } from "../charts/base/rows";
 import type { SequenceField } from "../contract";
 import { readValues } from "../data";
 import { formatCoordinate } from "../page/format";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Pictures of the stage for outside: a file with a head that describes it, a sheet of paper. */
-import { saveFile } from "../charts/base/csv";
+import { saveFile } from "../charts/base/rows";
 import { report } from "../state";
 import { fontFamily } from "./scaleBar";
 import { frame, shown } from "./shown";

@@ -3,7 +3,7 @@
 import { expect, test } from "vitest";
 
 import { describeAxis, findLogTicks, findStep, formatLogTick } from "../../src/charts/base/axes";
-import { makeFileName, writeCsv } from "../../src/charts/base/csv";
+import { makeFileName, writeCsv } from "../../src/charts/base/rows";
 import { formatNumber, scaleUnit } from "../../src/charts/base/numbers";
 
 /** A reader after the grammar of RFC 4180, independent of the writer. */

@@ -5,7 +5,7 @@ import type { Scale } from "@observablehq/plot";
 import { effect, type Signal, signal } from "@preact/signals";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
-import { printing } from "./printing";
+import { printing } from "../../state";
 import { findNearest } from "./rows";
 
 /** A value that the crosshair marks, in the units of the axes. */

@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 
 import { report } from "../../state";
-import { type CsvColumn, makeFileName, saveFile, writeCsv } from "./csv";
+import { type CsvColumn, makeFileName, saveFile, writeCsv } from "./rows";
 import type { SeriesStyle } from "./styles";
 
 interface LegendItem {

@@ -2,7 +2,7 @@
 /** The displacement curve as columns, its fitted lines as points, the places of the labels of the factors, and which trials came to rest. */
 import type { Branch, DisplacementCurve, InputTable, Trial } from "../../contract";
 import { findSetting } from "../../page/methods/settings";
-import type { CsvColumn } from "../base/csv";
+import type { CsvColumn } from "../base/rows";
 
 /** All that the curve holds, in SI, as in curve.csv of the results. */
 export function makeCurveColumns(curve: DisplacementCurve): CsvColumn[] {

@@ -5,14 +5,12 @@ import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
 import type { Table } from "../../contract";
-import { frameIndex, report, sequence, sequenceIndex } from "../../state";
+import { frameIndex, printing, report, sequence, sequenceIndex } from "../../state";
 import { Chart } from "../base/Chart";
 import { AxisChoice, CsvButton, Legend, Select, useSwitches } from "../base/Legend";
 import { layOut, makeAxis } from "../base/axes";
-import type { CsvColumn } from "../base/csv";
+import { type CsvColumn, findNearest, findNearestFrame, pickRows } from "../base/rows";
 import { findLargest, formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
-import { printing } from "../base/printing";
-import { findNearest, findNearestFrame, pickRows } from "../base/rows";
 import { styleOf } from "../base/styles";
 import { findRestLimits } from "../curve/curveData";
 import {

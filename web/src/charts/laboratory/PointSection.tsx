@@ -9,8 +9,9 @@ import { report } from "../../state";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend, useSwitches } from "../base/Legend";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { capitalise, layOutDiagram } from "./diagram";
-import { findSpan, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
+import {
+  capitalise, findSpan, layOutDiagram, makeLines, makePointCsv, makeStops, type PointLine, readLines,
+} from "./diagram";
 
 function Diagram(props: {
   group: PointGroup;

@@ -10,7 +10,7 @@ import { fieldName, frameIndex, load, loadPlaces, report, sequenceIndex } from "
 import { Chart } from "../base/Chart";
 import { CsvButton, Select, Symbol } from "../base/Legend";
 import { layOut, makeAxis } from "../base/axes";
-import type { CsvColumn } from "../base/csv";
+import type { CsvColumn } from "../base/rows";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { type SeriesStyle, styleOf } from "../base/styles";
 import { type Bin, findLayer, makeProfile, takeFrame } from "./profileData";

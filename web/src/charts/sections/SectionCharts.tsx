@@ -10,7 +10,7 @@ import { report } from "../../state";
 import { Chart } from "../base/Chart";
 import { Choice, CsvButton, Legend, Select, useSwitches } from "../base/Legend";
 import { layOut, makeAxis } from "../base/axes";
-import type { CsvColumn } from "../base/csv";
+import type { CsvColumn } from "../base/rows";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 import { interpolate, nameRow, type Study } from "../study/studyData";

@@ -6,7 +6,7 @@ import type {
   ExtrapolatedFactor, Sequence, SequenceField, StudyResult, StudyShown, StudyVariant, VariantShown,
 } from "../../contract";
 import { report } from "../../state";
-import type { CsvColumn } from "../base/csv";
+import type { CsvColumn } from "../base/rows";
 
 export type StudyRow = StudyVariant & VariantShown;
 

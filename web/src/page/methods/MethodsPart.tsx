@@ -4,8 +4,7 @@ import katex from "katex";
 import { useMemo } from "preact/hooks";
 
 import { report } from "../../state";
-import { CopyButton } from "../CopyButton";
-import { Lazy, Part } from "../Part";
+import { CopyButton, Lazy, Part } from "../Part";
 import { Scroller } from "../DataTable";
 import { writeMethods, type Paragraph } from "./paragraphs";
 import { writePlainMethods, writeTexMethods } from "./plainText";

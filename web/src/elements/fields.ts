@@ -1,9 +1,46 @@
 // SPDX-License-Identifier: MIT
-/** Paints a field on a mesh of quadratic triangles: colours run as the shape functions do. */
+/** The strength reductions of the finite elements with their mesh and fields, decoded, and how a field on quadratic triangles is painted. */
+import { computed } from "@preact/signals";
+
+import type { ElementsDrawn, PackedElementFields } from "../contract";
 import { paintTriangles, type Pen } from "../drawing/pen";
+import { load, loadIntegers, loadPlaces, report, useLoaded } from "../state";
 import type { Scale } from "../viewer/scale";
 
-export interface QuadraticMesh {
+export const flowRuns = computed(() => {
+  const { result, finite_elements: drawn } = report.value;
+  return (result.fem?.runs ?? []).map((run, i) => ({
+    ...run,
+    title: run.flow === "associated" ? "associated flow, ψ = φ" : "ψ as given",
+    trials: [...run.trials].sort((a, b) => a.factor - b.factor),
+    /** One, or one of each side where the soil moves to both [m]. */
+    slip_lines: run.sides?.map((side) => side.points) ?? (run.slip_line.length > 0 ? [run.slip_line] : []),
+    fields: drawn?.fields[i] ?? undefined,
+  }));
+});
+
+/** One strength reduction: with the flow rule as given, or associated. */
+export type FlowRun = (typeof flowRuns.value)[number];
+
+async function loadFields(mesh: ElementsDrawn["mesh"], { displacement, shear_strain, yields }: PackedElementFields) {
+  const [nodes, elements] = await Promise.all([loadPlaces(mesh.nodes), loadIntegers(mesh.elements)]);
+  const [moves, strain, plastic] = await Promise.all([displacement, shear_strain, yields].map(load));
+  return {
+    mesh: { nodes, elements: Uint32Array.from(elements) },
+    displacement: moves!,
+    strain: strain!,
+    yields: plastic!,
+  };
+}
+
+/** Mesh and fields of the finite elements, decoded. */
+export const useFields = (run: FlowRun | undefined) =>
+  useLoaded(() => {
+    const mesh = report.value.finite_elements?.mesh;
+    return mesh && run?.fields && loadFields(mesh, run.fields);
+  }, run);
+
+interface QuadraticMesh {
   /** [node][2], [element][6]: corners, then the middles of the sides 0–1, 1–2, 2–0. */
   nodes: Float64Array;
   elements: Uint32Array;
