@@ -7,12 +7,11 @@ import "./styles/base.css";
 import "./styles/tables.css";
 import "./styles/bar.css";
 import "./styles/answer.css";
-import "./styles/warnings.css";
 import "./styles/parts.css";
 import "./styles/print.css";
 import { readReport } from "./data";
 import { Page } from "./page/Page";
-import { preparePrinting } from "./page/printing";
+import { preparePrinting } from "./page/TopBar";
 import { report } from "./state";
 
 const root = document.getElementById("app")!;

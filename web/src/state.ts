@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** Common state of the parts of the page: the shown frame, the field, the picked point. */
+/** Common state of the parts of the page: the shown frame, the field, the picked point, whether it is printed. */
 import { computed, signal } from "@preact/signals";
+import { useEffect, useState } from "preact/hooks";
 
 import type { PackedArray, PackedPlaces, Report, Sequence } from "./contract";
 import { readIntegers, readPlaces, readValues } from "./data";
@@ -36,3 +37,24 @@ export const loadPlaces = makeCache((array: PackedPlaces) => readPlaces(array));
 
 /** Likewise its numbers as they are stored: those of points exceed the precision of a value of 32 bits. */
 export const loadIntegers = makeCache((array: PackedArray) => readIntegers(array));
+
+/** What `start` decodes for `of`; null until it is there, where it cannot be read, and where there is nothing to decode. */
+export function useLoaded<T>(start: () => Promise<T> | null | undefined, of: unknown): T | null {
+  const [found, setFound] = useState<{ of: unknown; data: T | null } | null>(null);
+  useEffect(() => {
+    let wanted = true;
+    start()?.then(
+      (data) => wanted && setFound({ of, data }),
+      () => wanted && setFound({ of, data: null }),
+    );
+    return () => void (wanted = false);
+  }, [of]);
+  return found && found.of === of ? found.data : null;
+}
+
+export const printing = signal(false);
+
+if (typeof window !== "undefined") {
+  window.addEventListener("beforeprint", () => (printing.value = true));
+  window.addEventListener("afterprint", () => (printing.value = false));
+}

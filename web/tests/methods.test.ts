@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 
 import { findMethods } from "../src/compared/methodTable";
 import { readIntegers, readPlaces, readValues } from "../src/data";
-import { flowRuns } from "../src/elements/flowRuns";
+import { flowRuns } from "../src/elements/fields";
 import { hasSlices, slicedSurfaces } from "../src/slices/sliceData";
 import * as state from "../src/state";
 import { findGiven, readJson, readReportFile } from "./reportFile";

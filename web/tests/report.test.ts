@@ -7,7 +7,7 @@ import { describe, expect, it } from "vitest";
 import type { PackedPlaces, Sequence } from "../src/contract";
 import { readIntegers, readPlaces, readValues } from "../src/data";
 import { measureSpacing } from "../src/viewer/extent";
-import { findWaterTable } from "../src/viewer/waterTable";
+import { findWaterTable } from "../src/viewer/tracedLines";
 import { findGiven, findPackedArrays, readReportFile } from "./reportFile";
 
 const given = findGiven();

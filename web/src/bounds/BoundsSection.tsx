@@ -6,20 +6,17 @@ import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { BoundsDrawn, BoundsResult } from "../contract";
 import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
-import { GroundKeys, LineKey } from "../drawing/Keys";
-import { findSoilBox } from "../drawing/pen";
+import { GroundKeys, LineKey, useOpacity } from "../drawing/Keys";
+import { findSoilBox, paintTriangles } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { drawSurface } from "../drawing/surfaceLines";
-import { paintTriangles } from "../drawing/trianglePainter";
-import { useOpacity } from "../drawing/useOpacity";
 import { bandLook } from "../elements/ElementsFigure";
-import { ChartTable, numbers } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatSentence, roundDown, roundUp } from "../page/format";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
-import { drawArrows, drawCrosses } from "./marks";
-import { useBounds } from "./useBounds";
+import { drawArrows, drawCrosses, useBounds } from "./fields";
 
 type Field = "holds" | "moves";
 
@@ -108,19 +105,16 @@ function Meshes({ bounds }: { bounds: BoundsResult }) {
     <ChartTable
       label="Meshes of the proven bounds"
       class="bounds-meshes"
-      head={numbers("Triangles", "Lower bound", "Upper bound", "Programs", "Iterations", "Seconds")}
-    >
-      {bounds.meshes.map((mesh) => (
-        <tr key={mesh.triangles}>
-          <td class="number">{formatNumber(mesh.triangles, 6)}</td>
-          <td class="number">{formatFactor(roundDown(mesh.lower), "–")}</td>
-          <td class="number">{formatFactor(roundUp(mesh.upper), "–")}</td>
-          <td class="number">{mesh.programs}</td>
-          <td class="number">{mesh.iterations}</td>
-          <td class="number">{formatNumber(mesh.seconds, 3)}</td>
-        </tr>
-      ))}
-    </ChartTable>
+      rows={bounds.meshes}
+      columns={[
+        ["Triangles", (mesh) => formatNumber(mesh.triangles, 6), "number"],
+        ["Lower bound", (mesh) => formatFactor(roundDown(mesh.lower)), "number"],
+        ["Upper bound", (mesh) => formatFactor(roundUp(mesh.upper)), "number"],
+        ["Programs", (mesh) => mesh.programs, "number"],
+        ["Iterations", (mesh) => mesh.iterations, "number"],
+        ["Seconds", (mesh) => formatNumber(mesh.seconds, 3), "number"],
+      ]}
+    />
   );
 }
 

@@ -2,8 +2,7 @@
 // The marks and meshes of the proven bounds.
 import { describe, expect, it } from "vitest";
 
-import { findPrincipal, thinOut } from "./marks";
-import { repeat, separate } from "./useBounds";
+import { findPrincipal, repeat, separate, thinOut } from "./fields";
 
 describe("findPrincipal", () => {
   it("finds size and direction of the larger compression", () => {

@@ -1,14 +1,73 @@
 // SPDX-License-Identifier: MIT
-/** All methods side by side: factors by criterion with computing times, surfaces of other methods, and their reading. */
+/** All methods side by side: factors by criterion with computing times, surfaces of other methods, their reading, and partial factors. */
 import { CsvButton } from "../charts/base/Legend";
-import type { MethodComparison, MethodRow } from "../contract";
+import { formatNumber } from "../charts/base/numbers";
+import type { DesignStatement, MethodComparison, MethodRow } from "../contract";
+import { ChartTable, Scroller, SymbolText } from "../page/DataTable";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatInterval, formatSentence } from "../page/format";
-import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
 import { findMethods, listRows } from "./methodTable";
-import { PartialFactors } from "./PartialFactors";
+
+function PartialFactors({ partial }: { partial: DesignStatement }) {
+  return (
+    <figure class="chart-figure" aria-label="Partial factors">
+      <h4>Partial factors{partial.set && `: ${partial.set}`}</h4>
+      <p>{formatSentence(partial.text)}</p>
+      <Scroller class="chart-scroll" label="Partial factors">
+        <table class="chart-table compared-narrow">
+          <tbody>
+            {partial.values.map((v) => (
+              <tr key={v.key}>
+                <th scope="row">
+                  <SymbolText text={v.symbol} /> {v.title}
+                </th>
+                <td class="number">{formatNumber(v.value, 4)}</td>
+              </tr>
+            ))}
+            {partial.over_design !== null && (
+              <tr>
+                <th scope="row">Over-design factor</th>
+                <td class={`number ${partial.over_design < 1 ? "chart-bad" : "chart-good"}`}>
+                  {formatFactor(partial.over_design)}
+                </td>
+              </tr>
+            )}
+          </tbody>
+        </table>
+      </Scroller>
+      {partial.materials.length > 0 && (
+        <ChartTable
+          label="Design values"
+          class="compared-narrow"
+          rows={partial.materials}
+          columns={[
+            ["Soil", (m) => m.material, "name"],
+            [
+              "Quantity",
+              (m) => (
+                <>
+                  {m.quantity}
+                  {m.symbol && " "}
+                  {m.symbol && <SymbolText text={m.symbol} />}
+                  {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
+                </>
+              ),
+            ],
+            ["Characteristic", (m) => formatNumber(m.characteristic, 4), "number"],
+            ["Design", (m) => formatNumber(m.design, 4), "number"],
+          ]}
+        />
+      )}
+      {partial.notes.map((text) => (
+        <p key={text} class="chart-note">
+          {formatSentence(text)}
+        </p>
+      ))}
+    </figure>
+  );
+}
 
 /** Others are compared with the surface of the slices that governs, else with the first factor there is. */
 function chooseReference(rows: MethodRow[]): MethodRow | undefined {
@@ -29,47 +88,35 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
     <ChartTable
       label={label}
       class="compared-factors"
-      head={[
-        "Method",
-        "Criterion",
-        ...numbers("F", "Range"),
-        scale !== null && "Mark",
-        ...wrapped(reference && `against ${reference.title}`),
-        ...numbers("Time"),
-        "Note",
-      ]}
-    >
-      {rows.map((row, i) => {
-        const difference = compare(row);
-        // The titles of the other methods begin with the method.
-        const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
-        return (
-          <tr key={i}>
-            <th scope="row">
-              {before}
+      rows={rows}
+      columns={[
+        [
+          "Method",
+          (row) => (
+            <>
+              {/* The titles of the other methods begin with the method. */}
+              {row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>}
               {row.title}
-            </th>
-            <td>{row.criterion}</td>
-            <td class="number">
-              <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>
-            </td>
-            <td class="number">{formatInterval(row)}</td>
-            {scale && (
-              <td>
-                <FactorMark scale={scale} row={row} />
-              </td>
-            )}
-            {reference && (
-              <td class="number">
-                {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
-              </td>
-            )}
-            <td class="number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
-            <td>{row.note || "–"}</td>
-          </tr>
-        );
-      })}
-    </ChartTable>
+            </>
+          ),
+          "name",
+        ],
+        ["Criterion", (row) => row.criterion],
+        ["F", (row) => <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>, "number"],
+        ["Range", formatInterval, "number"],
+        scale && ["Mark", (row) => <FactorMark scale={scale} row={row} />],
+        reference && [
+          `against ${reference.title}`,
+          (row) => {
+            const difference = compare(row);
+            return row === reference ? "=" : difference === null ? "–" : formatDifference(difference);
+          },
+          "wrap",
+        ],
+        ["Time", (row) => (row.seconds === null ? "–" : formatDuration(row.seconds)), "number"],
+        ["Note", (row) => row.note || "–"],
+      ]}
+    />
   );
 }
 

@@ -3,24 +3,20 @@
  * elements where there are any, else on the soils. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
-import { useSwitches } from "../charts/base/useSwitches";
+import { Choice, useSwitches } from "../charts/base/Legend";
 import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
-import { GroundKeys, LineSwatch } from "../drawing/Keys";
+import { GroundKeys, LineSwatch, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useOpacity } from "../drawing/useOpacity";
 import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
-import { paintField } from "../elements/fieldPainter";
-import { flowRuns } from "../elements/flowRuns";
-import { useFields } from "../elements/useFields";
+import { flowRuns, paintField, useFields } from "../elements/fields";
 import { formatCount } from "../page/format";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
-import { listSurfaces, type NamedSurface } from "./surfaces";
+import { listSurfaces, type NamedSurface } from "./methodTable";
 import "./compared.css";
 
 type Shown = "strain" | "soils" | WaterQuantity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What was asked for: factors of safety, other numbers, and published values beside them. */
+/** What was asked for: factors of safety, other numbers, the methods beside each other; and the case as it was understood. */
 import type { CriterionKind, FactorMeasure, Flow, Method, SliceMethod, SurfaceSource, Unit } from "./results";
 
 export interface Answer {
@@ -57,3 +57,19 @@ export interface ShownResult {
   /** Of slices; empty for other results. */
   by: SliceMethod | "";
 }
+
+/** Of a case that asks for several methods, or for others than material points. */
+export interface MethodsRead {
+  /** Name of the slip surface of the slices that governs; absent where they have no factor. */
+  governing?: string;
+  /** The remarks by topic: "Slices", "Mechanism". */
+  reading: { topic: string; sentences: string[] }[];
+}
+
+export interface InputValue {
+  value: unknown;
+  given: boolean;
+  unit?: string;
+}
+
+export type InputTable = { [key: string]: InputTable | InputTable[] | InputValue };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** The calculation model: geometry, supports, loads, soils, stages, mesh. */
+/** The calculation model: geometry, supports, loads, soils, stages, mesh; pore water: soils, conditions, start, weather before the run, budget. */
+import type { Unit } from "./results";
 import type { PackedArray, PackedPlaces } from "./units";
-import type { SoilWater, WaterMesh, WaterShown } from "./water";
 
 export interface Model {
   dimension: 2 | 3;
@@ -57,4 +57,71 @@ export interface MaterialRow {
   }[];
   /** Absent for dry soil. */
   water?: SoilWater;
+}
+
+/** The triangles that fields of pore water lie on. */
+export interface WaterMesh {
+  /** Of water [N/m³]. */
+  unit_weight: number;
+  /** [node][2] f32 [m], [element][3] u32. */
+  nodes: PackedPlaces;
+  elements: PackedArray;
+}
+
+/** What a soil does with water: the laws in words, their parameters, and their curves. */
+export interface SoilWater {
+  /** "van Genuchten", and its formula in words. */
+  retention: string;
+  conductivity: string;
+  /** Of Bishop's effective stress. */
+  chi: string;
+  parameters: { key: string; title: string; symbol: string; unit: string; value: number }[];
+  curves: {
+    /** [Pa], rising, above 0. */
+    suction: number[];
+    /** S [-]. */
+    saturation: number[];
+    /** k [m/s]; empty where no saturated conductivity is known. */
+    conductivity: number[];
+    /** Largest suction of the results [Pa]; null when unknown or none. */
+    largest_suction: number | null;
+  };
+}
+
+/** Pore water of the case and of its results. */
+export interface Water {
+  /** "saturated and unsaturated soil, at the start in steady seepage", ... */
+  state: string;
+  /** How the pore pressures began, in one sentence. */
+  initial: string;
+  properties: { key: string; title: string; symbol: string; unit: string; value: number }[];
+  conditions: HydraulicCondition[];
+}
+
+/** What water meets on a side. */
+export interface HydraulicCondition {
+  on: string;
+  condition: "total_head" | "pressure" | "seepage_face" | "rain" | "flux" | "no_flow";
+  title: string;
+  /** What happens there, in words. */
+  text: string;
+  /** Over time [s], in `unit`; a constant has one row, and a jump two rows at one time. */
+  series?: { title: string; unit: Unit; time: number[]; values: number[] };
+  /** Where it lies at the start, each a polyline [m]; empty in 3D. */
+  lines: number[][][];
+}
+
+/** What the report adds to a state of the water. */
+export interface WaterShown {
+  /** "steady seepage", "1.5 days before the start", "start, after 3 days of transient seepage". */
+  title: string;
+  /** Absent in 3D, and on a mesh too large to draw. */
+  fields?: {
+    /** [node] u16, compression positive [Pa]. */
+    pressure: PackedArray;
+    /** [element] u16 [-]. */
+    saturation?: PackedArray;
+    /** Darcy's, [element][2] f32 [m/s]. */
+    velocity?: PackedArray;
+  };
 }

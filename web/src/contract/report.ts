@@ -7,19 +7,12 @@
  * write against both schemas, the tests of the page hold a real report against them too. Numbers are SI; `Unit.si`
  * converts for display.
  */
-import type { Answer } from "./answer";
-import type { BoundsDrawn } from "./bounds";
-import type { ElementsDrawn } from "./elements";
-import type { InputTable } from "./input";
-import type { MethodsRead } from "./methods";
-import type { Model } from "./model";
+import type { Answer, InputTable, MethodsRead } from "./answer";
+import type { BoundsDrawn, ElementsDrawn, Slices } from "./drawn";
+import type { Model, Water } from "./model";
 import type { Calibration, PointTests, RunResult, StudyResult, Unit } from "./results";
-import type { Section, Sequence, Table } from "./run";
-import type { Slices } from "./slices";
-import type { StudyShown } from "./study";
-import type { TimelineShown } from "./timeline";
+import type { Section, Sequence, StudyShown, Table, TimelineShown } from "./run";
 import type { Column } from "./units";
-import type { Water } from "./water";
 
 /** What the program computed: the files of the results folder. */
 export interface Results {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** What the report adds to the results of one run: frames, tables over time, sections. */
-import type { Unit } from "./results";
-import type { PackedArray, PackedPlaces, TableColumn } from "./units";
+/** What the report adds to the results of a run, a study and a timeline: frames, tables over time, sections, times in words. */
+import type { WaterMesh, WaterShown } from "./model";
+import type { DisplacementCurve, Motion, Unit } from "./results";
+import type { Column, PackedArray, PackedPlaces, TableColumn } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
@@ -66,4 +67,50 @@ export interface Section {
     /** [field][row], SI; null where there is no value. */
     values: (number | null)[][];
   }[];
+}
+
+export interface StudyShown {
+  columns: (Column & { shown: string[] })[];
+  /** Of the variants, in their order. */
+  rows: VariantShown[];
+}
+
+export interface VariantShown {
+  warnings: string[];
+  /** As in the variant's summary. */
+  curve?: DisplacementCurve;
+  motion?: Motion;
+  paths?: MonitorPaths;
+  sections?: Section[];
+  /** Its frames in the report's sequences, their times on the clock; `pictures` are those that stand side by side. */
+  frames?: { sequence: string; clock: number[]; pictures: number[] };
+}
+
+/** Displacement of each monitor [m] over time on the clock [s]. */
+export interface MonitorPaths {
+  time: number[];
+  paths: { name: string; displacement: (number | null)[] }[];
+}
+
+export interface TimelineShown {
+  /** Of the times that are shown. */
+  unit: Unit;
+  /** When it fails, and when the factor is least, in words. */
+  sentence: string;
+  /** Times of the factors and of the finite elements: "6 h". */
+  factors: string[];
+  elements: string[];
+  /** Of the states of the water, at the times of the factors. */
+  states: WaterShown[];
+  /** The triangles of the fields of these states. */
+  water_mesh?: WaterMesh;
+  releases: ReleaseShown[];
+}
+
+export interface ReleaseShown {
+  title: string;
+  /** What the points began with, or whether they came to rest before they were let go: "came to rest". */
+  start: string;
+  /** Advance of the front, with what the mesh leaves open: "1.3 ± 0.4 m". */
+  front: string;
 }

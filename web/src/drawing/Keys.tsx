@@ -1,10 +1,38 @@
 // SPDX-License-Identifier: MIT
-/** Key to the colours and lines of a drawing. */
+/** Key to the colours and lines of a drawing, and its settings: dark or not, how much of the soils is seen through a field. */
 import type { ComponentChildren } from "preact";
+import { useEffect, useState } from "preact/hooks";
 
 import { report } from "../state";
+import { isDark, watchTheme } from "../viewer/theme";
 import { describeStrength, findSoilColour } from "./ground";
 import { findUsedWater } from "./standingWater";
+
+export function useDark(): boolean {
+  const [dark, setDark] = useState(isDark);
+  useEffect(() => watchTheme(() => setDark(isDark())), []);
+  return dark;
+}
+
+const usual = 0.72;
+
+export function useOpacity(): { opacity: number; slider: preact.ComponentChildren } {
+  const [opacity, setOpacity] = useState(usual);
+  const slider = (
+    <label>
+      Field over soils
+      <input
+        type="range"
+        min="0"
+        max="1"
+        step="0.04"
+        value={opacity}
+        onInput={(e) => setOpacity(e.currentTarget.valueAsNumber)}
+      />
+    </label>
+  );
+  return { opacity, slider };
+}
 
 export function LineSwatch({ colour, dash, width = 2.2 }: { colour: string; dash?: string; width?: number }) {
   return (

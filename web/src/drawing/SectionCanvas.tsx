@@ -4,8 +4,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import type { Bar, Key } from "../viewer/scaleBar";
 import type { Box, Pen } from "./pen";
-import { listen } from "./pointer";
-import { View } from "./view";
+import { listen, View } from "./view";
 import "./drawing.css";
 
 interface Props {
@@ -34,11 +33,31 @@ const steps: Record<string, [number, number]> = {
   ArrowDown: [0, -40],
 };
 
-const buttons: [string, string, (view: View) => void][] = [
-  ["Zoom in", "M8 3v10M3 8h10", (v) => v.zoom(1.4)],
-  ["Zoom out", "M3 8h10", (v) => v.zoom(1 / 1.4)],
-  ["Fit", "M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10", (v) => v.fit()],
-];
+export function IconButton(props: { name: string; path: string; act: () => void; class?: string }) {
+  const { name, path, act } = props;
+  return (
+    <button type="button" class={props.class} aria-label={name} title={name} onClick={act}>
+      <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+        <path d={path} fill="none" stroke="currentColor" stroke-width="1.6" />
+      </svg>
+    </button>
+  );
+}
+
+export function ZoomButtons(props: { zoom: (factor: number) => void; fit: () => void; class?: string }) {
+  const buttons: [string, string, () => void][] = [
+    ["Zoom in", "M8 3v10M3 8h10", () => props.zoom(1.4)],
+    ["Zoom out", "M3 8h10", () => props.zoom(1 / 1.4)],
+    ["Fit", "M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10", props.fit],
+  ];
+  return (
+    <>
+      {buttons.map(([name, path, act]) => (
+        <IconButton key={name} class={props.class} name={name} path={path} act={act} />
+      ))}
+    </>
+  );
+}
 
 export function SectionCanvas(props: Props) {
   const host = useRef<HTMLDivElement>(null);
@@ -95,29 +114,12 @@ export function SectionCanvas(props: Props) {
           onKeyDown={press}
         />
         <div class="drawing-buttons no-print">
-          {buttons.map(([name, path, act]) => (
-            <button
-              type="button"
-              key={name}
-              aria-label={name}
-              title={name}
-              onClick={() => view.current && act(view.current)}
-            >
-              <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
-                <path d={path} fill="none" stroke="currentColor" stroke-width="1.6" />
-              </svg>
-            </button>
-          ))}
-          <button
-            type="button"
-            aria-label="Save picture"
-            title="Save picture"
-            onClick={() => view.current?.save(`${file}.png`)}
-          >
-            <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
-              <path d="M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11" fill="none" stroke="currentColor" stroke-width="1.6" />
-            </svg>
-          </button>
+          <ZoomButtons zoom={(factor) => view.current?.zoom(factor)} fit={() => view.current?.fit()} />
+          <IconButton
+            name="Save picture"
+            path="M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11"
+            act={() => view.current?.save(`${file}.png`)}
+          />
         </div>
       </div>
     </div>

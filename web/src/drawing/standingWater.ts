@@ -2,9 +2,9 @@
 /** The water of a section: ponds with their level, the water table, and where water comes out of the ground. */
 import type { WaterState } from "../contract";
 import { report } from "../state";
-import { startWater } from "../water/waterStates";
-import { makeTicks } from "../viewer/format";
-import { drawWaterMark, strokeLine, type Pixel } from "../viewer/lines";
+import { startWater } from "../water/waterFields";
+import { makeTicks } from "../viewer/scale";
+import { drawDot, drawWaterMark, strokeLine, type Pixel, writeEdged } from "../viewer/lines";
 import { fontFamily } from "../viewer/scaleBar";
 import type { Theme } from "../viewer/theme";
 import type { Pen } from "./pen";
@@ -16,18 +16,14 @@ export const findUsedWater = () => startWater.value.states.at(-1);
 export function writeLabel(
   context: CanvasRenderingContext2D,
   text: string,
-  [x, y]: Pixel,
+  at: Pixel,
   theme: Theme,
   colour: string,
 ): void {
   context.font = `600 11px ${fontFamily}`;
   context.textBaseline = "middle";
-  context.lineWidth = 3.5;
   context.lineJoin = "round";
-  context.strokeStyle = theme.ground;
-  context.strokeText(text, x, y);
-  context.fillStyle = colour;
-  context.fillText(text, x, y);
+  writeEdged(context, text, at, { colour, edge: theme.ground, width: 3.5 });
 }
 
 /** "17", "17.25": a level in the unit of the report. */
@@ -86,13 +82,7 @@ export const listExits = (state: WaterState | undefined): number[][] => state?.e
 export function drawExitMarks({ context, place, theme }: Sketch, exits: number[][], withHeight = true): void {
   for (const highest of exits) {
     const [x, y] = place(highest);
-    context.fillStyle = theme.ground;
-    context.strokeStyle = theme.water;
-    context.lineWidth = 2;
-    context.beginPath();
-    context.arc(x, y, 4, 0, 2 * Math.PI);
-    context.fill();
-    context.stroke();
+    drawDot(context, [x, y], 4, { fill: theme.ground, colour: theme.water, width: 2 });
     context.textAlign = "left";
     writeLabel(context, withHeight ? `exit ${writeLevel(highest[1]!)}` : "exit", [x + 8, y - 10], theme, theme.water);
   }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-/** The two canvases of a drawing, its view, and when they are drawn. */
-import { printing } from "../charts/base/printing";
-import { saveFile } from "../charts/base/saveFile";
-import { Camera } from "../viewer/camera";
+/** The two canvases of a drawing, its view, when they are drawn; mouse, fingers and wheel over it. */
+import { saveFile } from "../charts/base/rows";
+import { printing } from "../state";
+import { Camera, type Vec } from "../viewer/camera";
 import { drawRulers, findRulerWidth } from "../viewer/rulers";
-import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";
-import { isDark, paperTheme, readTheme, watchTheme, type Theme } from "../viewer/theme";
+import { type Bar, drawScaleBar, type Key, uprightFrom } from "../viewer/scaleBar";
+import { isDark, listenTo, paperTheme, readTheme, type Theme, watchTheme } from "../viewer/theme";
 import type { Box, Pen } from "./pen";
 import { drawLengthBar } from "./standingWater";
 
-export interface Drawing {
+interface Drawing {
   box: Box;
   /** The costly part, and what lies over it and changes often. */
   draw: (pen: Pen) => void;
@@ -45,13 +45,10 @@ export class View {
     observer.observe(host);
     const toPaper = () => this.resize(paperWidth, paperTheme);
     const toScreen = () => this.resize();
-    addEventListener("beforeprint", toPaper);
-    addEventListener("afterprint", toScreen);
     this.ends.push(
       () => observer.disconnect(),
       watchTheme(() => this.request(true)),
-      () => removeEventListener("beforeprint", toPaper),
-      () => removeEventListener("afterprint", toScreen),
+      listenTo(window, { beforeprint: toPaper, afterprint: toScreen }),
     );
     if (printing.value) toPaper();
     else toScreen();
@@ -182,4 +179,38 @@ export class View {
     this.ends.forEach((end) => end());
     this.host.replaceChildren();
   }
+}
+
+/** Moves by dragging with the mouse, or with a finger once the view is not whole; the wheel zooms where it has focus. */
+export function listen(host: HTMLElement, view: View, point: (at: [number, number] | null) => void): () => void {
+  let last: Vec | null = null;
+  const down = (event: PointerEvent) => {
+    if (event.button !== 0 || (event.pointerType === "touch" && !view.touched)) return;
+    last = [event.clientX, event.clientY, 0];
+    host.setPointerCapture(event.pointerId);
+  };
+  const move = (event: PointerEvent) => {
+    if (last) {
+      view.pan(event.clientX - last[0], event.clientY - last[1]);
+      last = [event.clientX, event.clientY, 0];
+    } else point(view.locate(event.clientX, event.clientY));
+  };
+  const up = () => (last = null);
+  const leave = (event: PointerEvent) => {
+    if (event.pointerType !== "touch") point(null);
+  };
+  const wheel = (event: WheelEvent) => {
+    if (document.activeElement !== host) return;
+    event.preventDefault();
+    const { left, top } = host.getBoundingClientRect();
+    view.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - left, event.clientY - top);
+  };
+  return listenTo(host, {
+    pointerdown: down,
+    pointermove: move,
+    pointerup: up,
+    pointercancel: up,
+    pointerleave: leave,
+    wheel,
+  });
 }

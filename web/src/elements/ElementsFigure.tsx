@@ -2,13 +2,12 @@
 /** FEM at failure: shear strain or displacement, optionally deformed, plastic elements, slip line. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
+import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
-import { GroundKeys, LineKey } from "../drawing/Keys";
+import { GroundKeys, LineKey, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useOpacity } from "../drawing/useOpacity";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
@@ -16,9 +15,7 @@ import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
-import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
-import type { FlowRun } from "./flowRuns";
-import { useFields } from "./useFields";
+import { drawMesh, drawYielding, type FlowRun, moveNodes, paintField, useFields } from "./fields";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 
@@ -35,7 +32,7 @@ export function chooseMagnification(largest: number, height: number): number {
 export function ElementsFigure({ run }: { run: FlowRun }) {
   const fields = useFields(run);
   const [quantity, setQuantity] = useState<Quantity>("strain");
-  const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
+  const [on, toggle] = useToggles({ mesh: false, deformed: false, yields: false, slip: true });
   const ofSolid = quantity === "strain" || quantity === "displacement";
   const { opacity, slider } = useOpacity();
   const layer = useWaterLayer(ofSolid || quantity === "none" ? null : quantity);
@@ -76,12 +73,6 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
               above: false,
             },
     [fields, quantity, scale],
-  );
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
   );
   const values = quantity === "displacement" ? lengths : fields?.strain;
   return (

@@ -2,15 +2,65 @@
 /** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
 import { useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
-import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import { Choice, CsvButton } from "../charts/base/Legend";
+import { formatNumber, formatQuantity, titleWithUnit } from "../charts/base/numbers";
+import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";
-import { ChartTable, numbers } from "../page/DataTable";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
-import { flowRuns, type FlowRun } from "./flowRuns";
 import { ReductionChart } from "./ReductionChart";
-import { TrialTable } from "./TrialTable";
+import { type FlowRun, flowRuns } from "./fields";
+
+function TrialTable({ runs }: { runs: FlowRun[] }) {
+  const { displacement: unit } = report.value.units;
+  const rows = runs.flatMap((run) => run.trials.map((trial) => ({ run, trial })));
+  const take = <K extends keyof (typeof rows)[number]["trial"]>(key: K) => rows.map(({ trial }) => trial[key]);
+  const columns = () => [
+    { name: "flow", values: rows.map(({ run }) => run.title) },
+    { name: "factor", unit: "-", values: take("factor") },
+    { name: "equilibrium", values: rows.map(({ trial }) => (trial.converged ? "yes" : "no")) },
+    { name: "iterations", unit: "-", values: take("iterations") },
+    { name: "force residual", unit: "-", values: take("force_residual") },
+    { name: "displacement residual", unit: "-", values: take("displacement_residual") },
+    { name: "largest displacement", unit: unit.name, values: take("displacement").map((u) => u / unit.si) },
+    { name: "time", unit: "s", values: take("seconds") },
+  ];
+  return (
+    <figure class="chart-figure" aria-label="Trials of the strength reduction">
+      <div class="chart-head">
+        <h4>Trials</h4>
+        <CsvButton part="finite-element-trials" columns={columns} />
+      </div>
+      <details>
+        <summary class="elements-summary">
+          {rows.length} trials, {rows.filter(({ trial }) => trial.converged).length} of them in equilibrium
+        </summary>
+        <ChartTable
+          label="Trials of the strength reduction by finite elements"
+          rows={rows}
+          columns={[
+            runs.length > 1 && ["Flow", ({ run }) => run.title],
+            ["F", ({ trial }) => trial.factor.toFixed(4), "name number"],
+            [
+              "Equilibrium",
+              ({ trial }) =>
+                trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>,
+            ],
+            ["Iterations", ({ trial }) => formatNumber(trial.iterations), "number"],
+            ["Force residual", ({ trial }) => formatNumber(trial.force_residual, 2), "wrap"],
+            ["Displacement residual", ({ trial }) => formatNumber(trial.displacement_residual, 2), "wrap"],
+            [
+              titleWithUnit("Largest displacement", unit.name),
+              ({ trial }) => formatNumber(trial.displacement / unit.si, 4),
+              "wrap",
+            ],
+            ["Time [s]", ({ trial }) => formatNumber(trial.seconds, 3), "number"],
+          ]}
+        />
+      </details>
+    </figure>
+  );
+}
 
 function describeAngles(psi: number[]): string {
   const degrees = psi.map((angle) => `${formatNumber((angle * 180) / Math.PI, 3)}°`);
@@ -23,22 +73,15 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
     <ChartTable
       label="Factors of safety by finite elements"
       class="elements-factors"
-      head={["Flow", ...numbers("ψ", "F, non-convergence", "between", "F, sharp rise of displacement")]}
-    >
-      {runs.map((run) => (
-        <tr key={run.flow}>
-          <th scope="row">{run.title}</th>
-          <td class="number">{describeAngles(run.psi)}</td>
-          <td class="number">
-            <strong>{formatFactor(run.factor, "none")}</strong>
-          </td>
-          <td class="number">
-            {formatFactor(run.stable, "none")} and {formatFactor(run.failed, "none")}
-          </td>
-          <td class="number">{formatFactor(run.by_displacement, "none")}</td>
-        </tr>
-      ))}
-    </ChartTable>
+      rows={runs}
+      columns={[
+        ["Flow", (run) => run.title, "name"],
+        ["ψ", (run) => describeAngles(run.psi), "number"],
+        ["F, non-convergence", (run) => <strong>{formatFactor(run.factor, "none")}</strong>, "number"],
+        ["between", (run) => `${formatFactor(run.stable, "none")} and ${formatFactor(run.failed, "none")}`, "number"],
+        ["F, sharp rise of displacement", (run) => formatFactor(run.by_displacement, "none"), "number"],
+      ]}
+    />
   );
 }
 

@@ -3,14 +3,13 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../charts/base/axes";
+import { layOut, makeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import { AxisChoice, type AxisKind, Legend } from "../charts/base/Legend";
+import { AxisChoice, type AxisKind, Legend, useSwitches } from "../charts/base/Legend";
 import { formatQuantity } from "../charts/base/numbers";
 import { styleOf } from "../charts/base/styles";
-import { useSwitches } from "../charts/base/useSwitches";
 import { report } from "../state";
-import type { FlowRun } from "./flowRuns";
+import type { FlowRun } from "./fields";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;
@@ -38,65 +37,40 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const largest = axis === "linear" && settled > 0 ? Math.min(highest, 2.5 * settled) : highest;
   const shown = (u: number) => Math.min(u, largest);
   const smallest = Math.min(largest, ...seen.filter((p) => p.u > 0).map((p) => p.u));
-  const text = describeAxis(0, largest, 5);
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(280, Math.min(360, width * 0.5)),
-    marginLeft: 62,
-    marginRight: 20,
-    marginTop: 28,
-    marginBottom: 46,
-    x: { label: "Strength reduction factor F", ...centred, ticks: Math.max(4, width / 90) },
-    y:
-      axis === "log"
-        ? {
-            type: "log",
-            domain: [smallest / 1.3, largest * 1.3],
-            label: `Largest displacement [${unit.name}]`,
-            ticks: findLogTicks([smallest / 1.3, largest * 1.3], 5),
-            tickFormat: formatLogTick,
-            labelArrow: "none",
-          }
-        : {
-            domain: [0, largest * 1.05],
-            label: titleWithPower("Largest displacement", unit.name, text.power),
-            ticks: 5,
-            tickFormat: text.format,
-            labelArrow: "none",
-          },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      runs.map((run, k) => {
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(280, Math.min(360, width * 0.5)),
+      margins: [28, 20, 46, 62],
+      x: { label: "Strength reduction factor F", ticks: Math.max(4, width / 90) },
+      y: makeAxis({
+        title: "Largest displacement",
+        unit: unit.name,
+        domain: axis === "log" ? [smallest / 1.3, largest * 1.3] : [0, largest * 1.05],
+        log: axis === "log",
+      }),
+      marks: runs.map((run, k) => {
         if (hidden.has(run.flow)) return null;
         const own = seen.filter((p) => p.k === k);
+        const [settledOnes, others] = [own.filter((p) => p.converged), own.filter((p) => !p.converged)];
         const { colour, dash } = styleOf(k);
+        const place = { x: "factor", y: "u", stroke: colour };
         return [
           Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
           run.by_displacement === null
             ? null
             : Plot.ruleX([run.by_displacement], { stroke: colour, strokeDasharray: "1.5 3" }),
-          Plot.line(
-            own.filter((p) => p.converged),
-            { x: "factor", y: "u", stroke: colour, strokeWidth: 1.6, strokeDasharray: dash },
-          ),
-          Plot.dot(
-            own.filter((p) => p.converged),
-            { x: "factor", y: "u", r: 3.5, fill: colour, stroke: colour },
-          ),
-          Plot.dot(
-            own.filter((p) => !p.converged),
-            {
-              x: "factor",
-              y: (p: (typeof own)[number]) => shown(p.u),
-              r: 4.5,
-              symbol: "times",
-              stroke: colour,
-              strokeWidth: 2,
-            },
-          ),
+          Plot.line(settledOnes, { ...place, strokeWidth: 1.6, strokeDasharray: dash }),
+          Plot.dot(settledOnes, { ...place, r: 3.5, fill: colour }),
+          Plot.dot(others, {
+            ...place,
+            y: (p: (typeof own)[number]) => shown(p.u),
+            r: 4.5,
+            symbol: "times",
+            strokeWidth: 2,
+          }),
         ];
       }),
-    ],
-  });
+    });
   return (
     <figure class="chart-figure" aria-label="Displacement over strength reduction factor, finite elements">
       <div class="chart-head">
@@ -113,7 +87,6 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         draw={draw}
         depends={[axis, hidden, runs]}
         stops={stops}
-        showReading
         hint="Point at a trial to read it: dots converged, crosses did not."
         read={(i) => {
           const p = seen[i]!;
@@ -125,8 +98,8 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         }}
       />
       <p class="chart-note">
-        Dashed: the factor of non-convergence; dotted: of the sharp rise of displacement. Crosses are trials that
-        did not converge; their displacement is that of the last iteration
+        Dashed: the factor of non-convergence; dotted: of the sharp rise of displacement. Crosses are trials that did
+        not converge; their displacement is that of the last iteration
         {largest < highest && ", or beyond the upper edge"}.
       </p>
     </figure>

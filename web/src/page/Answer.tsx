@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: MIT
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
+import { formatNumber } from "../charts/base/numbers";
 import { findMethods } from "../compared/methodTable";
+import type { DesignStatement, Factor, ShownResult } from "../contract";
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
-import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
-import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
-import { formatNumber } from "../charts/base/numbers";
-import type { Factor, ShownResult } from "../contract";
-import "./answer.css";
+import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
+
+/** γ_R of the design values, which divides the factor of safety; 1 without. */
+export const getResistance = (partial: DesignStatement | null) =>
+  partial?.values.find(({ key }) => key === "resistance")?.value ?? 1;
+
+/** A fold for fewer rows saves nothing. */
+const worthFolding = 3;
+
+/** With MPM alone all factors; with several methods the main ones and those that explain the differences. */
+export function splitFactors(factors: Factor[]): { shown: Factor[]; folded: Factor[] } {
+  if (factors.every((factor) => factor.method === "mpm")) return { shown: factors, folded: [] };
+  const main = factors.find((factor) => factor.method === "lem" && factor.main);
+  const isShown = (factor: Factor) =>
+    factor.main ||
+    factor.method === "bounds" ||
+    ((factor.source === "noncircular" || factor.source === "critical") && factor.by === main?.by) ||
+    factor.measure === "equilibrium" ||
+    factor.by === "frozen" ||
+    factor.by === "bilinear";
+  const folded = factors.filter((factor) => !isShown(factor));
+  return folded.length < worthFolding ? { shown: factors, folded: [] } : { shown: factors.filter(isShown), folded };
+}
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const findPartialFactors = () => findMethods(report.value)?.partial_factors ?? null;
@@ -38,20 +58,20 @@ function Interval({ factor }: { factor: Factor }) {
   );
 }
 
-/** Interval of a run with limit analysis only. */
-function ProvenInterval({ factor }: { factor: Factor }) {
+/** Returns whether a factor, or the proven upper bound, is below what is asked for. */
+const isBelow = ({ value, upper, method }: Factor) => (check(method === "bounds" ? upper : value) ?? 1) < 1;
+
+/** The name of the factor, with what follows where it is too low. */
+function Label({ fails, factor }: { fails: boolean; factor?: Factor }) {
   return (
-    <div class="main-factor">
-      <p class="number">
-        <Interval factor={factor} />
-      </p>
+    <>
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factor.upper !== null && check(factor.upper)! < 1 && <strong class="bad">, below 1: {describeFailure()}</strong>}
-        <span class="criterion">{factor.title}</span>
+        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
+        {factor && <span class="criterion">{factor.title}</span>}
       </p>
-    </div>
+    </>
   );
 }
 
@@ -83,9 +103,7 @@ function Referee({ factor }: { factor: Factor }) {
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
-  const fails = governs
-    ? proven.upper !== null && check(proven.upper)! < 1
-    : factors.some((factor) => check(factor.value)! < 1);
+  const fails = governs ? isBelow(proven) : factors.some(isBelow);
   return (
     <div class={governs ? "main-factor several by-proof" : "main-factor several"}>
       <dl>
@@ -93,34 +111,31 @@ function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | 
           <MethodValue key={factor.name} factor={factor} />
         ))}
       </dl>
-      <WarningLink />
-      <p class="label">
-        {nameFactor()}
-        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
-      </p>
+      <Label fails={fails} />
     </div>
   );
 }
 
+/** The one factor, or the interval of a run with limit analysis only. */
 function MainFactor({ factor }: { factor: Factor }) {
-  const fails = factor.value !== null && check(factor.value)! < 1;
+  const fails = isBelow(factor);
+  const isProven = factor.method === "bounds";
   return (
     <div class="main-factor">
       <p class="number">
-        <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
-        {(factor.lower ?? factor.upper) !== null && (
+        {isProven ? (
+          <Interval factor={factor} />
+        ) : (
+          <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
+        )}
+        {!isProven && (factor.lower ?? factor.upper) !== null && (
           <span class="bracket">
             {factor.method === "lem" && "proven: "}
             {formatInterval(checkInterval(factor))}
           </span>
         )}
       </p>
-      <WarningLink />
-      <p class="label">
-        {nameFactor()}
-        {fails && <strong class="bad">, below 1: {describeFailure()}</strong>}
-        <span class="criterion">{factor.title}</span>
-      </p>
+      <Label fails={fails} factor={factor} />
     </div>
   );
 }
@@ -234,10 +249,8 @@ export function Answer() {
       </h2>
       {mains.length > 1 || (main && proven) ? (
         <MainFactors factors={mains} proven={proven} />
-      ) : main ? (
-        <MainFactor factor={main} />
       ) : (
-        proven && <ProvenInterval factor={proven} />
+        (main ?? proven) && <MainFactor factor={(main ?? proven)!} />
       )}
       {first && <p class={main || proven ? "in-words" : "in-words only"}>{first}</p>}
       <MoreWords sentences={others} />

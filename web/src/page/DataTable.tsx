@@ -1,67 +1,135 @@
 // SPDX-License-Identifier: MIT
-/** A table with a caption that scrolls inside its own box where the screen is narrow. */
+/** Tables from their columns; a wide one scrolls inside its own box where the screen is narrow. */
 import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
 
-import { Scroller } from "./Scroller";
-
-/** Head of a column: its name, or that of a column of numbers; false where the table lacks the column. */
-type Cell = string | false | { number: ComponentChildren; class: string };
-
-/** Heads of columns of numbers, which are aligned to the right; empty for others. */
-export function numbers(...names: ComponentChildren[]): Cell[] {
-  return names.map((name) => (name ? { number: name, class: "number" } : false));
+interface Props {
+  class: string;
+  /** Name of the scrolled content, for screen readers. */
+  label: string;
+  children: ComponentChildren;
 }
 
-/** The same, in several lines where that makes the column narrower. */
-export function wrapped(...names: ComponentChildren[]): Cell[] {
-  return names.map((name) => (name ? { number: name, class: "number chart-wrap" } : false));
+export function Scroller({ class: name, label, children }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const [scrolls, setScrolls] = useState(false);
+  useEffect(() => {
+    const element = box.current;
+    if (!element) return;
+    const observer = new ResizeObserver(() => setScrolls(element.scrollWidth > element.clientWidth + 1));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+  return (
+    <div ref={box} class={name} role="group" aria-label={label} tabIndex={scrolls ? 0 : undefined}>
+      {children}
+    </div>
+  );
 }
 
-export function TableHead({ cells }: { cells: Cell[] }) {
+/**
+ * Words on a column: "name" for the names of the rows, "number" for numbers, which are aligned to the right, "wrap" for
+ * numbers under a head in several lines; others are classes of its cells.
+ */
+type Kind = "name" | "number" | "wrap" | "prose" | "name number" | "number muted" | "surface-remarks" | "value";
+
+/** Head of a column and its cells; without a value where the table lacks the column. */
+export type Column<Row> =
+  | [head: ComponentChildren, cell: (row: Row, i: number) => ComponentChildren, kind?: Kind]
+  | false
+  | null
+  | undefined;
+
+interface TableProps<Row> {
+  class?: string;
+  columns: Column<NoInfer<Row>>[];
+  rows: readonly Row[];
+  rowClass?: (row: NoInfer<Row>, i: number) => string | undefined | false;
+  /** Rows below the others. */
+  children?: ComponentChildren;
+}
+
+const headClass = (kind = "") =>
+  kind === "wrap" ? "number chart-wrap" : kind.includes("number") ? "number" : undefined;
+const cellClass = (kind = "") => kind.replace("name", "").replace("wrap", "number").trim() || undefined;
+
+export function TableHead<Row>({ columns }: { columns: Column<Row>[] }) {
   return (
     <thead>
       <tr>
-        {cells
-          .filter((cell) => cell !== false)
-          .map((cell, i) => (
-            <th key={i} scope="col" class={typeof cell === "string" ? undefined : cell.class}>
-              {typeof cell === "string" ? cell : cell.number}
-            </th>
-          ))}
+        {columns.map(
+          (column, i) =>
+            column && (
+              <th key={i} scope="col" class={headClass(column[2])}>
+                {column[0]}
+              </th>
+            ),
+        )}
       </tr>
     </thead>
   );
 }
 
-interface Props {
-  caption: string;
-  /** The caption is for screen readers only: the heading above has the same text. */
-  quiet?: boolean;
-  class?: string;
-  /** Above rows; a table without it has a body of its own. */
-  head?: Cell[];
-  children: ComponentChildren;
+export function TableRows<Row>({ columns, rows, rowClass }: TableProps<Row>) {
+  return (
+    <>
+      {rows.map((row, i) => (
+        <tr key={i} class={rowClass?.(row, i) || undefined}>
+          {columns.map((column, k) => {
+            if (!column) return null;
+            const [, cell, kind] = column;
+            if (!kind?.startsWith("name")) return <td key={k} class={cellClass(kind)}>{cell(row, i)}</td>;
+            return <th key={k} scope="row" class={cellClass(kind)}>{cell(row, i)}</th>;
+          })}
+        </tr>
+      ))}
+    </>
+  );
 }
 
-export function DataTable({ caption, quiet, class: name, head, children }: Props) {
+function Table<Row>(props: TableProps<Row>) {
   return (
-    <Scroller class="table-box" label={caption}>
-      <table class={name}>
-        <caption class={quiet ? "unseen" : undefined}>{caption}</caption>
-        {head && <TableHead cells={head} />}
-        {head ? <tbody>{children}</tbody> : children}
+    <>
+      <TableHead columns={props.columns} />
+      <tbody>
+        <TableRows {...props} />
+        {props.children}
+      </tbody>
+    </>
+  );
+}
+
+/** A table with a caption; `quiet`: for screen readers only, where the heading above has the same text. */
+export function CaptionedTable(props: {
+  caption: string;
+  quiet?: boolean;
+  class?: string;
+  children: ComponentChildren;
+}) {
+  return (
+    <Scroller class="table-box" label={props.caption}>
+      <table class={props.class}>
+        <caption class={props.quiet ? "unseen" : undefined}>{props.caption}</caption>
+        {props.children}
       </table>
     </Scroller>
   );
 }
 
+export function DataTable<Row>(props: TableProps<Row> & { caption: string; quiet?: boolean }) {
+  return (
+    <CaptionedTable caption={props.caption} quiet={props.quiet} class={props.class}>
+      <Table {...props} />
+    </CaptionedTable>
+  );
+}
+
 /** A table among charts, with its heading above it. */
-export function ChartTable(props: { label: string; class?: string; head: Cell[]; children: ComponentChildren }) {
+export function ChartTable<Row>(props: TableProps<Row> & { label: string }) {
   return (
     <Scroller class="chart-scroll" label={props.label}>
       <table class={props.class ? `chart-table ${props.class}` : "chart-table"}>
-        <TableHead cells={props.head} />
-        <tbody>{props.children}</tbody>
+        <Table {...props} />
       </table>
     </Scroller>
   );
@@ -70,16 +138,11 @@ export function ChartTable(props: { label: string; class?: string; head: Cell[];
 /** Names and values in two columns. */
 export function Facts({ caption, rows }: { caption: string; rows: [string, ComponentChildren][] }) {
   return (
-    <DataTable caption={caption} quiet class="facts-table">
+    <CaptionedTable caption={caption} quiet class="facts-table">
       <tbody>
-        {rows.map(([name, value]) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td>{value}</td>
-          </tr>
-        ))}
+        <TableRows columns={[["", ([name]) => name, "name"], ["", ([, value]) => value]]} rows={rows} />
       </tbody>
-    </DataTable>
+    </CaptionedTable>
   );
 }
 

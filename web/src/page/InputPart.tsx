@@ -3,28 +3,17 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { report } from "../state";
-import { CopyButton } from "./CopyButton";
-import { DataTable } from "./DataTable";
+import { CopyButton, Lazy, Part } from "./Part";
+import { CaptionedTable, type Column, TableHead, TableRows } from "./DataTable";
 import { formatCount, formatUnit } from "./format";
-import { formatInput, listBlocks, type InputBlock, type InputRow } from "./inputRows";
-import { Lazy } from "./Lazy";
-import { Part } from "./Part";
-import { writeToml } from "./toml";
+import { formatInput, type InputBlock, type InputRow, listBlocks, writeToml } from "./inputRows";
 
-function Row({ row }: { row: InputRow }) {
-  return (
-    <tr class={row.given ? "given" : "default"}>
-      <th scope="row">
-        <code>{row.key}</code>
-      </th>
-      <td class="value">{formatInput(row.value)}</td>
-      <td>{row.value === null ? "" : formatUnit(row.unit)}</td>
-      <td>
-        <span class={row.given ? "mark given" : "mark default"}>{row.given ? "given" : "default"}</span>
-      </td>
-    </tr>
-  );
-}
+const columns: Column<InputRow>[] = [
+  ["Key", (row) => <code>{row.key}</code>, "name"],
+  ["Value", (row) => formatInput(row.value), "value"],
+  ["Unit", (row) => (row.value === null ? "" : formatUnit(row.unit))],
+  ["From", ({ given }) => <span class={`mark ${given ? "given" : "default"}`}>{given ? "given" : "default"}</span>],
+];
 
 function Block({ block, open }: { block: InputBlock; open: boolean }) {
   const rows = block.groups.flatMap((group) => group.rows);
@@ -37,15 +26,8 @@ function Block({ block, open }: { block: InputBlock; open: boolean }) {
           {given} given, {formatCount(rows.length - given, "default")}
         </span>
       </summary>
-      <DataTable caption={`Input: ${block.name}`} quiet class="input-table">
-        <thead>
-          <tr>
-            <th scope="col">Key</th>
-            <th scope="col">Value</th>
-            <th scope="col">Unit</th>
-            <th scope="col">From</th>
-          </tr>
-        </thead>
+      <CaptionedTable caption={`Input: ${block.name}`} quiet class="input-table">
+        <TableHead columns={columns} />
         {block.groups.map((group) => (
           <tbody key={group.title}>
             {group.title && (
@@ -55,12 +37,10 @@ function Block({ block, open }: { block: InputBlock; open: boolean }) {
                 </th>
               </tr>
             )}
-            {group.rows.map((row) => (
-              <Row key={row.key} row={row} />
-            ))}
+            <TableRows columns={columns} rows={group.rows} rowClass={(row) => (row.given ? "given" : "default")} />
           </tbody>
         ))}
-      </DataTable>
+      </CaptionedTable>
     </details>
   );
 }

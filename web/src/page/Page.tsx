@@ -1,16 +1,58 @@
 // SPDX-License-Identifier: MIT
-/** The page: the answer first, then its basis. */
+/** The page: the answer first, then its basis; over material points it opens where slip surfaces of other methods can be compared. */
+import { effect } from "@preact/signals";
 import { useState } from "preact/hooks";
 
-import { report } from "../state";
-import { Guard } from "./Guard";
-import { Lazy } from "./Lazy";
-import { openAtMechanism } from "./opening";
-import { Part } from "./Part";
-import { listSections, type Section } from "./sections";
-import { TitleBlock } from "./statement/TitleBlock";
-import { TitleLine } from "./TitleLine";
+import { findRestLimits, judgeTrial } from "../charts/curve/curveData";
+import { findMethods } from "../compared/methodTable";
+import type { Report } from "../contract";
+import { fieldName, frameIndex, report, sequenceIndex } from "../state";
+import { limitMode } from "../viewer/settings";
+import { Guard, Lazy, Part } from "./Part";
+import { TitleBlock, TitleLine } from "./TitleLine";
 import { TopBar } from "./TopBar";
+import { listSections, type Section } from "./sections";
+
+/**
+ * The trial of the displacement curve that shows the mechanism: of those above the main factor of the material points
+ * the first that does not come to rest, else the first. Null for material points alone, and without such a trial.
+ */
+export function findMechanism(given: Report): { sequence: number; frame: number } | null {
+  if (!findMethods(given)?.surfaces.some((s) => s.method !== "mpm")) return null;
+  const main = given.answer.factors.find((f) => f.method === "mpm" && f.main)?.value;
+  const sequence = given.sequences.findIndex((s) => s.kind === "curve");
+  if (main === null || main === undefined || sequence < 0) return null;
+  const limits = findRestLimits(given.result.input, given.model.slope_height);
+  const moves = (factor: number) => {
+    const point = given.result.curve?.points.find((p) => Math.abs(p.srf - factor) < 1e-9);
+    return point !== undefined && judgeTrial(point, limits) !== "rest";
+  };
+  const above = given.sequences[sequence]!.frames
+    .map(({ factor }, frame) => ({ factor: factor ?? 0, frame }))
+    .filter(({ factor }) => factor > main)
+    .sort((a, b) => a.factor - b.factor);
+  const chosen = above.find(({ factor }) => moves(factor)) ?? above[0];
+  return chosen ? { sequence, frame: chosen.frame } : null;
+}
+
+/** Before the viewer is drawn, which keeps what it finds chosen. */
+function openAtMechanism(given: Report): void {
+  const found = findMechanism(given);
+  if (!found) return;
+  sequenceIndex.value = found.sequence;
+  frameIndex.value = found.frame;
+  // Limits over all trials are the strains of the failed ones, next to which a slip band is pale. Another sequence has its
+  // usual limits again.
+  const usual = limitMode.value;
+  limitMode.value = "frame";
+  const stop = effect(() => {
+    if (sequenceIndex.value === found.sequence) return;
+    if (limitMode.peek() === "frame") limitMode.value = usual;
+    queueMicrotask(() => stop());
+  });
+  const fields = given.sequences[found.sequence]!.fields.map((f) => f.name);
+  if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
+}
 
 /** Beside the answer. */
 function SectionPane({ section }: { section: Section }) {

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
-import { DataTable, Facts } from "./DataTable";
+import { CaptionedTable, Facts } from "./DataTable";
 import { formatCount, formatDate, formatDuration, formatNumber } from "./format";
 import { Part } from "./Part";
 
@@ -12,7 +12,7 @@ function Bars({ caption, rows }: { caption: string; rows: { title: string; secon
   const most = Math.max(...rows.map((row) => row.seconds), 1e-12);
   const sum = rows.reduce((total, row) => total + row.seconds, 0);
   return (
-    <DataTable caption={caption} class="bars">
+    <CaptionedTable caption={caption} class="bars">
       <tbody>
         {rows.map((row) => (
           <tr key={row.title}>
@@ -25,7 +25,7 @@ function Bars({ caption, rows }: { caption: string; rows: { title: string; secon
           </tr>
         ))}
       </tbody>
-    </DataTable>
+    </CaptionedTable>
   );
 }
 

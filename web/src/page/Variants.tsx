@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The outcome of each variant of a study: its status, why it did not finish, its warnings. */
-import { shownStudy } from "../charts/study/shownStudy";
+import { shownStudy } from "../charts/study/studyData";
 import { DataTable } from "./DataTable";
 import { formatCount, formatSentence } from "./format";
 import { Part } from "./Part";
@@ -14,16 +14,25 @@ export function Variants() {
   }.`;
   return (
     <Part id="variants" title="Variants and their warnings" lead={lead}>
-      <DataTable caption="Status and warnings of each variant" quiet head={["Variant", "Status", "Warnings"]}>
-        {rows.map((row) => (
-          <tr key={row.name}>
-            <th scope="row">{row.name}</th>
-            <td class={row.status === "finished" ? undefined : "bad"}>
-              {row.status}
-              {row.reason && <span class="note">: {row.reason}</span>}
-            </td>
-            <td class="prose">
-              {row.warnings.length === 0 ? (
+      <DataTable
+        caption="Status and warnings of each variant"
+        quiet
+        rows={rows}
+        columns={[
+          ["Variant", (row) => row.name, "name"],
+          [
+            "Status",
+            (row) => (
+              <span class={row.status === "finished" ? undefined : "bad"}>
+                {row.status}
+                {row.reason && <span class="note">: {row.reason}</span>}
+              </span>
+            ),
+          ],
+          [
+            "Warnings",
+            (row) =>
+              row.warnings.length === 0 ? (
                 <span class="muted">none</span>
               ) : (
                 <ul class="plain">
@@ -31,11 +40,11 @@ export function Variants() {
                     <li key={i}>{formatSentence(warning)}</li>
                   ))}
                 </ul>
-              )}
-            </td>
-          </tr>
-        ))}
-      </DataTable>
+              ),
+            "prose",
+          ],
+        ]}
+      />
     </Part>
   );
 }

@@ -4,7 +4,7 @@ import { listLimits } from "../slices/sliceData";
 import { report } from "../state";
 import { formatCount, formatSentence } from "./format";
 
-export function WarningSign() {
+function WarningSign() {
   return (
     <svg class="sign" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
       <path d="M8 1.5 15 14H1z" fill="none" stroke="currentColor" stroke-width="1.5" stroke-linejoin="round" />

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Writes numbers as engineers read them: few digits, real minus signs, SI names. */
+import { raise } from "../charts/base/numbers";
 import type { HydraulicCondition, Unit } from "../contract";
 import { report } from "../state";
-
-const superscripts: { [character: string]: string } = { "-": "⁻" };
-for (let digit = 0; digit < 10; ++digit) superscripts[String(digit)] = "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]!;
 
 /** 12345.6 → "12 345.6" with narrow spaces that do not break; four digits stay together. */
 function groupDigits(text: string): string {
@@ -26,8 +24,7 @@ export function formatNumber(value: number | null | undefined, digits = 4, keepZ
   const size = Math.abs(value);
   if (size < 1e-3 || size >= 1e7) {
     const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
-    const power = [...exponent.replace("+", "")].map((character) => superscripts[character]).join("");
-    return `${groupDigits(String(Number(mantissa)))} × 10${power}`;
+    return `${groupDigits(String(Number(mantissa)))} × 10${raise(Number(exponent))}`;
   }
   // Digits before the point are never rounded away: 123 456.7 is not 123 500.
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));

@@ -3,8 +3,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { InputTable } from "../contract";
-import { formatInput, listBlocks } from "./inputRows";
-import { writeToml } from "./toml";
+import { formatInput, listBlocks, writeToml } from "./inputRows";
 
 const given = (value: unknown, unit?: string) => ({ value, given: true, ...(unit ? { unit } : {}) });
 const assumed = (value: unknown) => ({ value, given: false });

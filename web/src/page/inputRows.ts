@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The input as rows: each value with its key, its unit, and whether the case file gave it. */
+/** The input as rows: each value with its key, its unit, and whether the case file gave it; and as a case file. */
 import type { InputTable, InputValue } from "../contract";
 
 export interface InputRow {
@@ -11,7 +11,7 @@ export interface InputRow {
 }
 
 /** Rows under one heading: a table, or one of several of the same name. */
-export interface InputGroup {
+interface InputGroup {
   /** "stage 2 (real strength)", or empty for the block itself. */
   title: string;
   rows: InputRow[];
@@ -74,4 +74,41 @@ export function formatInput(value: unknown): string {
   if (typeof value === "number") return String(Number(value.toPrecision(10)));
   if (typeof value === "object") return JSON.stringify(value);
   return String(value);
+}
+
+const quoteKey = (key: string) => (/^[A-Za-z0-9_-]+$/.test(key) ? key : JSON.stringify(key));
+
+function writeValue(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(writeValue).join(", ")}]`;
+  if (typeof value === "number") return String(Number(value.toPrecision(15)));
+  if (typeof value === "object" && value !== null) {
+    const pairs = Object.entries(value).map(([key, child]) => `${quoteKey(key)} = ${writeValue(child)}`);
+    return `{ ${pairs.join(", ")} }`;
+  }
+  return typeof value === "boolean" ? String(value) : JSON.stringify(String(value));
+}
+
+/** Plain numbers are in the unit that the manual names, which is the unit of the echo. */
+function writeTable(table: InputTable, path: string[], head: string | null, onlyGiven: boolean): string[] {
+  const own: string[] = [];
+  const below: string[] = [];
+  for (const [key, node] of Object.entries(table) as [string, InputNode][]) {
+    const here = [...path, quoteKey(key)];
+    if (isValue(node)) {
+      if (node.value === null || (onlyGiven && !node.given)) continue;
+      // An empty list may mean no tables, which a case file does not write.
+      if (Array.isArray(node.value) && node.value.length === 0) continue;
+      own.push(`${quoteKey(key)} = ${writeValue(node.value)}${node.unit ? `  # ${node.unit}` : ""}`);
+    } else if (Array.isArray(node)) {
+      for (const child of node) below.push(...writeTable(child, here, `[[${here.join(".")}]]`, onlyGiven));
+    } else {
+      below.push(...writeTable(node, here, `[${here.join(".")}]`, onlyGiven));
+    }
+  }
+  const needsHead = head !== null && (own.length > 0 || head.startsWith("[["));
+  return [...(needsHead ? ["", head] : []), ...own, ...below];
+}
+
+export function writeToml(input: InputTable, onlyGiven: boolean): string {
+  return `${writeTable(input, [], null, onlyGiven).join("\n").trim()}\n`;
 }

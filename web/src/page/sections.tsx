@@ -3,17 +3,15 @@
 import type { ComponentChildren } from "preact";
 
 import { BoundsSection } from "../bounds/BoundsSection";
-import {
-  CalibrationSection,
-  CompareSection,
-  CurveSection,
-  HistorySection,
-  PointSection,
-  ProfileSection,
-  SoilWaterSection,
-  StudySection,
-} from "../charts/Charts";
-import { listComparisons } from "../charts/compare/differences";
+import "../charts/charts.css";
+import { CurveSection } from "../charts/curve/CurveSection";
+import { HistorySection } from "../charts/history/HistorySection";
+import { CalibrationSection } from "../charts/laboratory/CalibrationSection";
+import { PointSection } from "../charts/laboratory/PointSection";
+import { ProfileSection } from "../charts/profile/ProfileSection";
+import { StudySection } from "../charts/study/StudySection";
+import { SoilWaterSection } from "../charts/water/SoilWaterSection";
+import { CompareSection, listComparisons } from "../charts/compare/CompareSection";
 import { MethodsSection } from "../compared/MethodsSection";
 import { findMethods } from "../compared/methodTable";
 import { Overview } from "../compared/Overview";
@@ -61,7 +59,7 @@ const hasTableOf = (given: Report, ...kinds: string[]) => given.tables.some(({ k
 const hasVariants = ({ study_result: study }: Report) => (study?.variants.length ?? 0) > 0;
 const always = () => true;
 
-export const sections: Section[] = [
+const sections: Section[] = [
   { id: "answer", label: "Answer", has: always, draw: () => <Answer /> },
   { id: "section", label: "Section", has: hasSection, draw: drawFirstFigure },
   {

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";
 
-import { centred, findLogTicks, formatLogTick } from "../charts/base/axes";
+import { layOut, makeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
 import { AxisChoice, type AxisKind, CsvButton } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
@@ -29,35 +29,28 @@ export function BandChart({ title, axis, axisUnit, probability, points, part, no
   const lowest = log ? 100 * Math.min(...positive) : 0;
   const largest = Math.max(1e-9, ...points.map((p) => 100 * p[3]!));
   const seen = points.filter((p) => !log || p[1]! > 0);
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(260, Math.min(330, width * 0.6)),
-    marginLeft: 58,
-    marginRight: 18,
-    marginTop: 28,
-    marginBottom: 46,
-    x: { label: axisUnit ? `${axis} [${axisUnit}]` : axis, ...centred, ticks: width < 420 ? 4 : 6 },
-    y: log
-      ? {
-          type: "log",
-          domain: [lowest, largest],
-          label: `${probability} [%]`,
-          labelArrow: "none",
-          ticks: findLogTicks([lowest, largest], 5),
-          tickFormat: formatLogTick,
-        }
-      : { domain: [0, largest], label: `${probability} [%]`, labelArrow: "none", ticks: 5 },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.areaY(seen, {
-        x: (p) => p[0],
-        y1: (p) => Math.max(lowest, 100 * p[2]),
-        y2: (p) => 100 * p[3],
-        fill: "var(--series-1)",
-        fillOpacity: 0.18,
-      }),
-      Plot.line(seen, { x: (p) => p[0], y: (p) => 100 * p[1], stroke: "var(--series-1)", strokeWidth: 1.8 }),
-    ],
-  });
+  const label = `${probability} [%]`;
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(260, Math.min(330, width * 0.6)),
+      margins: [28, 18, 46, 58],
+      x: { label: axisUnit ? `${axis} [${axisUnit}]` : axis, ticks: width < 420 ? 4 : 6 },
+      y: log
+        ? { ...makeAxis({ title: label, domain: [lowest, largest], log }) }
+        : { domain: [0, largest], label, ticks: 5 },
+      grid: "none",
+      marks: [
+        Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+        Plot.areaY(seen, {
+          x: (p) => p[0],
+          y1: (p) => Math.max(lowest, 100 * p[2]),
+          y2: (p) => 100 * p[3],
+          fill: "var(--series-1)",
+          fillOpacity: 0.18,
+        }),
+        Plot.line(seen, { x: (p) => p[0], y: (p) => 100 * p[1], stroke: "var(--series-1)", strokeWidth: 1.8 }),
+      ],
+    });
   return (
     <figure aria-label={title}>
       <div class="chart-head">
@@ -80,7 +73,6 @@ export function BandChart({ title, axis, axisUnit, probability, points, part, no
         draw={draw}
         depends={[points, scale]}
         stops={seen.map((p) => p[0]!)}
-        showReading
         hint="Point at the curve to read it."
         read={(i) => {
           const [x, p, lower, upper] = seen[i]!;

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
-import { centred } from "../charts/base/axes";
+import { layOut } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
 import { CsvButton, Legend } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
@@ -51,43 +51,41 @@ export function HistogramChart({ values, title, unit, limit, probability, part }
     : [];
   const low = Math.min(edges[0]!, limit ?? Infinity);
   const high = Math.max(edges.at(-1)!, limit ?? -Infinity);
-  const draw = (size: number): Plot.PlotOptions => ({
-    height: Math.max(260, Math.min(330, size * 0.6)),
-    marginLeft: 52,
-    marginRight: 18,
-    marginTop: limit === null ? 30 : 46,
-    marginBottom: 46,
-    x: { domain: [low, high], label: titleWithUnit(title, unit), ...centred, ticks: 6, inset: 6 },
-    y: { label: "Share of the samples [%]", labelArrow: "none", ticks: 5, grid: false },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.rectY(classes, {
-        x1: "from",
-        x2: "to",
-        y: (c: (typeof classes)[number]) => 100 * c.share,
-        insetLeft: 0.5,
-        insetRight: 0.5,
-        fill: (c: (typeof classes)[number]) =>
-          limit !== null && c.to <= limit + 1e-9 ? "var(--bad)" : "var(--series-1)",
-        fillOpacity: 0.65,
-      }),
-      curves.map((c) => Plot.line(c.line, { stroke: c.style.colour, strokeWidth: 1.8, strokeDasharray: c.style.dash })),
-      limit === null ? null : Plot.ruleX([limit], { stroke: "var(--ink)", strokeWidth: 1.5 }),
-      limit === null || probability === null
-        ? null
-        : Plot.text([limit], {
-            x: limit,
-            frameAnchor: "top",
-            lineAnchor: "bottom",
-            dy: -5,
-            text: () => `P(F < ${limit}) = ${formatShare(probability)}`,
-            textAnchor:
-              limit < low + 0.3 * (high - low) ? "start" : limit > low + 0.7 * (high - low) ? "end" : "middle",
-            fontWeight: 600,
-          }),
-    ],
-    color: { type: "identity" },
-  });
+  const draw = (size: number) =>
+    layOut({
+      height: Math.max(260, Math.min(330, size * 0.6)),
+      margins: [limit === null ? 30 : 46, 18, 46, 52],
+      x: { domain: [low, high], label: titleWithUnit(title, unit), ticks: 6, inset: 6 },
+      y: { label: "Share of the samples [%]", ticks: 5 },
+      marks: [
+        Plot.rectY(classes, {
+          x1: "from",
+          x2: "to",
+          y: (c: (typeof classes)[number]) => 100 * c.share,
+          insetLeft: 0.5,
+          insetRight: 0.5,
+          fill: (c: (typeof classes)[number]) =>
+            limit !== null && c.to <= limit + 1e-9 ? "var(--bad)" : "var(--series-1)",
+          fillOpacity: 0.65,
+        }),
+        curves.map((c) =>
+          Plot.line(c.line, { stroke: c.style.colour, strokeWidth: 1.8, strokeDasharray: c.style.dash }),
+        ),
+        limit === null ? null : Plot.ruleX([limit], { stroke: "var(--ink)", strokeWidth: 1.5 }),
+        limit === null || probability === null
+          ? null
+          : Plot.text([limit], {
+              x: limit,
+              frameAnchor: "top",
+              lineAnchor: "bottom",
+              dy: -5,
+              text: () => `P(F < ${limit}) = ${formatShare(probability)}`,
+              textAnchor:
+                limit < low + 0.3 * (high - low) ? "start" : limit > low + 0.7 * (high - low) ? "end" : "middle",
+              fontWeight: 600,
+            }),
+      ],
+    });
   return (
     <figure aria-label={`Distribution: ${title}`}>
       <div class="chart-head">
@@ -109,7 +107,6 @@ export function HistogramChart({ values, title, unit, limit, probability, part }
         draw={draw}
         depends={[values, limit]}
         stops={middles}
-        showReading
         hint="Point at a class to read it."
         read={(i) => {
           const c = classes[i]!;

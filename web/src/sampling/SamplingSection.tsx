@@ -1,17 +1,99 @@
 // SPDX-License-Identifier: MIT
 /** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { FittedLaw, Sampling } from "../contract";
-import { Facts } from "../page/DataTable";
-import { formatSentence } from "../page/format";
+import type { FailureProbability, FittedLaw, SampledRunout, Sampling } from "../contract";
+import { ChartTable, Facts } from "../page/DataTable";
+import { formatSentence, formatUnit } from "../page/format";
 import { report } from "../state";
-import { GrowthChart } from "./GrowthChart";
+import { BandChart } from "./BandChart";
 import { HistogramChart } from "./HistogramChart";
-import { showName, showValue } from "./names";
-import { NumbersTable } from "./NumbersTable";
-import { formatShare } from "./probability";
-import { RunoutChart } from "./RunoutChart";
 import { TornadoChart } from "./TornadoChart";
+import { formatShare, showName, showValue } from "./probability";
+
+function NumbersTable({ sampling }: { sampling: Sampling }) {
+  const { correlations } = sampling;
+  const ranks = sampling.ranks ?? [];
+  const name = (key: string) => showName(sampling.numbers.find((n) => n.key === key)?.name ?? key);
+  const rank = (key: string) => ranks.find((r) => r.key === key)?.coefficient ?? null;
+  return (
+    <figure class="chart-figure" aria-label="Uncertain numbers">
+      <h4>Uncertain numbers</h4>
+      <ChartTable
+        label="Uncertain numbers"
+        rows={sampling.numbers}
+        columns={[
+          [
+            "Number",
+            (n) => (
+              <>
+                {showName(n.name)}
+                {n.unit && ` [${formatUnit(n.unit)}]`}
+                <div class="chart-missing">{n.key}</div>
+              </>
+            ),
+            "name",
+          ],
+          ["Distribution", (n) => n.text],
+          ["Sampled mean", (n) => formatNumber(n.sampled.mean, 4), "number"],
+          ["deviation", (n) => formatNumber(n.sampled.deviation, 3), "number"],
+          ["from", (n) => formatNumber(n.sampled.smallest, 4), "number"],
+          ["to", (n) => formatNumber(n.sampled.largest, 4), "number"],
+          ranks.length > 0 && ["Rank correlation with F", (n) => formatNumber(rank(n.key), 2), "wrap"],
+        ]}
+      />
+      {correlations.map((c) => (
+        <p key={c.keys.join()} class="chart-note">
+          Correlation of {c.keys.map(name).join(" and ")}: {formatNumber(c.asked, 3)} asked,{" "}
+          {formatNumber(c.sampled, 3)} sampled.
+        </p>
+      ))}
+    </figure>
+  );
+}
+
+function GrowthChart({ failure }: { failure: FailureProbability }) {
+  return (
+    <BandChart
+      title="Probability of failure over the number of samples"
+      axis="Samples"
+      axisUnit=""
+      probability={`P(F < ${failure.limit})`}
+      points={failure.growth}
+      part="probability-of-failure"
+      note={`The band is the interval of ${formatNumber(100 * failure.confidence, 3)} % confidence.`}
+    />
+  );
+}
+
+function RunoutChart({ runout }: { runout: SampledRunout }) {
+  return (
+    <div>
+      {runout.curve.length > 1 && (
+        <BandChart
+          title="Exceedance of the runout"
+          axis="Distance beyond the toe"
+          axisUnit={runout.unit}
+          probability="Probability of more"
+          points={runout.curve}
+          part="runout-exceedance"
+          note="The band is the confidence interval of the share of samples."
+        />
+      )}
+      {runout.exceedance.length > 0 && (
+        <ChartTable
+          label="Probability that the runout exceeds a distance"
+          rows={runout.exceedance}
+          columns={[
+            [`Farther than [${runout.unit}]`, (e) => formatNumber(e.distance, 3), "name number"],
+            ["Probability", (e) => formatShare(e.probability), "number"],
+            ["from", (e) => formatShare(e.lower), "number"],
+            ["to", (e) => formatShare(e.upper), "number"],
+          ]}
+        />
+      )}
+    </div>
+  );
+}
 
 /** The estimates of the probability of failure, each with what it rests on. */
 function Estimates({ sampling }: { sampling: Sampling }) {

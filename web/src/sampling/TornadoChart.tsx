@@ -2,18 +2,18 @@
 /** How far each number alone moves a result, the longest bar first: one deviation down and up, or the values of a study. */
 import * as Plot from "@observablehq/plot";
 
-import { centred } from "../charts/base/axes";
+import { layOut } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import type { CsvColumn } from "../charts/base/csv";
+import type { CsvColumn } from "../charts/base/rows";
 import { CsvButton, Legend } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
-import { showName, showValue } from "./names";
+import { showName, showValue } from "./probability";
 
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;
 const high = { colour: "var(--series-1)", dash: "", symbol: "circle" } as const;
 
-export interface TornadoBar {
+interface TornadoBar {
   title: string;
   low_factor: number;
   high_factor: number;
@@ -47,14 +47,12 @@ export function TornadoBars({ bars, base, titles, part, columns, class: name }: 
         fill: colour,
         fillOpacity: 0.8,
       });
-    return {
+    return layOut({
       height: bars.length * 52 + 66,
-      marginLeft: 14,
-      marginRight: 18,
-      marginTop: 14,
-      marginBottom: 46,
-      x: { domain: [ends[0] - pad, ends[1] + pad], label: titles.axis, ...centred, ticks: width < 400 ? 4 : 6 },
+      margins: [14, 18, 46, 14],
+      x: { domain: [ends[0] - pad, ends[1] + pad], label: titles.axis, ticks: width < 400 ? 4 : 6 },
       y: { domain: [bars.length - 0.4, -0.75], axis: null },
+      grid: "none",
       marks: [
         Plot.gridX({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
         bar("low_factor", low.colour),
@@ -70,8 +68,7 @@ export function TornadoBars({ bars, base, titles, part, columns, class: name }: 
           fill: "var(--ink)",
         }),
       ],
-      color: { type: "identity" },
-    };
+    });
   };
   return (
     <figure class={name} aria-label={titles.chart}>
@@ -91,7 +88,6 @@ export function TornadoBars({ bars, base, titles, part, columns, class: name }: 
         draw={draw}
         depends={[bars]}
         stops={bars.map((_, k) => k)}
-        showReading
         hint="Point at a bar to read it."
         read={(k) => {
           const { title, low_factor, high_factor, note } = bars[k]!;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** Probabilities as text, and the curves that are laid over a histogram. */
+/** Probabilities and sampled numbers as text, and the curves that are laid over a histogram. */
 import { formatNumber } from "../charts/base/numbers";
+import { formatUnit } from "../page/format";
 
 /** "2.4 %", "0.031 %", "3.2×10⁻⁶"; "0" for none. */
 export function formatShare(share: number | null): string {
@@ -17,4 +18,14 @@ export function findDensity(kind: "normal" | "lognormal", mean: number, deviatio
   const variance = Math.log1p((deviation / mean) ** 2);
   const middle = Math.log(mean) - variance / 2;
   return Math.exp((-0.5 * (Math.log(x) - middle) ** 2) / variance) / (x * Math.sqrt(2 * Math.PI * variance));
+}
+
+/** "friction_angle" → "friction angle". */
+export const showName = (name: string) => name.replaceAll("_", " ");
+
+/** "27.61°", "18.54 kN/m³". */
+export function showValue(value: number | null, unit: string): string {
+  const shown = formatUnit(unit);
+  const number = formatNumber(value, 4);
+  return shown === "°" ? `${number}°` : shown ? `${number} ${shown}` : number;
 }

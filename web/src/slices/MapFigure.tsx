@@ -1,42 +1,28 @@
 // SPDX-License-Identifier: MIT
 /** The smallest factor over the centres of the circles, above the slope. */
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 
 import { formatNumber } from "../charts/base/numbers";
-import type { FactorMap, Slices } from "../contract";
+import type { Slices } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
-import { useDark } from "../drawing/dark";
+import { LineKey, useDark } from "../drawing/Keys";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
-import { LineKey } from "../drawing/Keys";
 import { findBox, findSoilBox, joinBoxes, type Pen } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { load, report } from "../state";
+import { load, report, useLoaded } from "../state";
 import { findColour, writeColour } from "../viewer/colours";
 import { strokeLine } from "../viewer/lines";
 import { makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
-import { binTrials, takeMap, type CentreMap } from "./centreMap";
-import { traceContour } from "./contours";
-import { chooseColours, nameSurface, rankTrials, titleMethod, type SlicedSurface } from "./sliceData";
+import { binTrials, type CentreMap, takeMap, traceContour } from "./centreMap";
+import { chooseColours, nameSurface, rankTrials, type SlicedSurface, titleMethod } from "./sliceData";
 import { criticalLook, drawCritical } from "./surfacePainter";
-import { useTrials } from "./useTrials";
-
-function useFactors(map: FactorMap | undefined): Float32Array | null {
-  const [values, setValues] = useState<{ id: string; factors: Float32Array } | null>(null);
-  useEffect(() => {
-    if (map)
-      load(map.factor).then(
-        (factors) => setValues({ id: map.factor.id, factors }),
-        () => setValues(null),
-      );
-  }, [map]);
-  return values && values.id === map?.factor.id ? values.factors : null;
-}
+import { useTrials } from "./trialPainter";
 
 /** Map of centres: that of a search on a grid, else of the trial circles, which are denser near the minimum. */
 function useMap(slices: Slices, method: string): CentreMap | null {
   const map = slices.maps.find((m) => m.method === method);
-  const values = useFactors(map);
+  const values = useLoaded(() => map && load(map.factor), map);
   const { arrays } = useTrials(slices);
   const { trials } = slices;
   const kind = report.value.result.lem?.search?.kind;

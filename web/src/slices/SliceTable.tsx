@@ -3,12 +3,11 @@
 import { useState } from "preact/hooks";
 
 import { CsvButton } from "../charts/base/Legend";
+import { orderValues } from "../charts/base/rows";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import { formatCoordinate, formatFactor } from "../page/format";
-import { SymbolText } from "../page/DataTable";
-import { Scroller } from "../page/Scroller";
+import { Scroller, SymbolText } from "../page/DataTable";
 import { report } from "../state";
-import { orderValues } from "./order";
 import { hasSlices, makeSliceTable, nameSurface, type SlicedSurface } from "./sliceData";
 
 const writeValue = (value: number | null, digits: number | "place") =>

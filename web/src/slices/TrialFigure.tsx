@@ -2,30 +2,32 @@
 /** The section with every trial surface coloured by its factor, the critical ones, slices and line of thrust. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/base/Legend";
+import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Slices, SlipSurface } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
-import { useDark } from "../drawing/dark";
-import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
-import { GroundKeys, LineKey } from "../drawing/Keys";
+import { GroundKeys, LineKey, useDark } from "../drawing/Keys";
+import {
+  clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater,
+} from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { drawSurface, drawSurfaceLabels, type SurfaceLabel } from "../drawing/surfaceLines";
 import { report } from "../state";
 import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
-import { drawRanges } from "./ranges";
-import { chooseLimit, makeBands } from "./bands";
-import { chooseColours, hasSlices, nameSurface, rankTrials, slicedSurfaces, titleMethod, type SlicedSurface } from "./sliceData";
-import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
-import { drawTrials, findTrial, trialWidth } from "./trialPainter";
-import { useTrials } from "./useTrials";
+import {
+  criticalLook, drawCritical, drawRanges, drawSlices, drawThrust, hasThrust, thrustLook,
+} from "./surfacePainter";
+import { chooseLimit, drawTrials, findTrial, makeBands, trialWidth, useTrials } from "./trialPainter";
+import {
+  chooseColours, hasSlices, nameSurface, rankTrials, type SlicedSurface, slicedSurfaces, titleMethod,
+} from "./sliceData";
 
 type Shown = "banded" | "below" | "best";
 
-export const otherLook = { colour: "#8a6100", dash: [8, 4] };
-export const minimumLook = { colour: "#0068a5", dash: [3, 3] };
+const otherLook = { colour: "#8a6100", dash: [8, 4] };
+const minimumLook = { colour: "#0068a5", dash: [3, 3] };
 
 const label = (line: Pixel[], factor: number | null, colour: string): SurfaceLabel[] =>
   factor === null ? [] : [{ line, text: factor.toFixed(3), colour }];
@@ -41,7 +43,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const { arrays, failure } = useTrials(slices);
   const [show, setShow] = useState<Shown>("banded");
   const [limit, setLimit] = useState<number | null>(null);
-  const [on, setOn] = useState({ slices: true, thrust: true, others: false, ranges: true });
+  const [on, toggle] = useToggles({ slices: true, thrust: true, others: false, ranges: true });
   const dark = useDark();
   const { length } = report.value.units;
   const method = slices.trials?.methods.indexOf(selected.method) ?? -1;
@@ -62,12 +64,6 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const bar = useMemo<Bar | null>(
     () => bands && { title: "Factor of safety", ...bands, below: false, above: false },
     [bands],
-  );
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
   );
   const count = trials ? trials.order.reduce((sum, i) => sum + (trials.factors[i]! <= most ? 1 : 0), 0) : 0;
   return (

@@ -2,7 +2,7 @@
 /** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
 import { computed } from "@preact/signals";
 
-import type { CriticalSurface, DrawnSurface } from "../contract";
+import type { CriticalSurface } from "../contract";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 
@@ -39,7 +39,7 @@ export function nameSurface(surface: SlicedSurface): string {
 
 export const titleMethod = (name: string) => slicedSurfaces.value.find((s) => s.method === name)?.title ?? name;
 
-export interface SliceColumn {
+interface SliceColumn {
   name: string;
   title: string;
   /** Text for the head of the table, with subscripts. */
@@ -52,22 +52,9 @@ export interface SliceColumn {
 
 const degrees = 180 / Math.PI;
 
-type MakeColumn = (
-  name: string,
-  title: string,
-  symbol: string,
-  unit: { name: string; si: number },
-  values: (number | null)[],
-  always?: boolean,
-  digits?: number | "place",
-) => SliceColumn[];
-
-/** Columns on the strength after a rapid drawdown. */
-const makeDrawdownColumns = (drawn: DrawnSurface, column: MakeColumn, stress: { name: string; si: number }) => [
-  ...column("normal_before", "Effective normal stress before drawdown", "σ′_fc", stress, drawn.normal, false),
-  ...column("shear_before", "Shear stress before drawdown", "τ_fc", stress, drawn.shear, false),
-  ...column("undrained_strength", "Undrained strength after drawdown", "s_u", stress, drawn.strength, false),
-];
+type Unit = { name: string; si: number };
+/** `digits` as in SliceColumn, 4 where it is left out. */
+type Described = [name: string, title: string, symbol: string, unit: Unit, values: (number | null)[], digits?: 3 | "place"];
 
 /** The slice table; quantities that are zero everywhere are left out, but for those of every slice table. */
 export function makeSliceTable(surface: CriticalSurface): SliceColumn[] {
@@ -75,70 +62,64 @@ export function makeSliceTable(surface: CriticalSurface): SliceColumn[] {
   const { length, stress, line_force: force } = report.value.units;
   const count = s.left.length;
   const effective = s.normal.map((n, i) => (n === null ? null : n - Math.max(0, s.pore_pressure[i]!) * s.length[i]!));
-  const column: MakeColumn = (name, title, symbol, unit, values, always = true, digits = 4) =>
-    !always && values.every((v) => !v)
-      ? []
-      : [
-          {
-            name,
-            title,
-            symbol,
-            unit: unit.name,
-            digits,
-            values: values.map((v) => (v === null ? null : v / unit.si)),
-          },
-        ];
+  const take = (rows: Described[]): SliceColumn[] =>
+    rows.map(([name, title, symbol, unit, values, digits = 4]) => {
+      const shown = values.map((v) => (v === null ? null : v / unit.si));
+      return { name, title, symbol, unit: unit.name, digits, values: shown };
+    });
+  /** Without those that are zero everywhere. */
+  const takeUsed = (rows: Described[]) => take(rows.filter(([, , , , values]) => values.some((v) => v)));
   const plain = { name: "", si: 1 };
   const degree = { name: "°", si: 1 / degrees };
   const middle = s.left.map((x, i) => (x + s.right[i]!) / 2);
+  const width = s.left.map((x, i) => s.right[i]! - x);
+  const drawn: Described[] = surface.drawdown
+    ? [
+        ["normal_before", "Effective normal stress before drawdown", "σ′_fc", stress, surface.drawdown.normal],
+        ["shear_before", "Shear stress before drawdown", "τ_fc", stress, surface.drawdown.shear],
+        ["undrained_strength", "Undrained strength after drawdown", "s_u", stress, surface.drawdown.strength],
+      ]
+    : [];
   return [
-    {
-      name: "slice",
-      title: "Slice, from left to right",
-      symbol: "",
-      unit: "",
-      digits: 4,
-      values: Array.from({ length: count }, (_, i) => i + 1),
-    },
-    ...column("x", "Middle of the slice", "x", length, middle, true, "place"),
-    ...column(
-      "width",
-      "Width",
-      "b",
-      length,
-      s.left.map((x, i) => s.right[i]! - x),
-      true,
-      3,
-    ),
+    ...take([
+      ["slice", "Slice, from left to right", "", plain, Array.from({ length: count }, (_, i) => i + 1)],
+      ["x", "Middle of the slice", "x", length, middle, "place"],
+      ["width", "Width", "b", length, width, 3],
+    ]),
     ...(new Set(s.soil).size > 1
       ? [{ name: "soil", title: "Soil at the base", symbol: "soil", unit: "", digits: 0, values: s.soil }]
       : []),
-    ...column("alpha", "Inclination of the base", "α", degree, s.alpha, true, 3),
-    ...column("length", "Length of the base", "l", length, s.length, true, 3),
-    ...column("weight", "Weight", "W", force, s.weight),
-    ...column("surface_load", "Load on the ground", "Q", force, s.surface_load, false),
-    ...column(
-      "surface_thrust",
-      "Horizontal load of ponded water, against the sliding",
-      "Q_h",
-      force,
-      s.surface_thrust,
-      false,
-    ),
-    ...column("earthquake", "Earthquake force", "F_h", force, s.earthquake, false),
-    ...column("pore_pressure", "Pore pressure", "u", stress, s.pore_pressure),
-    ...column("cohesion", "Cohesion, with roots and suction", "c", stress, s.cohesion, true, 3),
-    ...column("root_cohesion", "Of it from roots", "c_r", stress, s.root_cohesion, false, 3),
-    ...column("suction_strength", "Of it from suction", "c_s", stress, s.suction_strength, false, 3),
-    ...column("friction", "Friction angle", "φ", degree, s.tan_friction.map(Math.atan), true, 3),
-    ...column("normal", "Normal force", "N", force, s.normal),
-    ...column("effective_normal", "Effective normal force, N − u l without suction", "N′", force, effective),
-    ...column("shear", "Mobilised shear force", "T", force, s.shear),
-    ...column("normal_right", "Force between slices on the right side, horizontal", "E", force, s.normal_right, false),
-    ...column("shear_right", "Force between slices on the right side, vertical", "X", force, s.shear_right, false),
-    ...column("thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, false, "place"),
-    ...(surface.drawdown ? makeDrawdownColumns(surface.drawdown, column, stress) : []),
-    ...column("m_alpha", "Denominator of the normal force", "m_α", plain, s.m_alpha, false, 3),
+    ...take([
+      ["alpha", "Inclination of the base", "α", degree, s.alpha, 3],
+      ["length", "Length of the base", "l", length, s.length, 3],
+      ["weight", "Weight", "W", force, s.weight],
+    ]),
+    ...takeUsed([
+      ["surface_load", "Load on the ground", "Q", force, s.surface_load],
+      ["surface_thrust", "Horizontal load of ponded water, against the sliding", "Q_h", force, s.surface_thrust],
+      ["earthquake", "Earthquake force", "F_h", force, s.earthquake],
+    ]),
+    ...take([
+      ["pore_pressure", "Pore pressure", "u", stress, s.pore_pressure],
+      ["cohesion", "Cohesion, with roots and suction", "c", stress, s.cohesion, 3],
+    ]),
+    ...takeUsed([
+      ["root_cohesion", "Of it from roots", "c_r", stress, s.root_cohesion, 3],
+      ["suction_strength", "Of it from suction", "c_s", stress, s.suction_strength, 3],
+    ]),
+    ...take([
+      ["friction", "Friction angle", "φ", degree, s.tan_friction.map(Math.atan), 3],
+      ["normal", "Normal force", "N", force, s.normal],
+      ["effective_normal", "Effective normal force, N − u l without suction", "N′", force, effective],
+      ["shear", "Mobilised shear force", "T", force, s.shear],
+    ]),
+    ...takeUsed([
+      ["normal_right", "Force between slices on the right side, horizontal", "E", force, s.normal_right],
+      ["shear_right", "Force between slices on the right side, vertical", "X", force, s.shear_right],
+      ["thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, "place"],
+      ...drawn,
+      ["m_alpha", "Denominator of the normal force", "m_α", plain, s.m_alpha, 3],
+    ]),
   ];
 }
 

@@ -3,14 +3,12 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { CriticalSurface, Report } from "../contract";
+import { orderValues } from "../charts/base/rows";
 import { report } from "../state";
-import { binTrials } from "./centreMap";
-import { chooseLimit, makeBands } from "./bands";
-import { traceContour } from "./contours";
-import { orderValues } from "./order";
+import { binTrials, traceContour } from "./centreMap";
+import { chooseLimit, findTrial, makeBands } from "./trialPainter";
 import { makeSliceTable, rankTrials } from "./sliceData";
 import { traceThrust } from "./surfacePainter";
-import { findTrial } from "./trialPainter";
 
 const units = {
   length: { name: "m", si: 1 },

@@ -1,9 +1,31 @@
 // SPDX-License-Identifier: MIT
-/** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre. */
+/** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre; and the ranges of the search. */
 import type { CriticalSurface } from "../contract";
 import type { Pen } from "../drawing/pen";
 import { drawSurface } from "../drawing/surfaceLines";
-import { strokeLine } from "../viewer/lines";
+import { drawDot, strokeLine, writeEdged } from "../viewer/lines";
+
+/** Ranges of x under the section, each on a line of its own unless they are the same. */
+export function drawRanges({ context, camera, place, theme }: Pen, exit?: number[], entry?: number[]): void {
+  const same = exit && entry && exit[0] === entry[0] && exit[1] === entry[1];
+  const ranges: [string, number[] | undefined][] = same
+    ? [["exit and entry", exit]]
+    : [
+        ["exit", exit],
+        ["entry", entry],
+      ];
+  context.font = "600 11px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "alphabetic";
+  ranges.forEach(([name, range], i) => {
+    if (!range) return;
+    const y = camera.height - 27 - 14 * i;
+    const [from, to] = range.map((x) => place([x, 0])[0]) as [number, number];
+    strokeLine(context, [[from, y], [to, y]], { colour: theme.accent, width: 2.5 });
+    for (const x of [from, to]) strokeLine(context, [[x, y - 4], [x, y + 4]], { colour: theme.accent, width: 1.5 });
+    writeEdged(context, name, [(from + to) / 2, y + 4], { colour: theme.ink, edge: theme.ground, width: 4 });
+  });
+}
 
 export const criticalLook = { colour: "#c2185b", dash: [] };
 export const thrustLook = { colour: "#00755a", dash: [7, 3] };
@@ -77,11 +99,5 @@ export function drawCritical({ context, place, theme }: Pen, surface: CriticalSu
   const centre = place(surface.circle.centre);
   for (const end of [line[0]!, line.at(-1)!])
     strokeLine(context, [centre, end], { colour: theme.muted, width: 1, dash: [5, 4] });
-  context.fillStyle = criticalLook.colour;
-  context.strokeStyle = theme.ground;
-  context.lineWidth = 1.5;
-  context.beginPath();
-  context.arc(...centre, 4.5, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
+  drawDot(context, centre, 4.5, { fill: criticalLook.colour, colour: theme.ground, width: 1.5 });
 }

@@ -1,9 +1,43 @@
 // SPDX-License-Identifier: MIT
-/** Draws thousands of trial arcs, the weakest last; finds the one under the pointer. */
+/** The trial surfaces: decoded, coloured in bands from the smallest factor up to a chosen one, thousands of arcs drawn with the weakest last. */
+import { useEffect, useState } from "preact/hooks";
+
+import type { Slices } from "../contract";
 import type { Pen } from "../drawing/pen";
+import { load, loadPlaces } from "../state";
 import { findColour, writeColour } from "../viewer/colours";
-import type { Bands } from "./bands";
+import { bandColours, findShare, type Level, makeScale, type Scale } from "../viewer/scale";
 import type { RankedTrials } from "./sliceData";
+
+interface Bands {
+  colours: Uint8Array;
+  scale: Scale;
+  /** The ends of the bands, with that of the smallest factor. */
+  levels: Level[];
+}
+
+const steps = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5];
+const mostBands = 8;
+
+/** A fifth above the smallest factor: what lies beyond is no rival of the critical surface. */
+export const chooseLimit = (low: number): number => Number((1.2 * low).toFixed(2));
+
+/** Bands that end at round factors. */
+export function makeBands(low: number, limit: number, colours: Uint8Array): Bands {
+  const high = Math.max(limit, low * 1.001);
+  const step = steps.find((s) => (high - low) / s <= mostBands) ?? (high - low) / mostBands;
+  const digits = Math.max(2, -Math.floor(Math.log10(step) + 1e-9));
+  const ends = [low];
+  for (let i = Math.floor(low / step) + 1; i * step < high - 1e-3 * step; ++i) ends.push(i * step);
+  ends.push(high);
+  const scale = makeScale(low, high);
+  const shares = ends.slice(1, -1).map((value) => findShare(value, scale));
+  return {
+    colours: bandColours(colours, shares),
+    scale,
+    levels: ends.map((value, i) => ({ value, text: value.toFixed(i === 0 ? 3 : digits) })),
+  };
+}
 
 export const trialWidth = 5;
 
@@ -70,4 +104,22 @@ export function findTrial(
     if (Math.abs(Math.hypot(at[0] - x!, at[1] - y!) - r!) < reach) return i;
   }
   return -1;
+}
+
+interface TrialArrays {
+  circles: Float64Array;
+  factors: Float32Array;
+}
+
+export function useTrials({ trials }: Slices): { arrays: TrialArrays | null; failure: string } {
+  const [arrays, setArrays] = useState<TrialArrays | null>(null);
+  const [failure, setFailure] = useState("");
+  useEffect(() => {
+    if (!trials) return;
+    Promise.all([loadPlaces(trials.circles), load(trials.factors)]).then(
+      ([circles, factors]) => setArrays({ circles, factors }),
+      (error) => setFailure(String(error?.message ?? error)),
+    );
+  }, [trials]);
+  return { arrays, failure };
 }

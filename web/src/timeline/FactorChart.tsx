@@ -4,19 +4,24 @@ import * as Plot from "@observablehq/plot";
 import { useEffect, useState } from "preact/hooks";
 import { signal } from "@preact/signals";
 
-import { centred, describeAxis } from "../charts/base/axes";
+import { describeAxis, layOut, makeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
 import { styleOf } from "../charts/base/styles";
 import { formatFactor } from "../page/format";
 import { report } from "../state";
-import { findRain, listLevels, listRain, type LevelLine, type RainBar } from "./rain";
-import type { ShownTimeline } from "./shownTimeline";
+import { findRain, type LevelLine, listLevels, listRain, type RainBar, type ShownTimeline } from "./chosen";
 
 interface Props {
   timeline: ShownTimeline;
   chosen: number;
   onChoose: (moment: number) => void;
 }
+
+const makeTimeAxis = ({ duration, unit, start }: ShownTimeline, width: number) => ({
+  domain: [0, duration / unit.si],
+  label: `Time [${unit.name}${start ? ` since ${start}` : ""}]`,
+  ticks: Math.max(4, width / 90),
+});
 
 export function FactorChart({ timeline, chosen, onChoose }: Props) {
   const [at] = useState(() => signal(0));
@@ -45,45 +50,40 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
   const writeRate = describeAxis(0, most, 2).format;
   const levels = listLevels(report.value.water?.conditions ?? [], timeline.duration);
   const { colour } = styleOf(0);
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(260, Math.min(360, width * 0.45)),
-    marginLeft: 56,
-    marginRight: most > 0 ? 52 : 20,
-    marginTop: 24,
-    marginBottom: 46,
-    x: { domain: [0, timeline.duration / unit.si], label: `Time [${unit.name}${timeline.start ? ` since ${timeline.start}` : ""}]`, ...centred, ticks: Math.max(4, width / 90) },
-    y: { domain: [low - margin, top], label: "Factor of safety", ticks: 5, labelArrow: "none" },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.axisY({ ticks: 5, label: "Factor of safety", labelArrow: "none" }),
-      most > 0
-        ? Plot.axisY(rates.map(place), {
-            anchor: "right",
-            tickFormat: (_, i) => writeRate(rates[i]!),
-            label: `Rain [${rainUnit}]`,
-            labelArrow: "none",
-          })
-        : null,
-      Plot.rect(rain, { x1: "from", x2: "to", y1: depth, y2: top, fill: "var(--water, #2f7fb8)", fillOpacity: 0.45 }),
-      failure
-        ? Plot.rect([failure], {
-            x1: failure.earliest / unit.si,
-            x2: (failure.latest ?? timeline.duration) / unit.si,
-            y1: low - margin,
-            y2: high + margin,
-            fill: "#c2185b",
-            fillOpacity: 0.14,
-          })
-        : null,
-      failure
-        ? Plot.ruleX([failure.to / unit.si], { stroke: "#c2185b", y1: low - margin, y2: high + margin })
-        : null,
-      Plot.ruleY([target], { stroke: "#c2185b", strokeDasharray: "4 3" }),
-      Plot.line(points, { x: "t", y: "factor", stroke: colour, strokeWidth: 1.8 }),
-      Plot.dot(points, { x: "t", y: "factor", r: 3, fill: colour }),
-      Plot.dot(elements, { x: "t", y: "factor", r: 5, symbol: "diamond", stroke: styleOf(1).colour, strokeWidth: 2 }),
-    ],
-  });
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(260, Math.min(360, width * 0.45)),
+      margins: [24, most > 0 ? 52 : 20, 46, 56],
+      x: makeTimeAxis(timeline, width),
+      y: { domain: [low - margin, top], label: "Factor of safety", ticks: 5 },
+      marks: [
+        Plot.axisY({ ticks: 5, label: "Factor of safety", labelArrow: "none" }),
+        most > 0
+          ? Plot.axisY(rates.map(place), {
+              anchor: "right",
+              tickFormat: (_, i) => writeRate(rates[i]!),
+              label: `Rain [${rainUnit}]`,
+              labelArrow: "none",
+            })
+          : null,
+        Plot.rect(rain, { x1: "from", x2: "to", y1: depth, y2: top, fill: "var(--water, #2f7fb8)", fillOpacity: 0.45 }),
+        failure
+          ? Plot.rect([failure], {
+              x1: failure.earliest / unit.si,
+              x2: (failure.latest ?? timeline.duration) / unit.si,
+              y1: low - margin,
+              y2: high + margin,
+              fill: "#c2185b",
+              fillOpacity: 0.14,
+            })
+          : null,
+        failure ? Plot.ruleX([failure.to / unit.si], { stroke: "#c2185b", y1: low - margin, y2: high + margin }) : null,
+        Plot.ruleY([target], { stroke: "#c2185b", strokeDasharray: "4 3" }),
+        Plot.line(points, { x: "t", y: "factor", stroke: colour, strokeWidth: 1.8 }),
+        Plot.dot(points, { x: "t", y: "factor", r: 3, fill: colour }),
+        Plot.dot(elements, { x: "t", y: "factor", r: 5, symbol: "diamond", stroke: styleOf(1).colour, strokeWidth: 2 }),
+      ],
+    });
   return (
     <figure class="chart-figure" aria-label="Factor of safety over time">
       <Chart
@@ -91,7 +91,6 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         draw={draw}
         depends={[timeline]}
         stops={stops}
-        showReading
         hint="Point at a time to read it; a click shows its section below."
         ruler={() => at.value}
         onPick={(stop) => onChoose(points[stop]!.i)}
@@ -119,38 +118,22 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
 
 /** The level of the water on a side, on the times of the factor above it. */
 function LevelChart({ line, timeline }: { line: LevelLine; timeline: ShownTimeline }) {
-  const { unit, duration, start } = timeline;
+  const { unit } = timeline;
   const points = line.points.map(([t, level]) => [t / unit.si, level] as [number, number]);
   const levels = points.map(([, level]) => level);
   const [low, high] = [Math.min(...levels), Math.max(...levels)];
   const pad = 0.1 * (high - low);
-  const axis = describeAxis(low, high, 3);
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: 130,
-    marginLeft: 56,
-    marginRight: 20,
-    marginTop: 22,
-    marginBottom: 42,
-    x: {
-      domain: [0, duration / unit.si],
-      label: `Time [${unit.name}${start ? ` since ${start}` : ""}]`,
-      ...centred,
-      ticks: Math.max(4, width / 90),
-    },
-    y: {
-      domain: [low - pad, high + pad],
-      label: `Level at ${line.on} [${line.unit}]`,
-      ticks: 3,
-      tickFormat: axis.format,
-      labelArrow: "none",
-    },
-    marks: [
-      Plot.gridY({ ticks: 3, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.line(points, { stroke: "var(--water, #2f7fb8)", strokeWidth: 1.8 }),
-    ],
-  });
+  const draw = (width: number) =>
+    layOut({
+      height: 130,
+      margins: [22, 20, 42, 56],
+      x: makeTimeAxis(timeline, width),
+      y: makeAxis({ title: `Level at ${line.on}`, unit: line.unit, domain: [low - pad, high + pad], count: 3 }),
+      marks: [Plot.line(points, { stroke: "var(--water, #2f7fb8)", strokeWidth: 1.8 })],
+    });
   return (
     <Chart
+      quiet
       label={`Level at ${line.on} over time`}
       draw={draw}
       depends={[timeline]}

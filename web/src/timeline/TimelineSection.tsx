@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Details of the factor of safety in time: the water balance, and every searched time. */
 import { formatNumber } from "../charts/base/numbers";
-import { ChartTable, numbers } from "../page/DataTable";
+import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
-import { chooseMoment, chosenMoment, findRelease, showRelease } from "./chosen";
-import "./timeline.css";
-import { shownTimeline, type ShownRelease } from "./shownTimeline";
+import { chooseMoment, chosenMoment, findRelease, type ShownRelease, shownTimeline, showRelease } from "./chosen";
 
 /** Moved soil after each release, and its dependence on the time of release. */
 function Releases({ releases }: { releases: ShownRelease[] }) {
@@ -16,34 +14,31 @@ function Releases({ releases }: { releases: ShownRelease[] }) {
     <ChartTable
       label="Material points take over"
       class="timeline-releases"
-      head={["Material points take over", ...numbers("F"), "Start", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
-    >
-      {releases.map((r) => (
-        <tr key={r.time}>
-          <th scope="row">{r.title}</th>
-          <td class="number">{formatFactor(r.factor, "none")}</td>
-          <td>{r.start}</td>
-          {r.error === null ? (
-            <>
-              <td class="number">{length(r.largest_displacement)}</td>
-              <td class="number">{r.front}</td>
-              <td class="number">{formatQuantity(r.moved_volume, units.volume, 3)}</td>
-            </>
-          ) : (
-            <td colSpan={3}>{r.error}</td>
-          )}
-          <td>
-            {findRelease(r) < 0 ? (
+      rows={releases}
+      columns={[
+        ["Material points take over", (r) => r.title, "name"],
+        ["F", (r) => formatFactor(r.factor, "none"), "number"],
+        ["Start", (r) => r.start],
+        [
+          "Largest displacement",
+          (r) => (r.error === null ? length(r.largest_displacement) : <span class="chart-reason">{r.error}</span>),
+          "number",
+        ],
+        ["Front", (r) => r.error === null && r.front, "number"],
+        ["Moved", (r) => r.error === null && formatQuantity(r.moved_volume, units.volume, 3), "number"],
+        [
+          "Results",
+          (r) =>
+            findRelease(r) < 0 ? (
               r.folder || "this folder"
             ) : (
               <a class="link" href="#section" onClick={() => showRelease(r)}>
                 show its end
               </a>
-            )}
-          </td>
-        </tr>
-      ))}
-    </ChartTable>
+            ),
+        ],
+      ]}
+    />
   );
 }
 
@@ -70,19 +65,25 @@ export function TimelineSection() {
       <ChartTable
         label="Factors of safety in time"
         class="timeline-factors"
-        head={["Time", ...numbers("F"), "Slip surface that governs"]}
-      >
-        {timeline.factors.map((f, i) => (
-          <tr key={f.time} class={i === chosen ? "surface-selected" : undefined}>
-            <th scope="row">
+        rows={timeline.factors}
+        rowClass={(_, i) => i === chosen && "surface-selected"}
+        columns={[
+          [
+            "Time",
+            (f, i) => (
               <button type="button" class="link" aria-pressed={i === chosen} onClick={() => chooseMoment(i)}>
                 {f.title}
               </button>
-            </th>
-            <td class="number">{formatFactor(f.factor, "none")}</td>
-            <td>{f.factor !== null && `${f.surface.title}, ${f.source}${f.refusal && ` (${f.refusal})`}`}</td>
-          </tr>
-        ))}
+            ),
+            "name",
+          ],
+          ["F", (f) => formatFactor(f.factor, "none"), "number"],
+          [
+            "Slip surface that governs",
+            (f) => f.factor !== null && `${f.surface.title}, ${f.source}${f.refusal && ` (${f.refusal})`}`,
+          ],
+        ]}
+      >
         {timeline.elements.map((e) => (
           <tr key={`elements ${e.time}`}>
             <th scope="row">{e.title}</th>

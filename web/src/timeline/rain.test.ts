@@ -2,8 +2,7 @@
 import { expect, test } from "vitest";
 
 import type { HydraulicCondition, Timeline } from "../contract";
-import { findMoment } from "./chosen";
-import { listLevels, listRain } from "./rain";
+import { findMoment, listLevels, listRain } from "./chosen";
 
 const rain = (time: number[], values: number[]): HydraulicCondition => ({
   on: "ground",

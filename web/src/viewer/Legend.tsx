@@ -3,14 +3,12 @@
 import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";
 import { writeCondition } from "../page/format";
-import { writeNumber, writeUnit } from "./format";
-import { evaluateSeries } from "./hydraulics";
+import { writeNumber, writeUnit } from "./scale";
+import { chooseSymbol, evaluateSeries } from "./symbols";
 import { chooseLook } from "../drawing/surfaceLines";
-import { listOtherSurfaces } from "./otherSurfaces";
-import { inSpace, layers } from "./settings";
+import { inSpace, layers, listOtherSurfaces } from "./settings";
 import { frame, shown } from "./shown";
 import { hasNoValue } from "./sizes";
-import { chooseSymbol } from "./supports";
 import { movedThreshold, slipSurfaces, strainRidge, waterTables } from "./tracedLines";
 import { findUsedWater } from "../drawing/standingWater";
 

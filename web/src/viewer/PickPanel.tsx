@@ -1,17 +1,108 @@
 // SPDX-License-Identifier: MIT
-/** The values at the picked point, and how the shown field went there over the frames. */
-import { useEffect, useState } from "preact/hooks";
+/** The values at the picked point, how the shown field went there over the frames, and its history as a table. */
+import * as Plot from "@observablehq/plot";
+import { useEffect, useRef, useState } from "preact/hooks";
 
+import { type CsvColumn, makeFileName, saveFile, writeCsv } from "../charts/base/rows";
 import type { SequenceField } from "../contract";
 import { readValues } from "../data";
-import { fieldName, load, pickedPoint, report } from "../state";
 import { formatCoordinate } from "../page/format";
-import { writeNumber, writeUnit } from "./format";
-import { saveFile } from "../charts/base/saveFile";
-import { writePointCsv } from "./pointCsv";
-import { PointHistory } from "./PointHistory";
-import { frame, shown, type Shown } from "./shown";
+import { fieldName, load, pickedPoint, report } from "../state";
+import { writeNumber, writeTitle, writeUnit } from "./scale";
+import { goTo } from "./play";
+import { frame, type Shown, shown } from "./shown";
 import type { Stage } from "./stage";
+
+/** Frames, coordinates and all fields of a point, in the report's units. `series`: field → value per frame [SI]. */
+function tabulatePoint(now: Shown, point: number, series: Map<string, ArrayLike<number>>): CsvColumn[] {
+  const { sequence, positions } = now;
+  const { model, units } = report.value;
+  const { frames, point_count: count } = sequence;
+  const round = (value: number) => Number(value.toPrecision(7));
+  const columns: CsvColumn[] = [
+    { name: "time", unit: "s", values: frames.map((f) => round(f.time - frames[0]!.time)) },
+    { name: "strength reduction factor", values: frames.map((f) => f.factor) },
+    { name: "frame", values: frames.map((f) => f.label) },
+  ];
+  for (let k = 0; k < model.dimension; ++k) {
+    const at = (f: number) => positions[(f * count + point) * model.dimension + k]!;
+    // A micrometre is finer than the page stores, and all digits of a map are kept.
+    const values = frames.map((_, f) => Number((at(f) / units.length.si).toFixed(6)));
+    columns.push({ name: "xyz"[k]!, unit: units.length.name, values });
+  }
+  for (const field of sequence.fields) {
+    const values = Array.from(series.get(field.name) ?? [], (value) => round(value / field.unit.si));
+    columns.push({ name: field.title, unit: field.unit.name, values });
+  }
+  return columns;
+}
+
+/** Name and content of the file. */
+function writePointCsv(now: Shown, point: number, series: Map<string, ArrayLike<number>>): [string, Blob] {
+  const name = makeFileName(report.value.title, `${now.sequence.id} point ${now.ids[point]}`);
+  return [name, new Blob([writeCsv(tabulatePoint(now, point, series))], { type: "text/csv" })];
+}
+
+function PointHistory(props: { now: Shown; values: Float32Array | undefined }) {
+  const host = useRef<HTMLDivElement>(null);
+  const { now } = props;
+  const { frames, axis } = now.sequence;
+  // While another sequence is being decoded the values are still those of the one before.
+  const values = props.values?.length === frames.length ? props.values : undefined;
+  const index = frame.value;
+  const start = frames[0]!.time;
+  const along = (f: number) => (axis === "factor" ? (frames[f]!.factor ?? f) : frames[f]!.time - start);
+  const axisTitle = axis === "factor" ? "Strength reduction factor" : "Time [s]";
+
+  useEffect(() => {
+    if (!values || !host.current) return;
+    const { si } = now.field.unit;
+    const rows = Array.from(values, (value, f) => ({ x: along(f), y: Number.isNaN(value) ? null : value / si }));
+    const plot = Plot.plot({
+      width: 360,
+      height: 190,
+      marginLeft: 52,
+      marginBottom: 34,
+      style: { background: "transparent", fontSize: "11px" },
+      x: { label: axisTitle, labelArrow: "none", ticks: 5, nice: true },
+      y: { label: writeTitle(now.field.title, now.field.unit), labelArrow: "none", ticks: 5, nice: true, grid: true },
+      marks: [
+        Plot.lineY(rows, { x: "x", y: "y", stroke: "var(--accent, #0b62a8)", strokeWidth: 1.8 }),
+        Plot.ruleX([along(index)], { stroke: "currentColor", strokeOpacity: 0.35 }),
+        Plot.dot(rows.slice(index, index + 1), { x: "x", y: "y", r: 4, fill: "var(--accent, #0b62a8)" }),
+      ],
+    });
+    plot.setAttribute("aria-hidden", "true");
+    const goToClicked = (event: Event) => {
+      const wanted = plot.scale("x")!.invert!((event as PointerEvent).offsetX * (360 / plot.clientWidth)) as number;
+      const distance = (f: number) => Math.abs(along(f) - wanted);
+      goTo(frames.reduce((best, _, f) => (distance(f) < distance(best) ? f : best), 0));
+    };
+    plot.addEventListener("click", goToClicked);
+    host.current.replaceChildren(plot);
+  });
+
+  if (!values || values.every(Number.isNaN)) return <div class="viewer-history" ref={host} />;
+  let [smallest, largest] = [0, 0];
+  values.forEach((value, f) => {
+    if (value < values[smallest]!) smallest = f;
+    if (value > values[largest]!) largest = f;
+  });
+  const link = (name: string, f: number) => (
+    <button type="button" class="viewer-link" onClick={() => goTo(f)}>
+      {name}: {writeNumber(values[f]! / now.field.unit.si)} at {frames[f]!.label}
+    </button>
+  );
+  return (
+    <figure class="viewer-history" aria-label={`${now.field.title} at the picked point over the frames`}>
+      <div ref={host} />
+      <figcaption>
+        {link("Largest", largest)}
+        {link("Smallest", smallest)}
+      </figcaption>
+    </figure>
+  );
+}
 
 /** Number of fields that stay decoded; beyond it, each is read for the picked point and released. */
 const keptNumbers = 3e7;

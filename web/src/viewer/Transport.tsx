@@ -3,6 +3,7 @@
 import { frameIndex, sequence } from "../state";
 import { countFrames, goTo, step, togglePlaying } from "./play";
 import { playing, speed } from "./settings";
+import { Choice } from "./Toolbar";
 
 const icons = {
   first: "M4 3v10M13 3 6 8l7 5z",
@@ -68,20 +69,12 @@ export function Transport() {
           {index + 1} / {count}
         </span>
       </output>
-      <label class="viewer-choice">
-        <span>Speed</span>
-        <select
-          aria-label="Speed"
-          value={String(speed.value)}
-          onChange={(event) => (speed.value = Number(event.currentTarget.value))}
-        >
-          {[0.25, 0.5, 1, 2, 4].map((s) => (
-            <option key={s} value={String(s)} selected={s === speed.value}>
-              {s}×
-            </option>
-          ))}
-        </select>
-      </label>
+      <Choice
+        label="Speed"
+        value={String(speed.value)}
+        choose={(value) => (speed.value = Number(value))}
+        items={[0.25, 0.5, 1, 2, 4].map((s) => [String(s), `${s}×`])}
+      />
     </div>
   );
 }

@@ -7,8 +7,7 @@ import { frameIndex, pickedPoint, report, sequence } from "../state";
 import { startArrows } from "./arrows";
 import { Legend } from "./Legend";
 import { startMesh } from "./meshEdges";
-import { listenToPointer } from "./pointer";
-import { pickNext } from "./picking";
+import { listenToPointer, pickNext } from "./pointer";
 import { PickPanel } from "./PickPanel";
 import { startClock, step, goTo, countFrames, togglePlaying } from "./play";
 import { openAtFailure } from "./settings";
@@ -18,7 +17,8 @@ import { Toolbar } from "./Toolbar";
 import { startTracing } from "./tracedLines";
 import { Transport } from "./Transport";
 import "./viewer.css";
-import "./narrow.css";
+import { ZoomButtons } from "../drawing/SectionCanvas";
+import { listenTo } from "./theme";
 
 const help =
   "Space plays, arrow keys step through the frames, plus and minus zoom, 0 fits, " +
@@ -68,33 +68,6 @@ function keepPicked(stage: Stage): () => void {
   });
 }
 
-function ZoomButtons(props: { stage: Stage | null }) {
-  const { stage } = props;
-  const buttons: [string, string, (stage: Stage) => void][] = [
-    ["Zoom in", "M8 3v10M3 8h10", (s) => zoom(s, 1.4)],
-    ["Zoom out", "M3 8h10", (s) => zoom(s, 1 / 1.4)],
-    ["Fit", "M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10", (s) => s.fit()],
-  ];
-  return (
-    <div class="viewer-zoom">
-      {buttons.map(([name, path, act]) => (
-        <button
-          type="button"
-          key={name}
-          class="viewer-icon"
-          aria-label={name}
-          title={name}
-          onClick={() => stage && act(stage)}
-        >
-          <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
-            <path d={path} fill="none" stroke="currentColor" stroke-width="1.6" />
-          </svg>
-        </button>
-      ))}
-    </div>
-  );
-}
-
 /** A press outside, or Escape, closes the menus of the toolbar. */
 function closeMenus(): () => void {
   const close = (event: Event) => {
@@ -103,12 +76,7 @@ function closeMenus(): () => void {
       if (event instanceof KeyboardEvent || !menu.contains(event.target as Node)) menu.open = false;
     }
   };
-  document.addEventListener("pointerdown", close);
-  document.addEventListener("keydown", close);
-  return () => {
-    document.removeEventListener("pointerdown", close);
-    document.removeEventListener("keydown", close);
-  };
+  return listenTo(document, { pointerdown: close, keydown: close });
 }
 
 /** Describes the picture for screen readers. */
@@ -160,7 +128,13 @@ export function Viewer() {
             if (stage && event.target === event.currentTarget && actOnKey(event, stage)) event.preventDefault();
           }}
         />
-        <ZoomButtons stage={stage} />
+        <div class="viewer-zoom">
+          <ZoomButtons
+            class="viewer-icon"
+            zoom={(factor) => stage && zoom(stage, factor)}
+            fit={() => stage?.fit()}
+          />
+        </div>
         {failure.value && <p class="viewer-failure">The arrays of this frame cannot be read: {failure.value}</p>}
       </div>
       <Transport />

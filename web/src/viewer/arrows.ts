@@ -5,7 +5,7 @@ import { effect, signal } from "@preact/signals";
 import type { SequenceField } from "../contract";
 import { load, report } from "../state";
 import type { Camera } from "./camera";
-import { arrowQuantity, arrowTitles, limitMode, type ArrowQuantity } from "./settings";
+import { arrowQuantity, type ArrowQuantity, arrowTitles, limitMode } from "./settings";
 import { fail, frame, shown, takeFrame, takePositions, type Shown } from "./shown";
 import { radii } from "./sizes";
 

@@ -3,7 +3,7 @@
 import { describe, expect, it } from "vitest";
 
 import { findCells, measureArea, type Cells } from "./cells";
-import { findMovedLimits } from "./moved";
+import { findMovedLimits } from "./slipLines";
 import { toLocal } from "./painter";
 import { distributeVolume } from "./sizes";
 

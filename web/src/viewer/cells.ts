@@ -147,7 +147,7 @@ function findRings(triangles: Uint32Array, solid: Uint8Array, isEnd: (e: number)
   return rings;
 }
 
-function measureCircumradius(at: Float64Array, a: number, b: number, c: number): number {
+export function measureCircumradius(at: Float64Array, a: number, b: number, c: number): number {
   const dx = at[2 * b]! - at[2 * a]!;
   const dy = at[2 * b + 1]! - at[2 * a + 1]!;
   const ex = at[2 * c]! - at[2 * a]!;

@@ -24,6 +24,36 @@ export function strokeLine(context: CanvasRenderingContext2D, line: Pixel[], sty
   context.setLineDash([]);
 }
 
+/** A dot with a border. */
+export function drawDot(
+  context: CanvasRenderingContext2D,
+  [x, y]: Pixel,
+  radius: number,
+  look: { fill: string; colour: string; width: number },
+): void {
+  context.fillStyle = look.fill;
+  context.strokeStyle = look.colour;
+  context.lineWidth = look.width;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+/** A text with an edge, read over any colour; `width` of the edge [px]. */
+export function writeEdged(
+  context: CanvasRenderingContext2D,
+  text: string,
+  [x, y]: Pixel,
+  look: { colour: string; edge: string; width: number },
+): void {
+  context.lineWidth = look.width;
+  context.strokeStyle = look.edge;
+  context.strokeText(text, x, y);
+  context.fillStyle = look.colour;
+  context.fillText(text, x, y);
+}
+
 /**
  * The inverted triangle over two short lines, in the middle of the longest piece of the water table; of a line of many
  * short ones in the middle of the line.
@@ -48,21 +78,11 @@ export function drawWaterMark(context: CanvasRenderingContext2D, line: Pixel[], 
 }
 
 export function drawMonitor(context: CanvasRenderingContext2D, [x, y]: Pixel, name: string, theme: Theme): void {
-  context.fillStyle = theme.ground;
-  context.strokeStyle = theme.ink;
-  context.lineWidth = 1.6;
-  context.beginPath();
-  context.arc(x, y, 4.5, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
+  drawDot(context, [x, y], 4.5, { fill: theme.ground, colour: theme.ink, width: 1.6 });
   context.font = `600 12px ${fontFamily}`;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
-  context.lineWidth = 3.5;
-  context.strokeStyle = theme.ground;
-  context.strokeText(name, x + 8, y - 7);
-  context.fillStyle = theme.ink;
-  context.fillText(name, x + 8, y - 7);
+  writeEdged(context, name, [x + 8, y - 7], { colour: theme.ink, edge: theme.ground, width: 3.5 });
 }
 
 export function drawPicked(context: CanvasRenderingContext2D, [x, y]: Pixel, theme: Theme): void {
@@ -103,11 +123,7 @@ export function drawArrows(context: CanvasRenderingContext2D, field: ArrowField,
   context.font = `11px ${fontFamily}`;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  context.lineWidth = 3;
-  context.strokeStyle = theme.ground;
-  context.strokeText(field.text, x + field.reference + 6, y);
-  context.fillStyle = theme.ink;
-  context.fillText(field.text, x + field.reference + 6, y);
+  writeEdged(context, field.text, [x + field.reference + 6, y], { colour: theme.ink, edge: theme.ground, width: 3 });
 }
 
 function traceArrows(

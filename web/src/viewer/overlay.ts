@@ -3,15 +3,13 @@
 import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
-import { drawHydraulic } from "./hydraulics";
+import { drawHydraulic, drawSupport } from "./symbols";
 import { drawCrack, drawSoilNames } from "../drawing/ground";
 import { drawExitMarks, drawPonds, listExits, findUsedWater } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
-import type { OtherSurface } from "./otherSurfaces";
-import type { LayerName } from "./settings";
-import { drawSupport } from "./supports";
+import type { LayerName, OtherSurface } from "./settings";
 import type { Theme } from "./theme";
 
 export interface Overlay {
@@ -60,6 +58,10 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   const { model, layers, inSpace, depth } = overlay;
   context.lineJoin = context.lineCap = "round";
   const sides = depth[0] === depth[1] ? [depth[0]] : depth;
+  const [low, high] = overlay.box;
+  const middle = place([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0);
+  const inFront = (at: readonly number[]): Pixel => place(at, sides.at(-1)!);
+  const pen = { context, camera, place: inFront, theme };
 
   if (layers.rulers && model.dimension === 3) drawBox(context, camera, overlay.box, theme);
   if (layers.outline) {
@@ -82,44 +84,39 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   }
   if (layers.present) {
     for (const line of overlay.present) {
-      const pixels = line.map((p) => place(p, sides.at(-1)!));
+      const pixels = line.map(inFront);
       strokeLine(context, pixels, { colour: theme.ink, width: 1.4, closed: true });
     }
   }
   if (layers.boundaries && model.dimension === 2) {
     context.strokeStyle = theme.symbol;
-    const [low, high] = overlay.box;
-    const middle = place([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0);
     for (const boundary of model.boundaries) {
       for (const line of boundary.lines) {
-        const pixels = line.map((p) => place(p, sides.at(-1)!));
+        const pixels = line.map(inFront);
         if (inSpace) strokeLine(context, pixels, { colour: theme.symbol, width: 2.5 });
         else drawSupport(context, pixels, boundary.fix, middle);
       }
     }
   }
   if (layers.hydraulics && !inSpace) {
-    const [low, high] = overlay.box;
-    const middle = place([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0);
-    const sketch = { context, place: (at: number[]) => place(at, sides.at(-1)!), middle, theme };
+    const sketch = { ...pen, middle };
     for (const condition of overlay.hydraulics) drawHydraulic(sketch, condition, overlay.time);
   }
   const start = findUsedWater();
   const atStart = start?.water_table ?? [];
   if (layers.startWater && overlay.waterTables) {
     for (const points of atStart) {
-      const line = points.map((p) => place(p, sides.at(-1)!));
+      const line = points.map(inFront);
       strokeLine(context, line, { colour: theme.water, width: 1.2, dash: [2, 4] });
     }
   }
   if (layers.water) {
     for (const points of overlay.waterTables ?? atStart) {
-      const line = points.map((p) => place(p, sides.at(-1)!));
+      const line = points.map(inFront);
       strokeLine(context, line, { colour: theme.ground, width: 4 });
       strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
       drawWaterMark(context, line, theme);
     }
-    const pen = { context, place: (at: readonly number[]) => place(at, sides.at(-1)!), theme };
     // Later a pond is that of its condition.
     if (start && !inSpace && (!overlay.waterTables || !overlay.hydraulics.length)) drawPonds(pen, start);
     if (!inSpace && overlay.waterTables) drawExitMarks(pen, findExits(overlay.waterTables, overlay.box), false);
@@ -127,25 +124,24 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   }
   if (layers.otherSurfaces) {
     for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse()) {
-      if (surface.method === "lem" && !inSpace)
-        drawCrack({ context, place: (at) => place(at, sides.at(-1)!), theme }, surface.points);
-      drawSurface(context, surface.points.map((p) => place(p, sides.at(-1)!)), chooseLook(surface.look), 2);
+      if (surface.method === "lem" && !inSpace) drawCrack(pen, surface.points);
+      drawSurface(context, surface.points.map(inFront), chooseLook(surface.look), 2);
     }
   }
   if (layers.slip) {
     for (const slip of overlay.slips) {
-      const line = slip.map((p) => place(p, sides.at(-1)!));
+      const line = slip.map(inFront);
       strokeLine(context, line, { colour: "#ffffff", width: 4 });
       strokeLine(context, line, { colour: "#c2185b", width: 2 });
     }
   }
   if (layers.ridge && overlay.ridge.length) {
-    const line = overlay.ridge.map((p) => place(p, sides.at(-1)!));
+    const line = overlay.ridge.map(inFront);
     strokeLine(context, line, { colour: "#ffffff", width: 3.5 });
     strokeLine(context, line, { colour: "#b35900", width: 1.8, dash: [7, 4] });
   }
   if (layers.soils && model.dimension === 2 && !inSpace)
-    drawSoilNames({ context, camera, place: (at) => place(at, sides.at(-1)!), theme }, overlay.follow);
+    drawSoilNames(pen, overlay.follow);
   if (overlay.arrows) drawArrows(context, overlay.arrows, camera.width, theme);
   if (layers.path) drawPath(context, overlay.path.map((at) => place(at)), theme);
   if (layers.monitors) {

@@ -1,8 +1,55 @@
 // SPDX-License-Identifier: MIT
 /** Mouse, pen and fingers on the stage: pan, zoom, turn, pick. */
+import { pickedPoint } from "../state";
 import { inSpace } from "./settings";
-import { pickAt } from "./picking";
+import { shown } from "./shown";
+import { radii } from "./sizes";
 import type { Stage } from "./stage";
+import { listenTo } from "./theme";
+
+/** Calls back with each shown point's index, pixel and depth. */
+function visitPoints(stage: Stage, visit: (index: number, x: number, y: number, depth: number) => void): void {
+  const now = shown.value;
+  if (!now) return;
+  const project = stage.camera.makeProjection();
+  for (let i = 0; i < now.sequence.point_count; ++i) {
+    if (!radii.value[i]) continue;
+    const [x, y, depth] = project(...stage.locate(i));
+    visit(i, x, y, depth);
+  }
+}
+
+/** Picks the point under a pixel: the nearest in a section, in space the foremost whose sphere is hit. */
+function pickAt(stage: Stage, px: number, py: number): void {
+  const { scale } = stage.camera;
+  let [best, bestScore] = [-1, Infinity];
+  visitPoints(stage, (i, x, y, depth) => {
+    const distance = Math.hypot(x - px, y - py);
+    // In a section a press beside the soil picks what is near, as fingers are thick.
+    const radius = Math.abs(radii.value[i]!) * scale;
+    if (distance > (inSpace.value ? Math.max(2, radius) : Math.max(12, radius))) return;
+    const bulge = Math.sqrt(Math.max(0, radius * radius - distance * distance)) / scale;
+    const score = inSpace.value ? -depth - bulge : distance;
+    if (score < bestScore) [best, bestScore] = [i, score];
+  });
+  pickedPoint.value = best < 0 ? null : best;
+}
+
+/** Picks the next point in a direction on the screen; the one in the middle of the view when none is picked. */
+export function pickNext(stage: Stage, dx: number, dy: number): void {
+  const picked = pickedPoint.value;
+  const from = picked !== null && radii.value[picked] ? picked : null;
+  const [px, py] = from === null ? stage.camera.centre : stage.camera.makeProjection()(...stage.locate(from));
+  let [best, bestScore] = [-1, Infinity];
+  visitPoints(stage, (i, x, y) => {
+    if (i === from) return;
+    const along = (x - px) * dx + (y - py) * dy;
+    const across = Math.abs((x - px) * dy - (y - py) * dx);
+    const score = from === null ? Math.hypot(x - px, y - py) : along + 2 * across;
+    if ((from === null || along > across) && score < bestScore) [best, bestScore] = [i, score];
+  });
+  if (best >= 0) pickedPoint.value = best;
+}
 
 /** Listens on the element that holds the stage; returns what ends that. */
 export function listenToPointer(host: HTMLElement, stage: Stage): () => void {
@@ -61,18 +108,12 @@ export function listenToPointer(host: HTMLElement, stage: Stage): () => void {
   }
 
   const stopMenu = (event: Event) => event.preventDefault();
-  host.addEventListener("pointerdown", press);
-  host.addEventListener("pointermove", move);
-  host.addEventListener("pointerup", release);
-  host.addEventListener("pointercancel", release);
-  host.addEventListener("wheel", turnWheel, { passive: false });
-  host.addEventListener("contextmenu", stopMenu);
-  return () => {
-    host.removeEventListener("pointerdown", press);
-    host.removeEventListener("pointermove", move);
-    host.removeEventListener("pointerup", release);
-    host.removeEventListener("pointercancel", release);
-    host.removeEventListener("wheel", turnWheel);
-    host.removeEventListener("contextmenu", stopMenu);
-  };
+  return listenTo(host, {
+    pointerdown: press,
+    pointermove: move,
+    pointerup: release,
+    pointercancel: release,
+    wheel: turnWheel,
+    contextmenu: stopMenu,
+  });
 }

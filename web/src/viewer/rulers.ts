@@ -2,7 +2,7 @@
 /** Rulers: along a section, or a box with lengths and the axes in space. */
 import { report } from "../state";
 import type { Camera, Vec } from "./camera";
-import { makeTicks } from "./format";
+import { makeTicks } from "./scale";
 import { strokeLine, type Pixel } from "./lines";
 import { fontFamily, uprightFrom, veil } from "./scaleBar";
 import type { Theme } from "./theme";

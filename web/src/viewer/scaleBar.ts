@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The scalar bar: the colours with their values in engineering units; or the key of the materials. */
 import { writeColour } from "./colours";
-import { findShare, makeLevels, type Level, type Scale } from "./scale";
+import { findShare, type Level, makeLevels, type Scale } from "./scale";
 import type { Theme } from "./theme";
 
 /** Width of the canvas [px] from which the bar is vertical at the right; below, it is horizontal at the top. */

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/** Settings of the viewer by the reader: colours, limits, layers, arrows, the view in space, playing. */
+/** Settings of the viewer by the reader: colours, limits, layers, surfaces of other methods, arrows, the view in space, playing. */
 import { signal } from "@preact/signals";
 
-import { report, sequenceIndex, frameIndex, fieldName } from "../state";
+import { listSurfaces, type NamedSurface } from "../compared/methodTable";
+import { fieldName, frameIndex, report, sequenceIndex } from "../state";
 import type { ColourMapName } from "./colours";
 
 /** null: viridis, or blue–white–red for a quantity that has both signs. */
@@ -47,23 +48,12 @@ export const layerTitles = {
   rulers: "Rulers",
 } as const;
 export type LayerName = keyof typeof layerTitles;
-export const layers = signal<Record<LayerName, boolean>>({
-  points: true,
-  slip: true,
-  ridge: false,
-  otherSurfaces: true,
-  outline: true,
-  soils: true,
-  present: false,
-  path: true,
-  boundaries: true,
-  hydraulics: true,
-  monitors: true,
-  water: true,
-  startWater: false,
-  mesh: false,
-  rulers: true,
-});
+const hiddenAtFirst: LayerName[] = ["ridge", "present", "startWater", "mesh"];
+export const layers = signal(
+  Object.fromEntries(
+    Object.keys(layerTitles).map((name) => [name, !hiddenAtFirst.includes(name as LayerName)]),
+  ) as Record<LayerName, boolean>,
+);
 
 /** Names of surfaces of other methods that are drawn or not, where the reader has chosen. */
 export const chosenSurfaces = signal<{ [name: string]: boolean }>({});
@@ -102,4 +92,13 @@ export function openAtFailure(): void {
   // Released soil is looked at for how far it went.
   if (report.value.timeline?.releases && fields.includes("displacement")) fieldName.value = "displacement";
   if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
+}
+
+export type OtherSurface = NamedSurface & { shown: boolean };
+
+/** Slip surfaces of other methods; those of MPM are drawn by the viewer itself. */
+export function listOtherSurfaces(): OtherSurface[] {
+  return listSurfaces()
+    .filter((surface) => surface.method !== "mpm")
+    .map((surface) => ({ ...surface, shown: chosenSurfaces.value[surface.name] ?? surface.first }));
 }

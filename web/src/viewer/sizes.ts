@@ -27,7 +27,7 @@ export function distributeVolume(volumes: ArrayLike<number> | null, count: numbe
 }
 
 /** Sizes of the shown frame's points [m]. */
-export const sizes = computed<Float32Array>(() => {
+const sizes = computed<Float32Array>(() => {
   const now = shown.value;
   if (!now) return new Float32Array();
   const count = now.sequence.point_count;

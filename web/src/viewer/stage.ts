@@ -4,23 +4,38 @@ import { effect } from "@preact/signals";
 
 import { pickedPoint, report } from "../state";
 import { arrowArrays, chooseArrows } from "./arrows";
-import { bar, colourTable } from "./bar";
-import { describeBody, findDepth } from "./body";
-import { Camera, type Vec } from "./camera";
+import { bar, colourTable, describeBody, findDepth } from "./body";
+import { Camera, type Margins, type Vec } from "./camera";
 import { makeGlPainter } from "./glPainter";
-import { layOut } from "./layout";
 import { meshEdges } from "./meshEdges";
-import { listOtherSurfaces } from "./otherSurfaces";
+import { chosenSurfaces, cut, inSpace, layers, limitMode, listOtherSurfaces } from "./settings";
 import { drawOverlay, type Overlay } from "./overlay";
-import type { Painter } from "./painter";
+import { makePlainPainter, type Painter } from "./painter";
 import { drawOnPaper, savePicture } from "./picture";
-import { makePlainPainter } from "./plainPainter";
-import { drawScaleBar } from "./scaleBar";
-import { chosenSurfaces, cut, inSpace, layers, limitMode } from "./settings";
+import { findRulerWidth } from "./rulers";
+import { drawScaleBar, uprightFrom } from "./scaleBar";
 import { frame, scale, shown } from "./shown";
 import { cells } from "./sizes";
-import { readTheme, watchTheme, type Theme } from "./theme";
+import { readTheme, type Theme, watchTheme } from "./theme";
 import { slipSurfaces, strainRidge, waterTables } from "./tracedLines";
+
+/** Height of the stage [px] that the section fills, within what a screen can spare. */
+function chooseHeight(width: number, margins: Margins): number {
+  const { model } = report.value;
+  const corners = model.polygons.flatMap((polygon) => polygon.points);
+  const outline = corners.length ? corners : model.bounds;
+  const reach = (k: number) => Math.max(...outline.map((p) => p[k]!)) - Math.min(...outline.map((p) => p[k]!));
+  const body = ((width - margins.left - margins.right) * reach(1)) / (reach(0) || 1);
+  const wanted = model.dimension === 3 ? 0.55 * width : body + margins.top + margins.bottom + 8;
+  return Math.round(Math.min(430, Math.max(300, wanted)));
+}
+
+function layOut(camera: Camera, width: number): void {
+  const [low, high] = report.value.model.bounds;
+  const upright = width >= uprightFrom;
+  const margins = { left: (upright ? 62 : 52) + findRulerWidth(low[1]!, high[1]!), right: upright ? 126 : 24, top: upright ? 34 : 70, bottom: 48 };
+  Object.assign(camera, { width, height: chooseHeight(width, margins), margins });
+}
 
 /** Device pixels that the distance of two points may be zoomed to: many devices draw points of some 500 at most. */
 const largestSpacing = 160;

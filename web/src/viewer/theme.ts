@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The colours of the page as the drawing needs them. */
+/** The page as the drawing needs it: its colours, and what happens on it. */
 
 const light = {
   ground: "#ffffff",
@@ -37,4 +37,11 @@ export function watchTheme(changed: () => void): () => void {
   const observer = new MutationObserver(changed);
   observer.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
   return () => observer.disconnect();
+}
+
+/** Calls the handlers of events by name; returns what ends that. */
+export function listenTo(target: EventTarget, handlers: Record<string, (event: never) => void>): () => void {
+  const pairs = Object.entries(handlers) as [string, EventListener][];
+  for (const [name, handle] of pairs) target.addEventListener(name, handle, { passive: false });
+  return () => pairs.forEach(([name, handle]) => target.removeEventListener(name, handle));
 }

@@ -4,8 +4,8 @@ import { describe, expect, it } from "vitest";
 
 import type { HydraulicCondition } from "../contract";
 import { chooseColourMap, tabulateColours } from "./colours";
-import { clipBelow, evaluateSeries } from "./hydraulics";
-import { findWaterTable } from "./waterTable";
+import { clipBelow, evaluateSeries } from "./symbols";
+import { findWaterTable } from "./tracedLines";
 
 const spacing = 0.5;
 

@@ -4,10 +4,9 @@ import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils } from "../drawing/ground";
-import { GroundKeys } from "../drawing/Keys";
+import { GroundKeys, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { useOpacity } from "../drawing/useOpacity";
 import { listQuantities, quantityTitles, useWaterLayer } from "./useWaterLayer";
 import type { WaterQuantity } from "./waterFields";
 

@@ -2,17 +2,91 @@
 /** The water under a section as a layer of its drawing: which state, which quantity, lines and arrows. */
 import { useMemo, useState } from "preact/hooks";
 
+import { Select, useToggles } from "../charts/base/Legend";
 import { titleWithUnit } from "../charts/base/numbers";
-import type { Pen } from "../drawing/pen";
-import { drawWaterState } from "../drawing/standingWater";
-import { paintTriangles } from "../drawing/trianglePainter";
+import { paintTriangles, type Pen } from "../drawing/pen";
+import { drawWaterState, writeLabel } from "../drawing/standingWater";
 import { report } from "../state";
+import { type Arrow, type ArrowField, roundDown } from "../viewer/arrows";
 import { tabulateColours } from "../viewer/colours";
-import { makeLevels, makeScale } from "../viewer/scale";
+import { drawArrows } from "../viewer/lines";
+import { type Level, makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
-import { findLimits, takeQuantity, useWaterArrays, type WaterQuantity } from "./waterFields";
-import { drawFlow, drawLevels } from "./waterPainter";
-import { startWater, type ShownWater, type WaterStates } from "./waterStates";
+import {
+  findLimits, type ShownWater, startWater, takeQuantity, traceLevel, useWaterArrays, type WaterArrays,
+  type WaterQuantity, type WaterStates,
+} from "./waterFields";
+
+/** Pixels between arrows, and of the longest one. */
+const [mesh, longest] = [30, 40];
+/** Share of the arrows that are shorter than the longest: the few at a toe or a crest would hide all others. */
+const usual = 0.95;
+
+/** Lines of equal value with their values on them. */
+function drawLevels(
+  pen: Pen,
+  arrays: WaterArrays,
+  quantity: "pressure" | "head",
+  levels: Level[],
+  unit: number,
+  colour: string,
+): void {
+  const { context, place, theme } = pen;
+  const values = arrays[quantity];
+  for (const { value, text } of levels) {
+    // Zero pressure is the water table, which is drawn as such.
+    if (quantity === "pressure" && value === 0) continue;
+    const pieces = traceLevel(arrays.mesh, values, value * unit);
+    if (!pieces.length) continue;
+    context.beginPath();
+    for (const [a, b] of pieces) {
+      context.moveTo(...place(a));
+      context.lineTo(...place(b));
+    }
+    context.strokeStyle = colour;
+    context.lineWidth = 0.9;
+    context.stroke();
+    const middle = pieces.map(([a, b]) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
+    const mean = [0, 1].map((d) => middle.reduce((sum, p) => sum + p[d]!, 0) / middle.length);
+    const far = (p: number[]) => Math.hypot(p[0]! - mean[0]!, p[1]! - mean[1]!);
+    context.textAlign = "center";
+    writeLabel(context, text, place(middle.reduce((a, b) => (far(b) < far(a) ? b : a))), theme, colour);
+  }
+}
+
+/** One arrow of Darcy's velocity for each square of the screen: of the triangle nearest to its middle. */
+function chooseFlow(pen: Pen, { mesh: { nodes, triangles }, velocity }: WaterArrays): ArrowField | null {
+  if (!velocity) return null;
+  const best = new Map<string, { t: number; distance: number; at: [number, number] }>();
+  for (let t = 0; 3 * t < triangles.length; ++t) {
+    const corners = [0, 1, 2].map((k) => triangles[3 * t + k]!);
+    const mean = [0, 1].map((d) => corners.reduce((sum, n) => sum + nodes[2 * n + d]!, 0) / 3);
+    const at = pen.place(mean);
+    const [column, row] = [Math.floor(at[0] / mesh), Math.floor(at[1] / mesh)];
+    const distance = Math.hypot(at[0] - (column + 0.5) * mesh, at[1] - (row + 0.5) * mesh);
+    const known = best.get(`${column} ${row}`);
+    if (!known || distance < known.distance) best.set(`${column} ${row}`, { t, distance, at });
+  }
+  const speed = (t: number) => Math.hypot(velocity[2 * t]!, velocity[2 * t + 1]!);
+  const speeds = [...best.values()].map(({ t }) => speed(t)).sort((a, b) => a - b);
+  const full = speeds[Math.floor(usual * (speeds.length - 1))] ?? 0;
+  if (!(full > 0)) return null;
+  const arrows: Arrow[] = [];
+  for (const { t, at } of best.values()) {
+    const size = (longest * Math.min(1, speed(t) / full)) / (speed(t) || 1);
+    const to: [number, number] = [at[0] + size * velocity[2 * t]!, at[1] - size * velocity[2 * t + 1]!];
+    if (Math.hypot(to[0] - at[0], to[1] - at[1]) >= 2) arrows.push({ from: at, to });
+  }
+  const { name, si } = report.value.units.speed;
+  const value = roundDown(full / si);
+  const number = value.toExponential(0).replace("-", "−");
+  return { arrows, reference: ((value * si) / full) * longest, text: `Darcy velocity ${number} ${name}` };
+}
+
+function drawFlow(pen: Pen, arrays: WaterArrays): void {
+  const field = chooseFlow(pen, arrays);
+  if (field) drawArrows(pen.context, field, pen.camera.width, pen.theme);
+}
 
 export const quantityTitles: { [name in WaterQuantity]: string } = {
   pressure: "pore pressure",
@@ -28,7 +102,7 @@ export function listQuantities({ states, water_mesh }: WaterStates = startWater.
 
 const lineCount = 9;
 
-export interface WaterLayer {
+interface WaterLayer {
   state: ShownWater | undefined;
   bar: Bar | null;
   /** Changes with all that the drawing depends on. */
@@ -68,18 +142,12 @@ export function useWaterLayer(
   given?: number,
 ): WaterLayer {
   const [picked, setIndex] = useState(states.length - 1);
-  const [on, setOn] = useState({ lines: true, arrows: false });
+  const [on, toggle] = useToggles({ lines: true, arrows: false });
   const index = given ?? picked;
   const state = states[index];
   const arrays = useWaterArrays(state, water_mesh);
   const shown = useMemo(() => (arrays && quantity ? takeQuantity(arrays, quantity) : null), [arrays, quantity]);
   const scaled = useMemo(() => (shown && quantity ? makeBar(quantity, findLimits(shown)) : null), [shown]);
-  const toggle = (name: keyof typeof on, title: string) => (
-    <label key={name}>
-      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
-      {title}
-    </label>
-  );
   const hasSuction = quantity === "pressure" && shown !== null && findLimits(shown)[0] < 0;
   const hasLines = shown !== null && quantity !== "saturation";
   return {
@@ -105,16 +173,7 @@ export function useWaterLayer(
     controls: (
       <>
         {states.length > 1 && given === undefined && (
-          <label>
-            Water at{" "}
-            <select value={index} onChange={(e) => setIndex(Number(e.currentTarget.value))}>
-              {states.map((s, i) => (
-                <option key={s.title} value={i}>
-                  {s.title}
-                </option>
-              ))}
-            </select>
-          </label>
+          <Select label="Water at" value={index} options={states.map((s, i) => [i, s.title])} onChange={(value) => setIndex(Number(value))} />
         )}
         {hasLines && toggle("lines", quantity === "head" ? "Head lines" : "Contours")}
         {arrays?.velocity && toggle("arrows", "Flow")}

@@ -3,8 +3,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { Report } from "../contract";
-import { describeStrength } from "../drawing/ground";
-import { findRoom } from "../drawing/room";
+import { describeStrength, findRoom } from "../drawing/ground";
 import { choosePlace, measureGap } from "../drawing/surfaceLines";
 import { joinPonds, writeLevel } from "../drawing/standingWater";
 import { report } from "../state";

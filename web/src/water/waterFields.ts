@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: MIT
-/** The fields of the water states: decoded, as quantities that are drawn. */
-import { useEffect, useState } from "preact/hooks";
+/** The states of the water in time, and their fields: decoded, as quantities that are drawn. */
+import { computed } from "@preact/signals";
 
-import type { WaterMesh } from "../contract";
-import { load, loadIntegers, loadPlaces } from "../state";
-import type { Triangles } from "../drawing/trianglePainter";
-import type { ShownWater } from "./waterStates";
+import type { WaterMesh, WaterShown, WaterState } from "../contract";
+import type { Triangles } from "../drawing/pen";
+import { load, loadIntegers, loadPlaces, report, useLoaded } from "../state";
+
+export type ShownWater = WaterState & WaterShown;
+
+/** States of the water and the mesh of their fields. */
+export interface WaterStates {
+  states: ShownWater[];
+  water_mesh?: WaterMesh;
+}
+
+/** The last state is that which the methods began with; none in dry ground. */
+export const startWater = computed<WaterStates>(() => {
+  const { result, model } = report.value;
+  const states = (result.water_states ?? []).map((state, i) => ({ ...state, ...model.water[i]! }));
+  return { states, water_mesh: model.water_mesh };
+});
 
 export type WaterQuantity = "pressure" | "head" | "saturation";
 
@@ -39,19 +53,8 @@ async function loadState(state: ShownWater, told: WaterMesh | undefined): Promis
 }
 
 /** null until they are there, and where there are none. */
-export function useWaterArrays(state: ShownWater | undefined, mesh: WaterMesh | undefined): WaterArrays | null {
-  const [arrays, setArrays] = useState<WaterArrays | null>(null);
-  useEffect(() => {
-    if (!state) return setArrays(null);
-    let wanted = true;
-    loadState(state, mesh).then(
-      (found) => wanted && setArrays(found),
-      () => wanted && setArrays(null),
-    );
-    return () => void (wanted = false);
-  }, [state]);
-  return arrays?.state === state ? arrays : null;
-}
+export const useWaterArrays = (state: ShownWater | undefined, mesh: WaterMesh | undefined): WaterArrays | null =>
+  useLoaded(() => state && loadState(state, mesh), state);
 
 /** The mesh and a value for each of its nodes; of a quantity by triangle each triangle has nodes of its own. */
 export function takeQuantity(
@@ -79,7 +82,7 @@ export function findLimits({ mesh, values }: { mesh: Triangles; values: ArrayLik
   return low <= high ? [low, high] : [0, 1];
 }
 
-export type Segment = [[number, number], [number, number]];
+type Segment = [[number, number], [number, number]];
 
 /** The pieces of the line on which a field that is linear on triangles has a value [m]. */
 export function traceLevel({ nodes, triangles }: Triangles, values: ArrayLike<number>, level: number): Segment[] {

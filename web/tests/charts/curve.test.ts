@@ -2,8 +2,7 @@
 // The displacement curve: which trials rest, where the fitted lines run, and labels that cover nothing.
 import { expect, test } from "vitest";
 
-import { placeFlags, sampleBranch } from "../../src/charts/curve/curveData";
-import { findRestLimits, judgeTrial } from "../../src/charts/curve/rest";
+import { findRestLimits, judgeTrial, placeFlags, sampleBranch } from "../../src/charts/curve/curveData";
 
 test("labels cover no other label and no other line, on either side", () => {
   // A small generator with a fixed seed, so that a failure can be repeated.

@@ -2,10 +2,12 @@
 // Monitors and sections of the variants of a study: what belongs onto one chart, and what a crosshair reads there.
 import { expect, test } from "vitest";
 
-import { interpolate, makeMotionCharts, makeMotionColumns, nameRow } from "../../src/charts/study/motionData";
-import { joinScales, listPictures } from "../../src/charts/study/pictureData";
-import { chooseField, findAxis, listSectionsOf, makeSectionCharts, nameTime } from "../../src/charts/sections/sectionData";
-import type { Study } from "../../src/charts/study/shownStudy";
+import {
+  interpolate, joinScales, listPictures, makeMotionCharts, makeMotionColumns, nameRow, type Study,
+} from "../../src/charts/study/studyData";
+import {
+  chooseField, findAxis, listSectionsOf, makeSectionCharts, nameTime,
+} from "../../src/charts/sections/SectionCharts";
 import type { Section, SequenceField } from "../../src/contract";
 
 const paths = (scale: number) => ({

@@ -2,7 +2,9 @@
 /** Numbers of the charts of element tests. */
 import { describe, expect, it } from "vitest";
 
-import { findSpan, listTicks, makeLines, makePointCsv, makeStops, readLines } from "../../src/charts/laboratory/pointData";
+import {
+  findSpan, listTicks, makeLines, makePointCsv, makeStops, readLines,
+} from "../../src/charts/laboratory/diagram";
 import type { PointTests } from "../../src/contract";
 
 const test = (name: string) => ({

@@ -2,8 +2,9 @@
 // The table of a study: order of its rows, groups of lines, and differences from published values.
 import { expect, test } from "vitest";
 
-import { measureDifference } from "../../src/charts/compare/differences";
-import { findBars, findNumeric, makeStudyColumns, nameGroup, orderRows } from "../../src/charts/study/studyData";
+import { measureDifference } from "../../src/charts/compare/CompareSection";
+import { orderValues } from "../../src/charts/base/rows";
+import { findBars, findNumeric, makeStudyColumns, nameGroup, takeOrdered } from "../../src/charts/study/studyData";
 
 const column = (name: string, values: (number | null)[], shown = values.map((v) => (v === null ? "" : String(v)))) =>
   ({ name, title: name, unit: "-", shown, values });
@@ -26,11 +27,11 @@ const study = {
 };
 
 test("rows are ordered as numbers, and missing ones stand last both ways", () => {
-  expect(orderRows(study.columns[0]!, 4, false)).toEqual([3, 0, 2, 1]);
-  expect(orderRows(study.columns[2]!, 4, false)).toEqual([3, 0, 2, 1]);
-  expect(orderRows(study.columns[2]!, 4, true)).toEqual([2, 0, 3, 1]);
-  expect(orderRows(study.columns[1]!, 4, false)).toEqual([0, 2, 1, 3]);
-  expect(orderRows(null, 4, false)).toEqual([0, 1, 2, 3]);
+  const order = (k: number, down: boolean) => orderValues(takeOrdered(study.columns[k]!), down);
+  expect(order(0, false)).toEqual([3, 0, 2, 1]);
+  expect(order(2, false)).toEqual([3, 0, 2, 1]);
+  expect(order(2, true)).toEqual([2, 0, 3, 1]);
+  expect(order(1, false)).toEqual([0, 2, 1, 3]);
 });
 
 test("a line holds the variants that differ only in the key on the axis", () => {

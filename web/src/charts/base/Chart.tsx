@@ -1,14 +1,95 @@
 // SPDX-License-Identifier: MIT
-/** A chart: Observable Plot as wide as its box, with a crosshair for mouse, touch and keyboard. */
+/** A chart: Observable Plot as wide as its box, with a crosshair for mouse, touch and keyboard that moves without drawing anew. */
 import * as Plot from "@observablehq/plot";
+import type { Scale } from "@observablehq/plot";
 import { effect, type Signal, signal } from "@preact/signals";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
-import { Crosshair, type CrossMark } from "./crosshair";
-import { findNearest } from "./nearest";
-import { printing } from "./printing";
+import { printing } from "../../state";
+import { findNearest } from "./rows";
 
-export interface ChartProps {
+/** A value that the crosshair marks, in the units of the axes. */
+interface CrossMark {
+  value: number;
+  colour: string;
+  /** Position along the crosshair's axis; default: at the stop. */
+  at?: number;
+}
+
+const namespace = "http://www.w3.org/2000/svg";
+
+function append(parent: Element, tag: string, attributes: Record<string, string | number>): Element {
+  const element = document.createElementNS(namespace, tag);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+  parent.append(element);
+  return element;
+}
+
+class Crosshair {
+  private readonly svg: SVGSVGElement;
+  private readonly along: "x" | "y";
+  /** The axis that the crosshair runs along, and that of the values. */
+  private readonly stops: Scale;
+  private readonly values: Scale;
+  private readonly group: Element;
+  private readonly ruler: Element;
+
+  constructor(svg: SVGSVGElement, x: Scale, y: Scale, along: "x" | "y") {
+    this.svg = svg;
+    this.along = along;
+    this.stops = along === "x" ? x : y;
+    this.values = along === "x" ? y : x;
+    this.ruler = append(svg, "g", { class: "chart-ruler" });
+    this.group = append(svg, "g", { class: "chart-cross" });
+  }
+
+  /** Abscissa under a place of the window [px]. */
+  invert(clientX: number, clientY: number): number | null {
+    const box = this.svg.getBoundingClientRect();
+    if (box.width === 0 || !this.stops.invert) return null;
+    const drawn = this.svg.viewBox.baseVal;
+    const fraction = this.along === "x" ? (clientX - box.left) / box.width : (clientY - box.top) / box.height;
+    const place = fraction * (this.along === "x" ? drawn.width : drawn.height);
+    const [low, high] = readRange(this.stops);
+    return this.stops.invert(Math.min(Math.max(place, low), high)) as number;
+  }
+
+  moveTo(stop: number | null, marks: CrossMark[]) {
+    this.group.replaceChildren();
+    if (stop === null || this.drawLine(this.group, stop) === null) return;
+    const [low, high] = readRange(this.values);
+    for (const mark of marks) {
+      const a = this.stops.apply(mark.at ?? stop) as number;
+      const b = this.values.apply(mark.value) as number;
+      if (!Number.isFinite(b) || b < low - 1 || b > high + 1) continue;
+      const [cx, cy] = this.along === "x" ? [a, b] : [b, a];
+      append(this.group, "circle", { cx, cy, r: 4.5, fill: "none", stroke: mark.colour, "stroke-width": 2 });
+    }
+  }
+
+  moveRuler(stop: number | null) {
+    this.ruler.replaceChildren();
+    if (stop !== null) this.drawLine(this.ruler, stop);
+  }
+
+  private drawLine(parent: Element, stop: number): number | null {
+    const a = this.stops.apply(stop) as number;
+    const [low, high] = readRange(this.stops);
+    if (!Number.isFinite(a) || a < low - 1 || a > high + 1) return null;
+    const [from, to] = readRange(this.values);
+    const ends = this.along === "x" ? { x1: a, x2: a, y1: from, y2: to } : { x1: from, x2: to, y1: a, y2: a };
+    append(parent, "line", ends);
+    return a;
+  }
+}
+
+/** The ends of a scale on the screen [px], the smaller first. */
+function readRange(scale: Scale): [number, number] {
+  const [a, b] = scale.range as [number, number];
+  return [Math.min(a, b), Math.max(a, b)];
+}
+
+interface ChartProps {
   /** Name of the chart for assistive technology. */
   label: string;
   draw: (width: number) => Plot.PlotOptions;
@@ -22,8 +103,8 @@ export interface ChartProps {
   cross?: Signal<number | null>;
   /** Reading of the crosshair at a stop, and its marks (in the units of the axes). */
   read: (stop: number) => { text: string; marks: CrossMark[] };
-  /** Shows the reading above the chart; otherwise it is for screen readers only. */
-  showReading?: boolean;
+  /** The reading is for screen readers only. */
+  quiet?: boolean;
   /** Text in place of a reading before the first one. */
   hint?: string;
   onPick?: (stop: number) => void;
@@ -118,8 +199,8 @@ export function Chart(props: ChartProps) {
 
   return (
     <div class="chart">
-      <p class={props.showReading ? "chart-reading" : "chart-reading chart-unseen"} aria-live="polite">
-        {reading || (props.showReading ? props.hint : "")}
+      <p class={props.quiet ? "unseen" : "chart-reading"} aria-live="polite">
+        {reading || props.hint}
       </p>
       <div
         ref={box}

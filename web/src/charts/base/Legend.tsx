@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-/** The legend of a chart, whose entries switch series on and off; and the button that saves a table. */
+/** Beside a chart: its legend, whose entries switch series on and off, lists and switches, and the button that saves a table. */
+import { useState } from "preact/hooks";
+
 import { report } from "../../state";
-import { type CsvColumn, makeFileName, writeCsv } from "./csv";
-import { saveFile } from "./saveFile";
+import { type CsvColumn, makeFileName, saveFile, writeCsv } from "./rows";
 import type { SeriesStyle } from "./styles";
 
-export interface LegendItem {
+interface LegendItem {
   id: string;
   title: string;
   style: SeriesStyle;
@@ -68,9 +69,10 @@ export function Legend({ items, hidden, onToggle, markers }: LegendProps) {
 }
 
 /** Saves `columns()` as a file named after the project and `part`. */
-export function CsvButton({ part, columns, what }: { part: string; columns: () => CsvColumn[]; what?: string }) {
+export function CsvButton(props: { part: string; columns: () => (CsvColumn | false)[]; what?: string }) {
+  const { part, columns, what } = props;
   const save = () => {
-    const content = new Blob([writeCsv(columns())], { type: "text/csv;charset=utf-8" });
+    const content = new Blob([writeCsv(columns().filter((column) => column !== false))], { type: "text/csv;charset=utf-8" });
     saveFile(content, makeFileName(report.value.title, part));
   };
   return (
@@ -125,4 +127,49 @@ export function AxisChoice({ short, ...props }: AxisProps) {
       ]}
     />
   );
+}
+
+/** A choice from a list, with its name before it. */
+export function Select<T extends string | number>(props: {
+  label: string;
+  value: T;
+  options: [value: T, title: string][];
+  onChange: (value: string) => void;
+}) {
+  return (
+    <label>
+      {props.label}{" "}
+      <select value={props.value} onChange={(e) => props.onChange(e.currentTarget.value)}>
+        {props.options.map(([value, title]) => (
+          <option key={value} value={value}>
+            {title}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** Switches by name, and a function that draws the box of one. */
+export function useToggles<N extends string>(first: Record<N, boolean>) {
+  const [on, setOn] = useState(first);
+  const draw = (name: N, title: string) => (
+    <label key={name}>
+      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
+      {title}
+    </label>
+  );
+  return [on, draw] as const;
+}
+
+/** The names, a function that switches one of them, and one that clears all; `first` are those at the beginning. */
+export function useSwitches(first: () => Iterable<string> = () => []) {
+  const [chosen, setChosen] = useState<ReadonlySet<string>>(() => new Set(first()));
+  const toggle = (name: string) => {
+    const next = new Set(chosen);
+    if (!next.delete(name)) next.add(name);
+    setChosen(next);
+  };
+  const clear = () => setChosen(new Set());
+  return [chosen, toggle, clear] as const;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** Ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
-import { formatNumber, isPlain } from "./numbers";
+/** Axes and margins of a chart; ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
+import * as Plot from "@observablehq/plot";
+
+import { formatNumber, isPlain, raise } from "./numbers";
 
 export interface AxisText {
   /** Text of a tick. */
@@ -15,11 +17,7 @@ export function findStep(low: number, high: number, count: number): number {
   if (!(raw > 0)) return 0;
   const power = 10 ** Math.floor(Math.log10(raw));
   const error = raw / power;
-  const factor =
-    error >= Math.sqrt(50) ? 10
-    : error >= Math.sqrt(10) ? 5
-    : error >= Math.sqrt(2) ? 2
-    : 1;
+  const factor = error >= Math.sqrt(50) ? 10 : error >= Math.sqrt(10) ? 5 : error >= Math.sqrt(2) ? 2 : 1;
   return factor * power;
 }
 
@@ -37,17 +35,12 @@ export function describeAxis(low: number, high: number, count: number): AxisText
   return {
     // Adding zero turns -0 into 0.
     format: (value) => (Number((value / 10 ** exponent).toFixed(decimals)) + 0).toFixed(decimals).replace("-", "−"),
-    power: exponent ? formatPower(exponent) : "",
+    power: exponent ? `10${raise(exponent)}` : "",
   };
 }
 
-/** "10⁻³". */
-export function formatPower(exponent: number): string {
-  return `10${[...String(exponent)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]!)).join("")}`;
-}
-
 /** "Strain [10⁻³]", "Stress [10³ kPa]". */
-export function titleWithPower(title: string, unit: string, power: string): string {
+function titleWithPower(title: string, unit: string, power: string): string {
   const inside = [power, isPlain(unit) ? "" : unit].filter(Boolean).join(" ");
   return inside ? `${title} [${inside}]` : title;
 }
@@ -72,9 +65,62 @@ export function findLogTicks([low, high]: readonly [number, number], count: numb
 export function formatLogTick(value: number): string {
   const exponent = Math.log10(value);
   const whole = Math.round(exponent);
-  if (Math.abs(exponent - whole) < 1e-6 && (whole < -2 || whole > 4)) return formatPower(whole);
+  if (Math.abs(exponent - whole) < 1e-6 && (whole < -2 || whole > 4)) return `10${raise(whole)}`;
   return formatNumber(value, 2);
 }
 
-/** The title of an abscissa is in the middle below its ticks. */
-export const centred = { labelAnchor: "center", labelArrow: "none", labelOffset: 36 } as const;
+interface AxisProps {
+  title: string;
+  unit?: string;
+  domain: readonly [number, number];
+  log?: boolean;
+  /** About how many ticks. */
+  count?: number;
+  inset?: number;
+}
+
+/** An axis of values: ticks of a linear one share the decimals and a power of ten, which is in the title. */
+export function makeAxis({ title, unit = "", domain, log = false, count = 5, inset }: AxisProps) {
+  const text = describeAxis(domain[0], domain[1], count);
+  return {
+    type: log ? ("log" as const) : ("linear" as const),
+    domain,
+    label: titleWithPower(title, unit, log ? "" : text.power),
+    ticks: log ? findLogTicks(domain, count) : count,
+    tickFormat: log ? formatLogTick : text.format,
+    inset,
+  };
+}
+
+interface Layout {
+  height: number;
+  /** [px] above, right, below, left. */
+  margins: [number, number, number, number];
+  x: Plot.ScaleOptions;
+  y: Plot.ScaleOptions;
+  marks: Plot.Markish[];
+  /** Axis whose ticks have lines across the chart. */
+  grid?: "x" | "y" | "none";
+}
+
+/** Options of a chart as all have them: the title of the abscissa in the middle below its ticks, colours as they are given. */
+export function layOut({ height, margins, x, y, marks, grid = "y" }: Layout): Plot.PlotOptions {
+  const [marginTop, marginRight, marginBottom, marginLeft] = margins;
+  const line = { stroke: "var(--line)", strokeOpacity: 1 };
+  return {
+    height,
+    marginTop,
+    marginRight,
+    marginBottom,
+    marginLeft,
+    x: { labelAnchor: "center", labelArrow: "none", labelOffset: 36, ...x },
+    y: { labelArrow: "none", ...y },
+    symbol: { type: "identity" },
+    color: { type: "identity" },
+    marks: [
+      grid === "y" ? Plot.gridY({ ticks: y.ticks, ...line }) : [],
+      grid === "x" ? Plot.gridX({ ticks: x.ticks, ...line }) : [],
+      marks,
+    ],
+  };
+}

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** Numbers for people: few digits, a true minus sign, powers of ten; and factors that keep axes readable. */
 
-const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-
-function formatExponent(exponent: number): string {
-  const digits = [...String(Math.abs(exponent))].map((d) => superscripts[Number(d)]).join("");
-  return (exponent < 0 ? "⁻" : "") + digits;
-}
+/** "⁻³". */
+export const raise = (exponent: number) =>
+  [...String(exponent)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]!)).join("");
 
 /** `value` with `digits` significant digits: "1.593", "−392", "3.6×10⁻¹⁵"; "–" where there is none. */
 export function formatNumber(value: number | null | undefined, digits = 4): string {
@@ -16,7 +13,7 @@ export function formatNumber(value: number | null | undefined, digits = 4): stri
   const sign = value < 0 ? "−" : "";
   if (size < 1e-3 || size >= 1e6) {
     const [mantissa, exponent] = size.toExponential(Math.min(digits, 3) - 1).split("e");
-    return `${sign}${Number(mantissa)}×10${formatExponent(Number(exponent))}`;
+    return `${sign}${Number(mantissa)}×10${raise(Number(exponent))}`;
   }
   return sign + String(Number(size.toPrecision(size >= 10 ** digits ? Math.ceil(Math.log10(size + 1)) : digits)));
 }

@@ -2,14 +2,40 @@
 /** Computed beside published: the numbers, whether they agree within the tolerance, and by how much. */
 import * as Plot from "@observablehq/plot";
 
-import type { Comparison } from "../../contract";
-import { ChartTable, numbers } from "../../page/DataTable";
+import type { Comparison, Report } from "../../contract";
+import { ChartTable } from "../../page/DataTable";
 import { report } from "../../state";
-import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { isMissing, measureDifference, listComparisons } from "./differences";
 import { CsvButton } from "../base/Legend";
+import { layOut } from "../base/axes";
 import { formatNumber, isPlain, titleWithUnit } from "../base/numbers";
+
+interface Difference {
+  /** computed − published [SI]. */
+  absolute: number | null;
+  /** Over the published value's magnitude; null for a published zero. */
+  relative: number | null;
+  /** Over the tolerance: within ±1 passes. Without a tolerance, 0 where both are equal, else infinite. */
+  overTolerance: number | null;
+}
+
+/** Of the run and of its element tests; a report of tests alone has theirs as its own. */
+export const listComparisons = ({ kind, result, point_tests: tests }: Report): Comparison[] => [
+  ...result.comparisons,
+  ...(kind === "tests" ? [] : (tests?.comparisons ?? [])),
+];
+
+function isMissing(comparison: Pick<Comparison, "computed">): boolean {
+  return comparison.computed === null;
+}
+
+export function measureDifference(c: Pick<Comparison, "computed" | "published" | "tolerance">): Difference {
+  if (c.computed === null) return { absolute: null, relative: null, overTolerance: null };
+  const absolute = c.computed - c.published;
+  const relative = c.published === 0 ? null : absolute / Math.abs(c.published);
+  const overTolerance = absolute === 0 ? 0 : c.tolerance > 0 ? absolute / c.tolerance : Math.sign(absolute) * Infinity;
+  return { absolute, relative, overTolerance };
+}
 
 /** Differences beyond this many tolerances are drawn at the edge, as arrows. */
 const edge = 3;
@@ -35,11 +61,17 @@ function Verdict({ comparison }: { comparison: Comparison }) {
   return comparison.passes ? <span class="chart-good">✓ passes</span> : <span class="chart-bad">✗ misses</span>;
 }
 
+/** "+0.02 (+1.5 %)". */
+function writeDifference(c: Comparison): string {
+  const { absolute, relative } = measureDifference(c);
+  const signed = (v: number, unit = "") => `${v > 0 ? "+" : ""}${formatNumber(v, 3)}${unit}`;
+  if (absolute === null) return "–";
+  return signed(absolute / c.unit.si) + (relative === null ? "" : ` (${signed(100 * relative, " %")})`);
+}
+
 export function CompareSection() {
   const all = listComparisons(report.value);
   if (all.length === 0) return null;
-  const percent = (v: number | null) => (v === null ? "–" : `${v > 0 ? "+" : ""}${formatNumber(100 * v, 3)} %`);
-  const signed = (v: number | null) => (v !== null && v > 0 ? "+" : "") + formatNumber(v, 3);
   return (
     <section class="chart-section" aria-labelledby="chart-compare-title">
       <div class="chart-head">
@@ -49,31 +81,25 @@ export function CompareSection() {
       <p>{describeCount(all)}</p>
       <ChartTable
         label="Table of comparisons"
-        head={["Quantity", "Verdict", ...numbers("Computed", "Published", "Difference", "Tolerance"), "Source"]}
-      >
-        {all.map((c) => {
-          const d = measureDifference(c);
-          return (
-            <tr key={c.name}>
-              <th scope="row">{titleWithUnit(c.title, c.unit.name)}</th>
-              <td>
-                <Verdict comparison={c} />
-              </td>
-              <td class="number">{formatNumber(c.computed === null ? null : c.computed / c.unit.si)}</td>
-              <td class="number">{formatNumber(c.published / c.unit.si)}</td>
-              <td class="number">
-                {signed(d.absolute === null ? null : d.absolute / c.unit.si)}
-                {d.relative !== null && <> ({percent(d.relative)})</>}
-              </td>
-              <td class="number">± {nameTolerance(c)}</td>
-              <td>
+        rows={all}
+        columns={[
+          ["Quantity", (c) => titleWithUnit(c.title, c.unit.name), "name"],
+          ["Verdict", (c) => <Verdict comparison={c} />],
+          ["Computed", (c) => formatNumber(c.computed === null ? null : c.computed / c.unit.si), "number"],
+          ["Published", (c) => formatNumber(c.published / c.unit.si), "number"],
+          ["Difference", writeDifference, "number"],
+          ["Tolerance", (c) => `± ${nameTolerance(c)}`, "number"],
+          [
+            "Source",
+            (c) => (
+              <>
                 {c.source}
                 {c.note && <div class="chart-missing">{c.note}</div>}
-              </td>
-            </tr>
-          );
-        })}
-      </ChartTable>
+              </>
+            ),
+          ],
+        ]}
+      />
       <DifferenceChart all={all} />
     </section>
   );
@@ -104,24 +130,24 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
   const draw = (width: number): Plot.PlotOptions => {
     const wide = width >= 560;
     const longest = Math.max(...rows.map((r) => r.c.title.length));
-    return {
+    return layOut({
       height: rows.length * (wide ? 28 : 44) + 56,
-      marginLeft: wide ? Math.min(longest * 6.6 + 16, width * 0.45) : 12,
-      marginRight: 20,
-      marginTop: 8,
-      marginBottom: 46,
+      margins: [8, 20, 46, wide ? Math.min(longest * 6.6 + 16, width * 0.45) : 12],
       x: {
         domain: [-reach - 0.15, reach + 0.15],
         label: "(computed − published) / tolerance",
-        ...centred,
         ticks: [-3, -2, -1, 0, 1, 2, 3].filter((t) => Math.abs(t) <= reach),
         tickFormat: (v: number) => formatNumber(v),
       },
       y: { domain: [rows.length - 0.5, -0.5], axis: null },
+      grid: "none",
       marks: [
         Plot.rect([0], { x1: -1, x2: 1, y1: -0.5, y2: rows.length - 0.5, fill: good, fillOpacity: 0.14 }),
         Plot.ruleX([0], { stroke: "var(--muted)" }),
-        Plot.ruleY(rows.map((_, k) => k), { stroke: "var(--line)" }),
+        Plot.ruleY(
+          rows.map((_, k) => k),
+          { stroke: "var(--line)" },
+        ),
         Plot.link(rows, {
           x1: 0,
           x2: (r) => shown(r.over!),
@@ -139,15 +165,18 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
           stroke: (r) => (r.c.passes ? good : bad),
           strokeWidth: 2,
         }),
-        Plot.text(rows.filter((r) => Math.abs(r.over!) > edge), {
-          x: (r) => shown(r.over!),
-          y: (r) => rows.indexOf(r),
-          text: (r) => `${r.over! < 0 ? "◂ " : ""}${formatNumber(r.over, 3)}${r.over! > 0 ? " ▸" : ""}`,
-          dy: -11,
-          dx: 4,
-          textAnchor: "middle",
-          fill: bad,
-        }),
+        Plot.text(
+          rows.filter((r) => Math.abs(r.over!) > edge),
+          {
+            x: (r) => shown(r.over!),
+            y: (r) => rows.indexOf(r),
+            text: (r) => `${r.over! < 0 ? "◂ " : ""}${formatNumber(r.over, 3)}${r.over! > 0 ? " ▸" : ""}`,
+            dy: -11,
+            dx: 4,
+            textAnchor: "middle",
+            fill: bad,
+          },
+        ),
         Plot.text(rows, {
           frameAnchor: "left",
           y: (_, k) => k,
@@ -157,9 +186,7 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
           textAnchor: wide ? "end" : "start",
         }),
       ],
-      color: { type: "identity" },
-      symbol: { type: "identity" },
-    };
+    });
   };
   return (
     <Chart
@@ -173,7 +200,6 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
         const verdict = c.passes ? "passes" : "misses";
         return { text: `${c.title}: difference ${formatNumber(over, 3)} tolerances, ${verdict}`, marks: [] };
       }}
-      showReading
       hint="The band is the tolerance: a dot inside passes."
     />
   );

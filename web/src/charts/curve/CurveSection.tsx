@@ -6,13 +6,14 @@ import { useMemo, useState } from "preact/hooks";
 import type { Branch, Criterion, CriterionKind, DisplacementCurve } from "../../contract";
 import { formatFactor, roundDown, roundUp } from "../../page/format";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { makeCurveColumns, placeFlags, sampleBranch } from "./curveData";
+import {
+  findRestLimits, judgeTrial, makeCurveColumns, placeFlags, sampleBranch, stateWords, type TrialState,
+} from "./curveData";
 import { AxisChoice, type AxisKind, CsvButton } from "../base/Legend";
-import { findNearestFrame } from "../base/nearest";
+import { findNearestFrame } from "../base/rows";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
 import { styleOf } from "../base/styles";
 
 const criterionTitles: Record<CriterionKind, string> = {
@@ -51,7 +52,10 @@ export function CurveSection() {
 function CurveChart({ curve }: { curve: DisplacementCurve }) {
   const [scale, setScale] = useState<AxisKind>("linear");
   const unit = report.value.units.displacement;
-  const limits = useMemo(() => findRestLimits(report.value.result.input, report.value.model.slope_height), [report.value]);
+  const limits = useMemo(
+    () => findRestLimits(report.value.result.input, report.value.model.slope_height),
+    [report.value],
+  );
   const log = scale === "log";
   const trials = useMemo(
     () =>
@@ -72,38 +76,32 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
     const pad = (high - low) * 0.03 || 0.1;
     const x: [number, number] = [low - pad, high + pad];
     const largest = Math.max(...visible.map((t) => t.shown), 0);
-    const y: [number, number] =
-      log ? [Math.min(...visible.map((t) => t.shown)) / 1.6, largest * 1.6] : [-largest * 0.015, largest * 1.05 || 1];
+    const y: [number, number] = log
+      ? [Math.min(...visible.map((t) => t.shown)) / 1.6, largest * 1.6]
+      : [-largest * 0.015, largest * 1.05 || 1];
     const inside = width - margin.left - margin.right;
     const at = found.map((c) => margin.left + ((c.factor! - x[0]) / (x[1] - x[0])) * inside);
     const label = (c: (typeof found)[number]) =>
       width < 480 ? formatFactor(c.factor) : `${formatFactor(c.factor)} ${criterionTitles[c.name]}`;
-    const flags = placeFlags(at, found.map((c) => label(c).length * characterWidth + 14), width - 2);
+    const flags = placeFlags(
+      at,
+      found.map((c) => label(c).length * characterWidth + 14),
+      width - 2,
+    );
     // The title of the axis has the row next to the frame when a label would be in it.
     const reach = found.map((c, i) => at[i]! - (flags.side === "left" ? label(c).length * characterWidth : 0));
     if (reach.some((end) => end < margin.left + titleWidth)) flags.rows = flags.rows.map((row) => row + 1);
     const rows = Math.max(0, ...flags.rows) + 1;
     const line = (branch: Branch) =>
       sampleBranch(branch, x[0], x[1], y[0] * unit.si, y[1] * unit.si).map(([f, u]) => [f, u / unit.si]);
-    const axis = describeAxis(y[0], y[1], 6);
-    const ticks = log ? findLogTicks(y, 6) : 6;
+    const axis = makeAxis({ title: "Largest displacement", unit: unit.name, domain: y, log, count: 6 });
     const meet = curve.bilinear?.factor ?? null;
-    return {
+    return layOut({
       height: Math.max(300, Math.min(440, width * 0.62)) + rows * rowHeight,
-      marginTop: 10 + rows * rowHeight,
-      marginLeft: margin.left,
-      marginRight: margin.right,
-      marginBottom: margin.bottom,
-      x: { domain: x, label: "Strength reduction factor SRF", ...centred, ticks: width < 480 ? 5 : 8 },
-      y: {
-        type: log ? "log" : "linear",
-        domain: y,
-        label: null,
-        ticks,
-        tickFormat: log ? formatLogTick : axis.format,
-      },
+      margins: [10 + rows * rowHeight, margin.right, margin.bottom, margin.left],
+      x: { domain: x, label: "Strength reduction factor SRF", ticks: width < 480 ? 5 : 8 },
+      y: { ...axis, label: null },
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.rect(
           found.filter((c) => c.lower !== null && c.upper !== null && c.upper > c.lower),
           { x1: "lower", x2: "upper", y1: y[0], y2: y[1], fill: (c) => c.style.colour, fillOpacity: 0.13 },
@@ -127,24 +125,24 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
             fontWeight: c.main ? 700 : 400,
           }),
         ]),
-        ...(curve.bilinear ?
-          [curve.bilinear.first, curve.bilinear.second].map((b) =>
-            Plot.line(line(b), { stroke: ink, strokeWidth: 1, strokeDasharray: "5 3", strokeOpacity: 0.75 }),
-          )
-        : []),
+        ...(curve.bilinear
+          ? [curve.bilinear.first, curve.bilinear.second].map((b) =>
+              Plot.line(line(b), { stroke: ink, strokeWidth: 1, strokeDasharray: "5 3", strokeOpacity: 0.75 }),
+            )
+          : []),
         Plot.line(visible, { x: "srf", y: "shown", stroke: "var(--muted)", strokeWidth: 1 }),
-        ...(curve.bilinear && meet !== null ?
-          [
-            Plot.dot([[meet, (curve.bilinear.first.slope * meet + curve.bilinear.first.intercept) / unit.si]], {
-              symbol: "diamond",
-              r: 6,
-              stroke: ink,
-              fill: "var(--ground)",
-              strokeWidth: 1.5,
-              clip: true,
-            }),
-          ]
-        : []),
+        ...(curve.bilinear && meet !== null
+          ? [
+              Plot.dot([[meet, (curve.bilinear.first.slope * meet + curve.bilinear.first.intercept) / unit.si]], {
+                symbol: "diamond",
+                r: 6,
+                stroke: ink,
+                fill: "var(--ground)",
+                strokeWidth: 1.5,
+                clip: true,
+              }),
+            ]
+          : []),
         Plot.dot(visible, {
           x: "srf",
           y: "shown",
@@ -155,7 +153,7 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
           fill: (t) => (t.state === "rest" ? "var(--ink)" : "var(--ground)"),
         }),
         Plot.ruleX([x[0]], { stroke: "var(--muted)" }),
-        Plot.text([titleWithPower("Largest displacement", unit.name, log ? "" : axis.power)], {
+        Plot.text([axis.label], {
           frameAnchor: "top-left",
           dy: -12,
           dx: -margin.left + 4,
@@ -163,9 +161,7 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
           lineAnchor: "middle",
         }),
       ],
-      symbol: { type: "identity" },
-      color: { type: "identity" },
-    };
+    });
   };
 
   const show = (stop: number) => {
@@ -188,7 +184,6 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
         draw={draw}
         depends={[curve, scale, limits]}
         stops={visible.map((t) => t.srf)}
-        showReading
         hint={canShow ? "Point at a trial to read it; click to see it in the viewer." : "Point at a trial to read it."}
         read={(i) => {
           const t = visible[i]!;
@@ -221,9 +216,9 @@ function CurveChart({ curve }: { curve: DisplacementCurve }) {
             </svg>
             <span>
               <strong>{criterionTitles[c.name]}</strong>{" "}
-              {c.factor === null ?
-                "found no factor"
-              : `${formatFactor(c.factor)}, ${c.name === "frozen" ? "interval" : "bracket"} ${formatFactor(c.lower)} to ${formatFactor(c.upper)}`}
+              {c.factor === null
+                ? "found no factor"
+                : `${formatFactor(c.factor)}, ${c.name === "frozen" ? "interval" : "bracket"} ${formatFactor(c.lower)} to ${formatFactor(c.upper)}`}
               {c.note && `: ${c.note}`}
               {c.main && " (the factor of safety of this report)"}
             </span>
@@ -242,9 +237,13 @@ function CurveLegend({ states, bilinear }: { states: TrialState[]; bilinear: boo
   );
   return (
     <ul class="chart-legend">
-      <li class="chart-entry">{dot("var(--ink)")} trial, {stateWords.rest}</li>
+      <li class="chart-entry">
+        {dot("var(--ink)")} trial, {stateWords.rest}
+      </li>
       {states.includes("moving") && (
-        <li class="chart-entry">{dot("var(--ground)")} trial, {stateWords.moving}</li>
+        <li class="chart-entry">
+          {dot("var(--ground)")} trial, {stateWords.moving}
+        </li>
       )}
       {states.includes("failed") && <li class="chart-entry">× trial, {stateWords.failed}</li>}
       {bilinear && (

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** The displacement curve as columns, its fitted lines as points, and the places of the labels of the factors. */
-import type { Branch, DisplacementCurve, Trial } from "../../contract";
-import type { CsvColumn } from "../base/csv";
+/** The displacement curve as columns, its fitted lines as points, the places of the labels of the factors, and which trials came to rest. */
+import type { Branch, DisplacementCurve, InputTable, Trial } from "../../contract";
+import { findSetting } from "../../page/methods/settings";
+import type { CsvColumn } from "../base/rows";
 
 /** All that the curve holds, in SI, as in curve.csv of the results. */
 export function makeCurveColumns(curve: DisplacementCurve): CsvColumn[] {
@@ -26,7 +27,7 @@ export function sampleBranch(branch: Branch, from: number, to: number, low: numb
   return points;
 }
 
-export interface Flags {
+interface Flags {
   /** Side of its line for each label. */
   side: "right" | "left";
   /** Row of each label, 0 next to the frame. */
@@ -50,3 +51,36 @@ export function placeFlags(at: readonly number[], widths: readonly number[], rig
   });
   return { side, rows };
 }
+
+interface RestLimits {
+  /** Largest out-of-balance force over the external force [-]. */
+  forceRatio: number;
+  /** Largest nodal speed [m/s]: speed_ratio × √(gH). */
+  nodalSpeed: number;
+}
+
+export type TrialState = "rest" | "moving" | "failed";
+
+/** The limits of the case's [rest] table; its defaults where the report does not hold them. */
+export function findRestLimits(input: InputTable, slopeHeight: number): RestLimits {
+  const read = (path: string, otherwise: number) => {
+    const value = findSetting(input, path);
+    return typeof value === "number" ? value : otherwise;
+  };
+  const forceRatio = read("rest.force_ratio", 1e-3);
+  const ratio = read("rest.speed_ratio", 1e-4);
+  const g = read("gravity.acceleration", 9.81);
+  return { forceRatio, nodalSpeed: ratio * Math.sqrt(g * slopeHeight) };
+}
+
+/** State of a trial at its end: by its word where that is given, else by force ratio and nodal speed. */
+export function judgeTrial(point: Pick<Trial, "end" | "force_ratio" | "nodal_speed">, limits: RestLimits): TrialState {
+  if (point.end === "rest" || point.end === "failed") return point.end;
+  return point.force_ratio < limits.forceRatio && point.nodal_speed < limits.nodalSpeed ? "rest" : "moving";
+}
+
+export const stateWords: Record<TrialState, string> = {
+  rest: "at rest at its end",
+  moving: "still moving at its end",
+  failed: "ended as failed",
+};

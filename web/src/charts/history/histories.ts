@@ -1,29 +1,70 @@
 // SPDX-License-Identifier: MIT
-/** Groups histories: tables by run, columns by panel. */
+/** Histories: tables by run, columns by panel; the balance of energy as in "Budgets" of the theory. */
 import type { Column, Report, Table, TableColumn } from "../../contract";
-import { findEnergyBalance, isWork, takeChange } from "./energy";
 import { findLargest, scaleUnit } from "../base/numbers";
 
-/** Quantity of a panel; "other" for one without a group. */
-export type PanelKind =
-  | "energy"
-  | "force_ratio"
-  | "nodal_speed"
-  | "momentum"
-  | "largest_pressure"
-  | "water_flow"
-  | "water_mass"
-  | "pore_pressure"
-  | "saturation"
-  | "front"
-  | "largest"
-  | "displacement"
-  | "stress"
-  | "velocity"
-  | "strain"
-  | "other";
+const stores = ["kinetic", "elastic", "plastic", "damping"] as const;
+/** Absent from results of 0.2.0 and earlier; the last two also without pore water. */
+const laterStores = ["walls", "mapping", "drag", "pore_water"] as const;
 
-export interface Series {
+interface EnergyBalance {
+  /** external work − (kinetic + elastic + plastic + damping + walls + mapping + drag + pore water), as changes since the first row [J]. */
+  residual: (number | null)[];
+  /** Largest change of the external work [J]. */
+  work: number;
+}
+
+/** The values as changes since the first row that has one. */
+function takeChange(values: readonly (number | null)[]): (number | null)[] {
+  const first = values.find((v) => v !== null) ?? 0;
+  return values.map((v) => (v === null ? null : v - first));
+}
+
+/** Returns whether a column is external work; the others are the energies into which it is converted. */
+const isWork = ({ part }: Pick<TableColumn, "part">) => part === "external";
+
+/** null when the table lacks one of the columns. */
+export function findEnergyBalance(table: { columns: Pick<TableColumn, "part" | "values">[] }): EnergyBalance | null {
+  const work = table.columns.find(isWork);
+  const parts = stores.map((part) => table.columns.find((c) => c.part === part));
+  if (!work || parts.some((p) => !p)) return null;
+  parts.push(...laterStores.map((part) => table.columns.find((c) => c.part === part)));
+  const changes = parts.flatMap((p) => (p ? [takeChange(p.values)] : []));
+  const done = takeChange(work.values);
+  const residual = done.map((w, i) => {
+    if (w === null) return null;
+    let sum = w;
+    for (const change of changes) {
+      const part = change[i];
+      if (part === null || part === undefined) return null;
+      sum -= part;
+    }
+    return sum;
+  });
+  return { residual, work: Math.max(0, ...done.map((w) => Math.abs(w ?? 0))) };
+}
+
+const kinds = [
+  { id: "force_ratio", title: "Force ratio", log: true, first: true },
+  { id: "nodal_speed", title: "Nodal speed", log: true, first: true },
+  { id: "momentum", title: "Momentum, magnitude", log: true, first: true },
+  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false },
+  { id: "water_flow", title: "Water through the border", log: false, first: true },
+  { id: "water_mass", title: "Water in the model", log: false, first: false },
+  { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
+  { id: "saturation", title: "Degree of saturation", log: false, first: true },
+  { id: "front", title: "Front", log: false, first: true },
+  { id: "largest", title: "Largest displacement", log: false, first: false },
+  { id: "displacement", title: "Displacement", log: false, first: true },
+  { id: "stress", title: "Stress", log: false, first: true },
+  { id: "velocity", title: "Velocity", log: false, first: false },
+  { id: "strain", title: "Strain", log: false, first: false },
+] as const;
+
+/** Quantity of a panel; "other" for one without a group. */
+type PanelKind = "energy" | "other" | (typeof kinds)[number]["id"];
+
+interface Series {
   name: string;
   title: string;
   /** As drawn, in the panel's unit. */
@@ -69,31 +110,8 @@ export function groupHistories(report: Pick<Report, "tables" | "sequences">): Hi
 /** Flows below this fraction of the largest are round-off. */
 const leastFlow = 1e-9;
 
-interface Kind {
-  id: PanelKind;
-  title: string;
-  log: boolean;
-  first: boolean;
-}
 
-const kinds: Kind[] = [
-  { id: "force_ratio", title: "Force ratio", log: true, first: true },
-  { id: "nodal_speed", title: "Nodal speed", log: true, first: true },
-  { id: "momentum", title: "Momentum, magnitude", log: true, first: true },
-  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false },
-  { id: "water_flow", title: "Water through the border", log: false, first: true },
-  { id: "water_mass", title: "Water in the model", log: false, first: false },
-  { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
-  { id: "saturation", title: "Degree of saturation", log: false, first: true },
-  { id: "front", title: "Front", log: false, first: true },
-  { id: "largest", title: "Largest displacement", log: false, first: false },
-  { id: "displacement", title: "Displacement", log: false, first: true },
-  { id: "stress", title: "Stress", log: false, first: true },
-  { id: "velocity", title: "Velocity", log: false, first: false },
-  { id: "strain", title: "Strain", log: false, first: false },
-];
-
-function findKind({ quantity, largest }: TableColumn): Kind | undefined {
+function findKind({ quantity, largest }: TableColumn) {
   const whole = quantity === "displacement" ? "largest" : "largest_pressure";
   return kinds.find((k) => k.id === (largest ? whole : quantity));
 }
@@ -136,8 +154,10 @@ export function makePanels(table: Table): Panel[] {
     if (!panel) {
       const { unit, extensive } = column;
       const title = kind?.title ?? whole(column.title);
-      const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit, extensive, x: table.x };
-      rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false, series: [] }));
+      const shown = kind ?? { id: "other" as const, log: false, first: false };
+      const head = { ...shown, id: `${table.id}.${key}`, kind: shown.id };
+      panel = { ...head, title, unit, extensive, x: table.x, series: [] } satisfies Panel;
+      rest.set(key, panel);
     }
     panel.series.push({ name: column.name, title: column.title, values: column.values });
   }

@@ -4,13 +4,12 @@ import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
 import type { Calibration, CalibratedParameter } from "../../contract";
-import { DataTable, numbers } from "../../page/DataTable";
+import { type Column, DataTable } from "../../page/DataTable";
 import { report } from "../../state";
 import { type CurveGroup, findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "./calibrationData";
 import { Chart } from "../base/Chart";
-import { CsvButton, Legend } from "../base/Legend";
+import { CsvButton, Legend, useSwitches } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
 import { capitalise, layOutDiagram } from "./diagram";
 
 function Diagram({ group }: { group: CurveGroup }) {
@@ -58,7 +57,6 @@ function Diagram({ group }: { group: CurveGroup }) {
         depends={[group, hidden]}
         stops={stops}
         printWidth={520}
-        showReading
         hint="Symbols: measured. Lines: fitted; faint: with the parameters at the start."
         read={(i) => {
           const here = shown.flatMap(({ curve, style }) => {
@@ -95,37 +93,35 @@ function ParameterTable({ calibration }: { calibration: Calibration }) {
     <DataTable
       caption="Fitted parameters"
       class="point-table"
-      head={[
-        "Parameter",
-        ...numbers("Fitted", "Standard error", "Start", "Range", ...parameters.map((_, j) => `Corr. with ${j + 1}`)),
+      rows={parameters}
+      columns={[
+        ["Parameter", (p, i) => `${i + 1} ${titleWithUnit(shortenKey(p.key), p.unit)}`, "name"],
+        [
+          "Fitted",
+          (p) => (
+            <>
+              {formatNumber(p.value, 5)}
+              {p.limit !== "no" && <strong> at its limit</strong>}
+            </>
+          ),
+          "number",
+        ],
+        ["Standard error", describeError, "number"],
+        ["Start", (p) => formatNumber(p.start), "number"],
+        ["Range", (p) => `${formatNumber(p.low)} to ${formatNumber(p.high)}`, "number"],
+        ...parameters.map(
+          (_, j): Column<CalibratedParameter> => [
+            `Corr. with ${j + 1}`,
+            (__, i) => {
+              const c = i === j ? null : (correlation[i]?.[j] ?? null);
+              const text = c === null ? "–" : c.toFixed(2).replace("-", "−");
+              return c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text;
+            },
+            "number",
+          ],
+        ),
       ]}
-    >
-      {parameters.map((p, i) => (
-        <tr key={p.key}>
-          <th scope="row">
-            {i + 1} {titleWithUnit(shortenKey(p.key), p.unit)}
-          </th>
-          <td class="number">
-            {formatNumber(p.value, 5)}
-            {p.limit !== "no" && <strong> at its limit</strong>}
-          </td>
-          <td class="number">{describeError(p)}</td>
-          <td class="number">{formatNumber(p.start)}</td>
-          <td class="number">
-            {formatNumber(p.low)} to {formatNumber(p.high)}
-          </td>
-          {parameters.map((other, j) => {
-            const c = correlation[i]?.[j] ?? null;
-            const text = i === j || c === null ? "–" : c.toFixed(2).replace("-", "−");
-            return (
-              <td key={other.key} class="number">
-                {i !== j && c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text}
-              </td>
-            );
-          })}
-        </tr>
-      ))}
-    </DataTable>
+    />
   );
 }
 
@@ -134,31 +130,27 @@ function ResidualTable({ calibration }: { calibration: Calibration }) {
     <DataTable
       caption="Differences, calculated minus measured"
       class="point-table"
-      head={[
-        "Test",
-        "Curve",
-        ...numbers("Points", "Root mean square", "At the start", "Mean", "Largest", "Stated error", "Weight"),
+      rows={calibration.curves}
+      columns={[
+        ["Test", (c) => c.test, "name"],
+        [
+          "Curve",
+          (c) => (
+            <>
+              {titleWithUnit(c.y.title, c.y.unit)} over {c.x.title}
+              {c.missing > 1e-6 && <strong>; {formatNumber(100 * c.missing, 2)} % not reached</strong>}
+            </>
+          ),
+        ],
+        ["Points", (c) => c.at.length, "number"],
+        ["Root mean square", (c) => formatNumber(c.rms, 3), "number"],
+        ["At the start", (c) => formatNumber(c.rms_before, 3), "number"],
+        ["Mean", (c) => formatNumber(c.mean, 3), "number"],
+        ["Largest", (c) => `${formatNumber(c.largest, 3)} at ${formatQuantity(c.largest_at, c.x.unit, 3)}`, "number"],
+        ["Stated error", (c) => formatNumber(c.deviation, 3), "number"],
+        ["Weight", (c) => formatNumber(c.weight, 3), "number"],
       ]}
-    >
-      {calibration.curves.map((c, i) => (
-        <tr key={i}>
-          <th scope="row">{c.test}</th>
-          <td>
-            {titleWithUnit(c.y.title, c.y.unit)} over {c.x.title}
-            {c.missing > 1e-6 && <strong>; {formatNumber(100 * c.missing, 2)} % not reached</strong>}
-          </td>
-          <td class="number">{c.at.length}</td>
-          <td class="number">{formatNumber(c.rms, 3)}</td>
-          <td class="number">{formatNumber(c.rms_before, 3)}</td>
-          <td class="number">{formatNumber(c.mean, 3)}</td>
-          <td class="number">
-            {formatNumber(c.largest, 3)} at {formatQuantity(c.largest_at, c.x.unit, 3)}
-          </td>
-          <td class="number">{formatNumber(c.deviation, 3)}</td>
-          <td class="number">{formatNumber(c.weight, 3)}</td>
-        </tr>
-      ))}
-    </DataTable>
+    />
   );
 }
 

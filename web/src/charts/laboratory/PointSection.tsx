@@ -4,14 +4,14 @@ import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
 import type { PointGroup, PointTest, PointTests } from "../../contract";
-import { DataTable, SymbolText, numbers } from "../../page/DataTable";
+import { DataTable, SymbolText } from "../../page/DataTable";
 import { report } from "../../state";
 import { Chart } from "../base/Chart";
-import { CsvButton, Legend } from "../base/Legend";
+import { CsvButton, Legend, useSwitches } from "../base/Legend";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
-import { capitalise, layOutDiagram } from "./diagram";
-import { findSpan, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
+import {
+  capitalise, findSpan, layOutDiagram, makeLines, makePointCsv, makeStops, type PointLine, readLines,
+} from "./diagram";
 
 function Diagram(props: {
   group: PointGroup;
@@ -46,7 +46,6 @@ function Diagram(props: {
       depends={[group, shown]}
       stops={stops}
       printWidth={320}
-      showReading
       hint={`${capitalise(title)}.`}
       read={(i) => {
         const here = readLines(shown, panel.x, panel.y, stops[i]!);
@@ -91,37 +90,33 @@ function ResultTable({ tests }: { tests: PointTest[] }) {
     <DataTable
       caption="What came out"
       class="point-table"
-      head={[
-        "Test",
-        "Path",
-        ...numbers(
-          `Peak q [${stress.name}]`,
-          "at strain [%]",
-          `End q [${stress.name}]`,
-          `End p′ [${stress.name}]`,
+      rows={tests}
+      columns={[
+        ["Test", (test) => test.name, "name"],
+        [
+          "Path",
+          (test) => (
+            <>
+              {capitalise(test.kind)} of {test.material}
+              {test.set && `, ${test.set}`}; {test.path}.
+              {test.stopped && <strong> Ended early: {test.stopped}.</strong>}
+            </>
+          ),
+        ],
+        [`Peak q [${stress.name}]`, (test) => formatNumber(test.peak_q / stress.si), "number"],
+        ["at strain [%]", (test) => formatNumber(test.peak_q_strain * 100, 3), "number"],
+        [`End q [${stress.name}]`, ({ end }) => formatNumber((end.q ?? 0) / stress.si), "number"],
+        [`End p′ [${stress.name}]`, ({ end }) => formatNumber((end.p ?? 0) / stress.si), "number"],
+        [
           <>
             End <SymbolText text="ε_v" /> [%]
           </>,
-          "End e [-]",
-        ),
+          ({ end }) => formatNumber((end.volumetric_strain ?? 0) * 100, 3),
+          "number",
+        ],
+        ["End e [-]", ({ end }) => formatNumber(end.void_ratio ?? 0), "number"],
       ]}
-    >
-      {tests.map((test) => (
-        <tr key={test.name}>
-          <th scope="row">{test.name}</th>
-          <td>
-            {capitalise(test.kind)} of {test.material}
-            {test.set && `, ${test.set}`}; {test.path}.{test.stopped && <strong> Ended early: {test.stopped}.</strong>}
-          </td>
-          <td class="number">{formatNumber(test.peak_q / stress.si)}</td>
-          <td class="number">{formatNumber(test.peak_q_strain * 100, 3)}</td>
-          <td class="number">{formatNumber((test.end.q ?? 0) / stress.si)}</td>
-          <td class="number">{formatNumber((test.end.p ?? 0) / stress.si)}</td>
-          <td class="number">{formatNumber((test.end.volumetric_strain ?? 0) * 100, 3)}</td>
-          <td class="number">{formatNumber((test.end.void_ratio ?? 0))}</td>
-        </tr>
-      ))}
-    </DataTable>
+    />
   );
 }
 

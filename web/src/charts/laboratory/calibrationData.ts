@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Numbers of the charts of a calibration. */
 import type { CalibratedCurve, Calibration } from "../../contract";
-import type { CsvColumn } from "../base/csv";
+import type { CsvColumn } from "../base/rows";
 import { type SeriesStyle, styleOf } from "../base/styles";
 
 export interface CurveLine {

@@ -1,17 +1,117 @@
 // SPDX-License-Identifier: MIT
 /** A field along a vertical section: the user places the section and chooses field and times. */
+import * as Plot from "@observablehq/plot";
 import { useEffect, useMemo, useState } from "preact/hooks";
 
-import type { InputTable, Sequence } from "../../contract";
-import { findSetting } from "../../page/methods/settings";
+import type { InputTable, Sequence, SequenceField } from "../../contract";
 import { formatCoordinate } from "../../page/format";
+import { findSetting } from "../../page/methods/settings";
 import { fieldName, frameIndex, load, loadPlaces, report, sequenceIndex } from "../../state";
-import type { CsvColumn } from "../base/csv";
-import { CsvButton } from "../base/Legend";
+import { Chart } from "../base/Chart";
+import { CsvButton, Select, Symbol } from "../base/Legend";
+import { layOut, makeAxis } from "../base/axes";
+import type { CsvColumn } from "../base/rows";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
-import { ProfileChart, type ProfileLine } from "./ProfileChart";
+import { type SeriesStyle, styleOf } from "../base/styles";
 import { type Bin, findLayer, makeProfile, takeFrame } from "./profileData";
-import { styleOf } from "../base/styles";
+
+interface ProfileLine {
+  frame: number;
+  title: string;
+  style: SeriesStyle;
+  bins: Bin[];
+}
+
+interface ProfileProps {
+  lines: ProfileLine[];
+  field: SequenceField;
+  /** Axis that points up. */
+  vertical: number;
+  onRemove: (frame: number) => void;
+}
+
+function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps) {
+  const { bounds, mesh } = report.value.model;
+  const length = report.value.units.length;
+  const unit = field.unit;
+  const letter = "xyz"[vertical]!;
+  const bottom = bounds[0][vertical]!;
+  const layers = [...new Set(lines.flatMap((l) => l.bins.map((b) => b.layer)))].sort((a, b) => a - b);
+  const heights = layers.map((k) => (bottom + (k + 0.5) * findLayer(mesh.mean_size)) / length.si);
+
+  const bins = lines.flatMap((l) => l.bins);
+  const highest = Math.max(...bins.map((b) => b.height), bottom + mesh.mean_size) + mesh.mean_size / 2;
+  // Zero is on the axis: how large a value is shows only beside it.
+  const low = Math.min(0, ...bins.map((b) => b.mean / unit.si)) * 1.05;
+  const high = Math.max(0, ...bins.map((b) => b.mean / unit.si)) * 1.05 || (low < 0 ? 0 : 1);
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(280, Math.min(420, width * 0.6)),
+      margins: [28, 24, 46, 52],
+      x: makeAxis({ title: field.title, unit: unit.name, domain: [low, high], count: 6 }),
+      y: makeAxis({
+        title: `Height ${letter}`,
+        unit: length.name,
+        domain: [bottom / length.si, highest / length.si],
+        count: 6,
+      }),
+      grid: "x",
+      marks: [
+        Plot.ruleX([0], { stroke: "var(--muted)" }),
+        lines.flatMap((l) => {
+          const points = l.bins.map((b) => [b.mean / unit.si, b.height / length.si]);
+          return [
+            Plot.line(points, { stroke: l.style.colour, strokeWidth: 1.5, strokeDasharray: l.style.dash }),
+            Plot.dot(points, { stroke: l.style.colour, symbol: l.style.symbol, r: 3.2, fill: "var(--ground)" }),
+          ];
+        }),
+        Plot.ruleY([bottom / length.si], { stroke: "var(--muted)" }),
+      ],
+    });
+
+  return (
+    <>
+      <ul class="chart-legend" aria-label="Times that are drawn">
+        {lines.map((l) => (
+          <li key={l.frame} class="chart-entry">
+            <svg class="chart-swatch" width="34" height="12" viewBox="0 0 34 12" aria-hidden="true">
+              <path d="M1 6H33" stroke={l.style.colour} stroke-width="1.6" stroke-dasharray={l.style.dash} />
+              <Symbol style={l.style} x={17} y={6} />
+            </svg>
+            {l.title}
+            <button
+              type="button"
+              class="chart-remove"
+              aria-label={`Remove ${l.title}`}
+              onClick={() => onRemove(l.frame)}
+            >
+              ×
+            </button>
+          </li>
+        ))}
+      </ul>
+      <Chart
+        along="y"
+        label={`${field.title} over height`}
+        draw={draw}
+        depends={[lines, field]}
+        stops={heights}
+        hint="Point at a height to read it."
+        read={(i) => {
+          const hits = lines.map((l) => ({ line: l, bin: l.bins.find((b) => b.layer === layers[i]) }));
+          const formatHere = (bin?: Bin) => formatQuantity(bin && bin.mean / unit.si, unit.name);
+          const values = hits.map(({ line, bin }) => `${line.title}: ${formatHere(bin)}`);
+          return {
+            text: `${letter} = ${formatCoordinate(heights[i]! * length.si)} ${length.name}; ${values.join("; ")}`,
+            marks: hits.flatMap(({ line, bin }) =>
+              bin ? [{ value: bin.mean / unit.si, at: bin.height / length.si, colour: line.style.colour }] : [],
+            ),
+          };
+        }}
+      />
+    </>
+  );
+}
 
 /** More lines than this cannot be distinguished. */
 const mostTimes = 6;
@@ -115,28 +215,15 @@ export function VerticalSection() {
         <CsvButton part={`profile-${field.name}`} columns={columns} />
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {sequence.fields.map((f) => (
-              <option key={f.name} value={f.name}>
-                {titleWithUnit(f.title, f.unit.name)}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label>
-          Frames of{" "}
-          <select value={index} onChange={(e) => pickSequence(Number(e.currentTarget.value))}>
-            {report.value.sequences.map((s, i) =>
-              s.frames.length > 0 && s.fields.length > 0 ?
-                <option key={s.id} value={i}>
-                  {s.title}
-                </option>
-              : null,
-            )}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={sequence.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
+        <Select
+          label="Frames of"
+          value={index}
+          options={report.value.sequences.flatMap((s, i): [number, string][] =>
+            s.frames.length > 0 && s.fields.length > 0 ? [[i, s.title]] : [],
+          )}
+          onChange={(value) => pickSequence(Number(value))}
+        />
       </div>
       <div class="chart-bar">
         {across.map((d) => {
@@ -150,7 +237,7 @@ export function VerticalSection() {
                 <input type="range" {...common} onInput={(e) => set(e.currentTarget.valueAsNumber)} />
               </label>
               <label>
-                <span class="chart-unseen">{letter(d)} of the section</span>
+                <span class="unseen">{letter(d)} of the section</span>
                 <input
                   type="number"
                   {...common}

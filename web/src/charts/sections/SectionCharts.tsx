@@ -4,18 +4,112 @@ import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
+import type { Section } from "../../contract";
 import { formatPlace } from "../../page/format";
 import { report } from "../../state";
-import { centred, describeAxis, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { Choice, CsvButton, Legend } from "../base/Legend";
-import { interpolate } from "../study/motionData";
+import { Choice, CsvButton, Legend, Select, useSwitches } from "../base/Legend";
+import { layOut, makeAxis } from "../base/axes";
+import type { CsvColumn } from "../base/rows";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
-import {
-  chooseField, findAxis, makeSectionCharts, makeSectionColumns, type SectionChart, type SectionOfRun,
-} from "./sectionData";
 import { styleOf } from "../base/styles";
+import { interpolate, nameRow, type Study } from "../study/studyData";
+
+/** A section of one run. */
+interface SectionOfRun {
+  title: string;
+  section: Section;
+}
+
+interface SectionLine {
+  name: string;
+  /** [m] along the axis that `findAxis` chose. */
+  place: number[];
+  /** SI; null where there is no value. */
+  values: (number | null)[];
+}
+
+interface SectionChart {
+  title: string;
+  lines: SectionLine[];
+}
+
+/** Fields that a reader looks for first. */
+const wanted = ["preconsolidation_pressure", "pore_pressure", "deviatoric_strain"];
+
+export function chooseField(section: Section): string {
+  const has = (name: string) => section.fields.some((f) => f.name === name);
+  return wanted.find(has) ?? section.fields[0]?.name ?? "";
+}
+
+/** The axis that a section runs along when it is steep: places are then heights; else distances along the line. */
+export function findAxis(section: Section): { title: string; steep: boolean } {
+  const along = section.to.map((x, d) => x - section.from[d]!);
+  const steep = Math.abs(along[1] ?? 0) > Math.hypot(along[0] ?? 0, along[2] ?? 0);
+  return steep ? { title: "Height y", steep } : { title: "Distance along the section", steep };
+}
+
+function findPlaces(section: Section, distance: number[]): number[] {
+  if (!findAxis(section).steep) return distance;
+  const along = section.to.map((x, d) => x - section.from[d]!);
+  const length = Math.hypot(...along);
+  return distance.map((s) => section.from[1]! + (along[1]! * s) / length);
+}
+
+/** "40 s": to about a hundredth of the longest time, because stored frames lie a step beside the given times. */
+export function nameTime(time: number, longest: number): string {
+  const decimals = Math.max(0, 2 - Math.floor(Math.log10(longest > 0 ? longest : 1)));
+  return `${Number(time.toFixed(decimals)) + 0} s`;
+}
+
+/** Lines of `field`: a chart for each run with a line for each time, or the other way round. */
+export function makeSectionCharts(runs: SectionOfRun[], field: string, by: "run" | "time"): SectionChart[] {
+  const longest = Math.max(0, ...runs.flatMap((r) => r.section.profiles.map((p) => p.time)));
+  const charts: SectionChart[] = runs.map(({ title, section }) => {
+    const k = section.fields.findIndex((f) => f.name === field);
+    const lines = section.profiles.map((p) => ({
+      name: nameTime(p.time, longest),
+      place: findPlaces(section, p.distance),
+      values: k < 0 ? [] : p.values[k]!,
+    }));
+    return { title, lines };
+  });
+  if (by === "run") return charts;
+  // Stored frames of different runs lie at nearly the same times: what has one place in the list is shown as one.
+  const count = Math.max(0, ...charts.map((c) => c.lines.length));
+  return Array.from({ length: count }, (_, i) => ({
+    title: [...new Set(charts.flatMap((c) => (c.lines[i] ? [c.lines[i]!.name] : [])))].join(" / "),
+    lines: charts.flatMap((c) => (c.lines[i] ? [{ ...c.lines[i]!, name: c.title }] : [])),
+  }));
+}
+
+/** The sections called `name` of all variants that have it. */
+export function listSectionsOf(study: Study, name: string): SectionOfRun[] {
+  return study.rows.flatMap((row, i) => {
+    const section = row.sections?.find((s) => s.name === name);
+    return section ? [{ title: nameRow(study, i), section }] : [];
+  });
+}
+
+function makeSectionColumns(runs: SectionOfRun[]): CsvColumn[] {
+  const fields = runs[0]?.section.fields ?? [];
+  const rows = runs.flatMap(({ title, section }) =>
+    section.profiles.flatMap((p) => p.distance.map((s, i) => ({ title, time: p.time, s, i, p }))),
+  );
+  return [
+    { name: "run", values: rows.map((r) => r.title) },
+    { name: "time", unit: "s", values: rows.map((r) => r.time) },
+    { name: "distance", unit: "m", values: rows.map((r) => r.s) },
+    ...fields.map((f, k) => ({
+      name: f.name,
+      unit: f.unit.name,
+      values: rows.map((r) => {
+        const v = r.p.values[k]?.[r.i] ?? null;
+        return v === null ? null : v / f.unit.si;
+      }),
+    })),
+  ];
+}
 
 const stopCount = 81;
 
@@ -48,40 +142,29 @@ function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelP
     () => Array.from({ length: stopCount }, (_, i) => first + ((last - first) * i) / (stopCount - 1)),
     [first, last],
   );
-  const text = describeAxis(...ends.value, 5);
-  const value = {
-    domain: ends.value,
-    label: titleWithPower(field.title, unit.name, text.power),
-    ticks: 5,
-    tickFormat: text.format,
-  };
+  const value = makeAxis({ title: field.title, unit: unit.name, domain: ends.value });
   const place = { domain: ends.place, label: titleWithUnit(axis.title, length.name), ticks: 6 };
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: axis.steep ? Math.max(280, Math.min(380, width * 0.8)) : Math.max(230, Math.min(300, width * 0.6)),
-    marginLeft: 58,
-    marginRight: 18,
-    marginTop: 26,
-    marginBottom: 46,
-    x: axis.steep ? { ...value, ...centred } : { ...place, ...centred },
-    y: axis.steep ? { ...place, labelArrow: "none" } : { ...value, labelArrow: "none" },
-    marks: [
-      axis.steep ?
-        Plot.gridX({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 })
-      : Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      axis.steep ?
-        Plot.ruleX([0], { stroke: "var(--muted)" })
-      : Plot.ruleY([0], { stroke: "var(--muted)" }),
-      lines.map((l) =>
-        Plot.line(
-          l.points.map((p) => {
-            const v = p.v ?? Number.NaN;
-            return axis.steep ? [v, p.s] : [p.s, v];
-          }),
-          { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash },
+  const rule = axis.steep ? Plot.ruleX : Plot.ruleY;
+  const draw = (width: number) =>
+    layOut({
+      height: axis.steep ? Math.max(280, Math.min(380, width * 0.8)) : Math.max(230, Math.min(300, width * 0.6)),
+      margins: [26, 18, 46, 58],
+      x: axis.steep ? value : place,
+      y: axis.steep ? place : value,
+      grid: axis.steep ? "x" : "y",
+      marks: [
+        rule([0], { stroke: "var(--muted)" }),
+        lines.map((l) =>
+          Plot.line(
+            l.points.map((p) => {
+              const v = p.v ?? Number.NaN;
+              return axis.steep ? [v, p.s] : [p.s, v];
+            }),
+            { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash },
+          ),
         ),
-      ),
-    ],
-  });
+      ],
+    });
   return (
     <figure aria-label={chart.title}>
       {chart.title && <h4>{chart.title}</h4>}
@@ -92,13 +175,16 @@ function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelP
         depends={[chart, hidden, field, ends]}
         stops={stops}
         cross={cross}
-        showReading
         hint={axis.steep ? "Point at a height to read it." : "Point at a place to read it."}
         printWidth={330}
         read={(i) => {
           const at = stops[i]!;
           const here = lines.flatMap((l) => {
-            const v = interpolate(l.points.map((p) => p.s), l.points.map((p) => p.v), at);
+            const v = interpolate(
+              l.points.map((p) => p.s),
+              l.points.map((p) => p.v),
+              at,
+            );
             return v === null ? [] : [{ l, v }];
           });
           return {
@@ -128,14 +214,18 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
   const names = [...new Set(charts.flatMap((c) => c.lines.map((l) => l.name)))];
   const lines = charts.flatMap((c) => c.lines);
   const places = lines.flatMap((l) => l.place).map((s) => s / length.si);
-  const values = lines.flatMap((l) => l.values).filter((v) => v !== null).map((v) => v / field.unit.si);
+  const values = lines
+    .flatMap((l) => l.values)
+    .filter((v) => v !== null)
+    .map((v) => v / field.unit.si);
   // Zero is on the axis unless the values change little in comparison with their size, as a porosity does.
   let [low, high] = [Math.min(...values), Math.max(...values)];
   if (!(low <= high)) [low, high] = [0, 1];
   const pad = 0.05 * (high - low) || 0.05 * Math.abs(high) || 1;
   const near = high - low < 0.2 * Math.max(Math.abs(low), Math.abs(high));
-  const value: [number, number] =
-    near ? [low - pad, high + pad] : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
+  const value: [number, number] = near
+    ? [low - pad, high + pad]
+    : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
   const ends = { place: [Math.min(...places), Math.max(...places)] as [number, number], value };
   const formatHere = (p: number[]) => formatPlace(p.slice(0, report.value.model.dimension));
   return (
@@ -145,14 +235,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
         <CsvButton part={`section-${section.name}`} columns={() => makeSectionColumns(runs)} />
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {section.fields.map((f) => (
-              <option key={f.name} value={f.name}>{titleWithUnit(f.title, f.unit.name)}</option>
-            ))}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={section.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
         {runs.length > 1 && (
           <Choice
             label="One chart for each"
@@ -168,11 +251,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
           />
         )}
       </div>
-      <Legend
-        hidden={hidden}
-        onToggle={toggle}
-        items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))}
-      />
+      <Legend hidden={hidden} onToggle={toggle} items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))} />
       <div class="chart-grid">
         {charts.map((c) => (
           <SectionPanel

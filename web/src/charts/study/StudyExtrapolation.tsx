@@ -2,14 +2,14 @@
 /** Factors of safety over the size that the study extrapolates, and where their lines meet size zero. */
 import * as Plot from "@observablehq/plot";
 
-import { ChartTable, numbers, wrapped } from "../../page/DataTable";
+import { ChartTable } from "../../page/DataTable";
 import { formatFactor } from "../../page/format";
-import { centred } from "../base/axes";
+import { layOut } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
-import type { Study } from "./shownStudy";
+import type { Study } from "./studyData";
 
 export function StudyExtrapolation({ study }: { study: Study }) {
   const { extrapolation } = study;
@@ -23,56 +23,32 @@ export function StudyExtrapolation({ study }: { study: Study }) {
     ])
     .sort((a, b) => a.x - b.x);
   const largest = Math.max(...points.map((p) => p.x));
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(280, Math.min(380, width * 0.5)),
-    marginLeft: 58,
-    marginRight: 20,
-    marginTop: 28,
-    marginBottom: 46,
-    x: {
-      domain: [0, largest * 1.05],
-      label: titleWithUnit(key, unit),
-      ...centred,
-      ticks: width < 420 ? 4 : 7,
-      inset: 8,
-    },
-    y: { label: "Factor of safety", labelArrow: "none", ticks: 6, inset: 10, zero: false },
-    symbol: { type: "identity" },
-    marks: [
-      Plot.gridY({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
-      factors.map((f, k) => {
+  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0);
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(280, Math.min(380, width * 0.5)),
+      margins: [28, 20, 46, 58],
+      x: { domain: [0, largest * 1.05], label: titleWithUnit(key, unit), ticks: width < 420 ? 4 : 7, inset: 8 },
+      y: { label: "Factor of safety", ticks: 6, inset: 10, zero: false },
+      marks: factors.map((f, k) => {
         const { colour, dash, symbol } = styleOf(k);
-        const [n, sum] = [f.sizes.length, (values: number[]) => values.reduce((a, b) => a + b, 0)];
         // The least squares line passes through the mean of the sizes and of the factors.
-        const [x, y] = [sum(f.sizes) / n, sum(f.factors) / n];
-        const slope = x > 0 ? (y - f.linear) / x : 0;
+        const [x, y] = [sum(f.sizes) / f.sizes.length, sum(f.factors) / f.sizes.length];
+        const end = f.linear + (x > 0 ? (largest * (y - f.linear)) / x : 0);
+        const marks = f.sizes.map((size, i) => [size, f.factors[i]!]);
         return [
           Plot.line(
             [
               [0, f.linear],
-              [largest, f.linear + slope * largest],
+              [largest, end],
             ],
-            {
-              stroke: colour,
-              strokeWidth: 1.4,
-              strokeDasharray: dash || "5 3",
-            },
+            { stroke: colour, strokeWidth: 1.4, strokeDasharray: dash || "5 3" },
           ),
-          Plot.dot(
-            f.sizes.map((size, i) => [size, f.factors[i]!]),
-            {
-              stroke: colour,
-              strokeWidth: 1.6,
-              fill: "var(--ground)",
-              symbol,
-              r: 4.2,
-            },
-          ),
+          Plot.dot(marks, { stroke: colour, strokeWidth: 1.6, fill: "var(--ground)", symbol, r: 4.2 }),
           Plot.dot([[0, f.linear]], { stroke: colour, fill: colour, symbol, r: 4.6 }),
         ];
       }),
-    ],
-  });
+    });
   return (
     <figure aria-label={`Factors extrapolated to ${key} = 0`} class="chart-figure">
       <div class="chart-head">
@@ -93,7 +69,6 @@ export function StudyExtrapolation({ study }: { study: Study }) {
         draw={draw}
         depends={[extrapolation]}
         stops={[...new Set(points.map((p) => p.x))]}
-        showReading
         hint="Point at a size to read it; filled marks are extrapolated."
         read={(i) => {
           const x = [...new Set(points.map((p) => p.x))][i]!;
@@ -106,31 +81,19 @@ export function StudyExtrapolation({ study }: { study: Study }) {
       />
       <ChartTable
         label="Extrapolated factors of safety"
-        head={[
-          "Factor",
-          ...numbers("Sizes", "Coarsest", "Finest"),
-          ...wrapped("At zero, line through all"),
-          ...numbers("±"),
-          ...wrapped("Line through the finest two"),
-          ...numbers("Order p", "with p"),
+        rows={factors}
+        columns={[
+          ["Factor", title, "name"],
+          ["Sizes", (f) => f.sizes.length, "number"],
+          ["Coarsest", (f) => formatFactor(f.factors[0]), "number"],
+          ["Finest", (f) => formatFactor(f.factors.at(-1)), "number"],
+          ["At zero, line through all", (f) => <strong>{formatFactor(f.linear)}</strong>, "wrap"],
+          ["±", (f) => formatFactor(f.standard_error), "number"],
+          ["Line through the finest two", (f) => formatFactor(f.finest_pair), "wrap"],
+          ["Order p", (f) => formatNumber(f.order, 3), "number"],
+          ["with p", (f) => formatFactor(f.by_order), "number"],
         ]}
-      >
-        {factors.map((f) => (
-          <tr key={title(f)}>
-            <th scope="row">{title(f)}</th>
-            <td class="number">{f.sizes.length}</td>
-            <td class="number">{formatFactor(f.factors[0] ?? null)}</td>
-            <td class="number">{formatFactor(f.factors.at(-1) ?? null)}</td>
-            <td class="number">
-              <strong>{formatFactor(f.linear)}</strong>
-            </td>
-            <td class="number">{formatFactor(f.standard_error)}</td>
-            <td class="number">{formatFactor(f.finest_pair)}</td>
-            <td class="number">{formatNumber(f.order, 3)}</td>
-            <td class="number">{formatFactor(f.by_order)}</td>
-          </tr>
-        ))}
-      </ChartTable>
+      />
       <p class="chart-note">
         ± is the standard error from the scatter of the meshes about the line. The order p is the exponent of the size
         that fits best, where there are four sizes.

@@ -5,14 +5,12 @@ import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
 import { report } from "../../state";
-import { centred, describeAxis, titleWithPower } from "../base/axes";
+import { layOut, makeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { Choice, CsvButton, Legend } from "../base/Legend";
-import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart } from "./motionData";
+import { Choice, CsvButton, Legend, useSwitches } from "../base/Legend";
+import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart, type Study } from "./studyData";
 import { formatNumber, formatQuantity } from "../base/numbers";
-import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
-import type { Study } from "./shownStudy";
 
 /** Times at which the crosshair stops. */
 const stopCount = 201;
@@ -36,47 +34,35 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
     .map((l) => ({ ...l, style: styleOf(names.indexOf(l.name)) }));
   const stops = useMemo(() => Array.from({ length: stopCount }, (_, i) => (last * i) / (stopCount - 1)), [last]);
   const limit = threshold === null ? null : threshold / unit.si;
-  const axis = describeAxis(0, highest, 5);
   const onsets = lines.flatMap((l) => (l.onset === null || limit === null ? [] : [{ x: l.onset, y: limit, l }]));
 
-  const draw = (width: number): Plot.PlotOptions => ({
-    height: Math.max(230, Math.min(300, width * 0.6)),
-    marginLeft: 58,
-    marginRight: 14,
-    marginTop: 26,
-    marginBottom: 44,
-    x: { domain: [0, last], label: "Time [s]", ...centred, ticks: 6 },
-    y: {
-      domain: [0, highest],
-      label: titleWithPower("Displacement", unit.name, axis.power),
-      labelArrow: "none",
-      ticks: 5,
-      tickFormat: axis.format,
-    },
-    symbol: { type: "identity" },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      Plot.ruleY([0], { stroke: "var(--muted)" }),
-      Plot.ruleX([0], { stroke: "var(--muted)" }),
-      limit === null ? [] : Plot.ruleY([limit], { stroke: "var(--muted)", strokeDasharray: "2 3" }),
-      lines.map((l) =>
-        Plot.line(
-          l.time.map((t, i) => [t, l.displacement[i] === null ? Number.NaN : l.displacement[i]! / unit.si]),
-          { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash, clip: true },
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(230, Math.min(300, width * 0.6)),
+      margins: [26, 14, 44, 58],
+      x: { domain: [0, last], label: "Time [s]", ticks: 6 },
+      y: makeAxis({ title: "Displacement", unit: unit.name, domain: [0, highest] }),
+      marks: [
+        Plot.ruleY([0], { stroke: "var(--muted)" }),
+        Plot.ruleX([0], { stroke: "var(--muted)" }),
+        limit === null ? [] : Plot.ruleY([limit], { stroke: "var(--muted)", strokeDasharray: "2 3" }),
+        lines.map((l) =>
+          Plot.line(
+            l.time.map((t, i) => [t, l.displacement[i] === null ? Number.NaN : l.displacement[i]! / unit.si]),
+            { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash, clip: true },
+          ),
         ),
-      ),
-      Plot.dot(onsets, {
-        x: "x",
-        y: "y",
-        r: 4,
-        symbol: (d: (typeof onsets)[number]) => d.l.style.symbol,
-        stroke: (d: (typeof onsets)[number]) => d.l.style.colour,
-        strokeWidth: 1.6,
-        fill: "var(--ground)",
-      }),
-    ],
-    color: { type: "identity" },
-  });
+        Plot.dot(onsets, {
+          x: "x",
+          y: "y",
+          r: 4,
+          symbol: (d: (typeof onsets)[number]) => d.l.style.symbol,
+          stroke: (d: (typeof onsets)[number]) => d.l.style.colour,
+          strokeWidth: 1.6,
+          fill: "var(--ground)",
+        }),
+      ],
+    });
 
   return (
     <figure aria-label={chart.title}>
@@ -87,7 +73,6 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
         depends={[chart, hidden, last, highest]}
         stops={stops}
         cross={cross}
-        showReading
         hint="Point at a time to read it; symbols mark the onset of movement."
         printWidth={330}
         read={(i) => {

@@ -8,17 +8,14 @@ import { Camera } from "../../viewer/camera";
 import { findCells } from "../../viewer/cells";
 import { chooseColourMap, tabulateColours, writeColour } from "../../viewer/colours";
 import { measureExtent } from "../../viewer/extent";
-import { makeTicks } from "../../viewer/format";
-import type { Body } from "../../viewer/painter";
-import { makePlainPainter } from "../../viewer/plainPainter";
-import { makeScale } from "../../viewer/scale";
+import { makeScale, makeTicks } from "../../viewer/scale";
+import { type Body, makePlainPainter } from "../../viewer/painter";
 import { takeFrame } from "../../viewer/shown";
 import { distributeVolume } from "../../viewer/sizes";
-import { nameRow } from "./motionData";
+import { joinScales, listPictures, nameRow, type PictureRow, type Study, type StudyRow } from "./studyData";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
-import { joinScales, listPictures, type PictureRow } from "./pictureData";
-import { nameTime } from "../sections/sectionData";
-import type { Study, StudyRow } from "./shownStudy";
+import { nameTime } from "../sections/SectionCharts";
+import { Select } from "../base/Legend";
 
 interface PictureProps {
   row: PictureRow;
@@ -145,14 +142,7 @@ export function StudyPictures({ study }: { study: Study }) {
         <h4>The variants side by side</h4>
       </div>
       <div class="chart-bar">
-        <label>
-          Field{" "}
-          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
-            {first.fields.map((f) => (
-              <option key={f.name} value={f.name}>{titleWithUnit(f.title, f.unit.name)}</option>
-            ))}
-          </select>
-        </label>
+        <Select label="Field" value={field.name} options={first.fields.map((f) => [f.name, titleWithUnit(f.title, f.unit.name)])} onChange={setName} />
         <ColourBar field={field} limits={limits} />
       </div>
       <div class="picture-table" style={{ "--picture-columns": columns }}>

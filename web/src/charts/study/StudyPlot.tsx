@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-/** A result of a study over one of its varied keys, one line for each combination of the others; or by variant. */
+/** A result of a study over one of its varied keys, one line for each combination of the others; and the displacement curves of all variants. */
 import * as Plot from "@observablehq/plot";
-import { useState } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { report } from "../../state";
 import { Chart } from "../base/Chart";
-import { AxisChoice, type AxisKind, Legend } from "../base/Legend";
+import { AxisChoice, type AxisKind, CsvButton, Legend, Select, useSwitches } from "../base/Legend";
+import { findLogTicks, formatLogTick, layOut, makeAxis } from "../base/axes";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
-import { findNumeric, findVaried, nameGroup } from "./studyData";
-import type { Study } from "./shownStudy";
+import { makeCurveColumns } from "../curve/curveData";
+import { findNumeric, findVaried, nameGroup, type Study } from "./studyData";
 
 const byVariant = "";
 
@@ -48,23 +49,20 @@ export function StudyPlot({ study }: { study: Study }) {
   const canLog = spansDecades(points.map((p) => p.y));
   const logY = canLog && axisKind === "log";
 
+  const list = (columns: typeof keys) => columns.map((c): [string, string] => [c.name, titleWithUnit(c.title, c.unit)]);
+
   const draw = (width: number): Plot.PlotOptions => {
     const narrow = width < 560;
     const labels = !key;
     const low = Math.min(...points.map((p) => p.y));
     const high = Math.max(...points.map((p) => p.y));
     const pad = (high - low) * 0.1 || Math.abs(high) * 0.1 || 1;
-    const axis = describeAxis(low - pad, high + pad, 6);
-    return {
+    return layOut({
       height: labels && narrow ? 420 : 360,
-      marginLeft: 62,
-      marginRight: 20,
-      marginTop: 28,
-      marginBottom: labels ? 34 + 3.8 * Math.max(...study.rows.map((r) => r.name.length)) : 48,
+      margins: [28, 20, labels ? 34 + 3.8 * Math.max(...study.rows.map((r) => r.name.length)) : 48, 62],
       x: key
         ? {
             label: titleWithUnit(key.title, key.unit),
-            ...centred,
             inset: 14,
             ...(logX ? logTicks(points.map((p) => p.x)) : { ticks: narrow ? 5 : 8 }),
           }
@@ -76,15 +74,9 @@ export function StudyPlot({ study }: { study: Study }) {
             tickRotate: -35,
           },
       y: logY
-        ? { label: titleWithUnit(result.title, result.unit), labelArrow: "none", inset: 12, ...logTicks([low, high]) }
-        : {
-            domain: [low - pad, high + pad],
-            label: titleWithPower(result.title, result.unit, axis.power),
-            labelArrow: "none",
-            ticks: 6,
-            tickFormat: axis.format,
-          },
-      symbol: { type: "identity" },
+        ? { label: titleWithUnit(result.title, result.unit), inset: 12, ...logTicks([low, high]) }
+        : makeAxis({ title: result.title, unit: result.unit, domain: [low - pad, high + pad], count: 6 }),
+      grid: "none",
       marks: [
         Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--line)" }),
@@ -101,7 +93,7 @@ export function StudyPlot({ study }: { study: Study }) {
           ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--ink)" })
           : [],
       ],
-    };
+    });
   };
 
   return (
@@ -111,27 +103,13 @@ export function StudyPlot({ study }: { study: Study }) {
         {key ? ` over ${key.title}` : " by variant"}
       </h4>
       <div class="chart-bar">
-        <label>
-          Result{" "}
-          <select value={result.name} onChange={(e) => setResult(e.currentTarget.value)}>
-            {results.map((c) => (
-              <option key={c.name} value={c.name}>
-                {titleWithUnit(c.title, c.unit)}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label>
-          over{" "}
-          <select value={key?.name ?? byVariant} onChange={(e) => setKey(e.currentTarget.value)}>
-            {keys.map((c) => (
-              <option key={c.name} value={c.name}>
-                {titleWithUnit(c.title, c.unit)}
-              </option>
-            ))}
-            <option value={byVariant}>variant</option>
-          </select>
-        </label>
+        <Select label="Result" value={result.name} options={list(results)} onChange={setResult} />
+        <Select
+          label="over"
+          value={key?.name ?? byVariant}
+          options={[...list(keys), [byVariant, "variant"]]}
+          onChange={setKey}
+        />
         {canLog && <AxisChoice label="Axis of the result" value={axisKind} onChange={setAxisKind} />}
       </div>
       {groups.length > 1 && <Legend markers items={groups.map((g, i) => ({ id: g, title: g, style: styleOf(i) }))} />}
@@ -140,7 +118,6 @@ export function StudyPlot({ study }: { study: Study }) {
         draw={draw}
         depends={[study, resultName, keyName, axisKind]}
         stops={stops}
-        showReading
         hint="Point at a variant to read it."
         read={(i) => {
           const here = points.filter((p) => p.x === stops[i]);
@@ -156,6 +133,99 @@ export function StudyPlot({ study }: { study: Study }) {
           {key ? "this result or a number for this key" : "this result"} left out.
         </p>
       )}
+    </figure>
+  );
+}
+
+export function StudyCurves({ study }: { study: Study }) {
+  const unit = report.value.units.displacement;
+  const [scale, setScale] = useState<AxisKind>("linear");
+  const [hidden, toggle] = useSwitches();
+  const curves = useMemo(
+    () =>
+      study.rows
+        .filter((r) => r.curve)
+        .map((r, i) => ({
+          name: r.name,
+          curve: r.curve!,
+          style: styleOf(i),
+          points: r.curve!.points.map((p) => ({ x: p.srf, y: p.displacement / unit.si })).sort((a, b) => a.x - b.x),
+        })),
+    [study, unit],
+  );
+  const log = scale === "log";
+  const visible = curves
+    .filter((c) => !hidden.has(c.name))
+    .map((c) => ({ ...c, points: log ? c.points.filter((p) => p.y > 0) : c.points }));
+  const stops = [...new Set(visible.flatMap((c) => c.points.map((p) => p.x)))].sort((a, b) => a - b);
+
+  const shown = visible.flatMap((c) => c.points.map((p) => p.y));
+  const low = Math.min(...shown);
+  const high = Math.max(...shown);
+
+  const columns = () => {
+    const parts = curves.map((c) => makeCurveColumns(c.curve));
+    const names = curves.flatMap((c) => c.curve.points.map(() => c.name));
+    const joined = (parts[0] ?? []).map((c, k) => ({ ...c, values: parts.flatMap((p) => p[k]!.values) }));
+    return [{ name: "variant", values: names }, ...joined];
+  };
+
+  const axis = makeAxis({
+    title: "Largest displacement",
+    unit: unit.name,
+    domain: log ? [low, high] : [0, high],
+    log,
+    count: 6,
+    inset: 6,
+  });
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(300, Math.min(440, width * 0.55)),
+      margins: [28, 16, 48, 62],
+      x: { label: "Strength reduction factor SRF", ticks: width < 480 ? 5 : 8, inset: 6 },
+      y: { ...axis, domain: undefined, label: titleWithUnit("Largest displacement", unit.name) },
+      marks: visible.map(({ points, style }) => {
+        const place = { x: "x", y: "y", stroke: style.colour };
+        return [
+          Plot.line(points, { ...place, strokeWidth: 1.5, strokeDasharray: style.dash }),
+          Plot.dot(points, { ...place, symbol: style.symbol, r: 2.8, fill: "var(--ground)" }),
+        ];
+      }),
+    });
+
+  return (
+    <figure aria-label="Displacement curves of the variants" class="chart-figure">
+      <div class="chart-head">
+        <h4>Displacement curves of the variants</h4>
+        <CsvButton part="study-curves" what="curves" columns={columns} />
+      </div>
+      <div class="chart-bar">
+        <AxisChoice label="Axis of displacement" value={scale} onChange={setScale} />
+      </div>
+      <Legend
+        markers
+        hidden={hidden}
+        onToggle={toggle}
+        items={curves.map((c) => ({ id: c.name, title: c.name, style: c.style }))}
+      />
+      <Chart
+        label="Displacement curves of the variants"
+        draw={draw}
+        depends={[study, scale, hidden]}
+        stops={stops}
+        hint="Point at a factor to read all curves."
+        read={(i) => {
+          const here = visible.flatMap((c) => {
+            const p = c.points.find((q) => q.x === stops[i]);
+            return p ? [{ c, p }] : [];
+          });
+          const values = here.map(({ c, p }) => `${c.name} ${formatQuantity(p.y, unit.name)}`);
+          return {
+            text: `SRF ${formatNumber(stops[i], 5)}: ${values.join(", ")}`,
+            marks: here.map(({ c, p }) => ({ value: p.y, colour: c.style.colour })),
+          };
+        }}
+      />
     </figure>
   );
 }

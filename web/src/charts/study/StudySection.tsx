@@ -2,19 +2,57 @@
 /** A study: its table, any of its results over a varied key, and the displacement curves of all variants. */
 import { useState } from "preact/hooks";
 
-import { CsvButton } from "../base/Legend";
+import { ChartTable, type Column } from "../../page/DataTable";
 import { TornadoBars } from "../../sampling/TornadoChart";
+import { CsvButton } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
-import { OrderTable } from "./OrderTable";
-import { SectionFigure } from "../sections/SectionCharts";
-import { listSectionsOf } from "../sections/sectionData";
-import { StudyCurves } from "./StudyCurves";
-import { findBars, findNumeric, makeStudyColumns, orderRows } from "./studyData";
+import { listSectionsOf, SectionFigure } from "../sections/SectionCharts";
+import { StudyCurves, StudyPlot } from "./StudyPlot";
 import { StudyExtrapolation } from "./StudyExtrapolation";
 import { StudyMotion } from "./StudyMotion";
 import { StudyPictures } from "./StudyPictures";
-import { StudyPlot } from "./StudyPlot";
-import { shownStudy, type Study } from "./shownStudy";
+import { findBars, findNumeric, makeStudyColumns, shownStudy, takeOrdered, type Study } from "./studyData";
+import { orderValues } from "../base/rows";
+
+function OrderTable({ study }: { study: Study }) {
+  const rows = study.rows.filter((r) => r.motion);
+  const monitors = [...new Set(rows.flatMap((r) => r.motion!.monitors.map((m) => m.name)))];
+  if (rows.length === 0 || monitors.length === 0) return null;
+  const onset = (row: (typeof rows)[number], name: string) =>
+    row.motion!.monitors.find((m) => m.name === name)?.onset ?? null;
+  return (
+    <figure aria-label="Order of movement" class="chart-figure">
+      <div class="chart-head">
+        <h4>Order of movement</h4>
+        <CsvButton
+          part="study-onsets"
+          what="onsets"
+          columns={() => [
+            { name: "variant", values: rows.map((r) => r.name) },
+            ...monitors.map((name) => ({ name, unit: "s", values: rows.map((r) => onset(r, name)) })),
+            { name: "pattern", values: rows.map((r) => r.motion!.pattern) },
+          ]}
+        />
+      </div>
+      <ChartTable
+        label="When the monitored points began to move"
+        rows={rows}
+        columns={[
+          ["Variant", (r) => r.name, "name"],
+          ...monitors.map((name): Column<(typeof rows)[number]> => [
+            `${name} [s]`,
+            (r) => {
+              const time = onset(r, name);
+              return time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3);
+            },
+            "number",
+          ]),
+          ["In words", (r) => r.motion!.sentence],
+        ]}
+      />
+    </figure>
+  );
+}
 
 export function StudySection() {
   const study = shownStudy.value;
@@ -82,7 +120,8 @@ const repeated = new Set(["variant", "result"]);
 
 function StudyTable({ study }: { study: Study }) {
   const [sort, setSort] = useState<{ by: number | null; down: boolean }>({ by: null, down: false });
-  const order = orderRows(sort.by === null ? null : study.columns[sort.by]!, study.rows.length, sort.down);
+  const order =
+    sort.by === null ? [...study.rows.keys()] : orderValues(takeOrdered(study.columns[sort.by]!), sort.down);
   const columns = study.columns.map((c, i) => ({ c, i })).filter(({ c }) => !repeated.has(c.name));
   const varied = study.vary.map((v) => v.key);
   const isNumeric = study.columns.map((c) => c.values.some((v) => v !== null));

@@ -2,67 +2,89 @@
 /** Soil water: retention and conductivity of each soil, and the conditions at the boundary that change with time. */
 import * as Plot from "@observablehq/plot";
 
-import type { HydraulicCondition, MaterialRow, SoilWater } from "../../contract";
+import type { HydraulicCondition, MaterialRow, SoilWater, Unit } from "../../contract";
 import { SymbolText } from "../../page/DataTable";
 import { writeCondition } from "../../page/format";
 import { report } from "../../state";
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton } from "../base/Legend";
+import { layOut, makeAxis } from "../base/axes";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
-import { chooseTimeUnit, findChanging, makeCurves, type SoilWaterCurve, toUnit } from "./soilWaterData";
 
-const margins = { marginLeft: 58, marginRight: 14, marginTop: 26, marginBottom: 44 };
+interface SoilWaterCurve {
+  title: string;
+  unit: string;
+  log: boolean;
+  values: number[];
+  domain: [number, number];
+}
+
+/** S and k over suction; k is absent where no saturated conductivity is known. */
+export function makeCurves(water: SoilWater, speed: Unit): SoilWaterCurve[] {
+  const { saturation } = water.curves;
+  const conductivity = toUnit(water.curves.conductivity, speed);
+  const curves: SoilWaterCurve[] = [
+    { title: "Degree of saturation S", unit: "-", log: false, values: saturation, domain: [0, 1] },
+  ];
+  const largest = Math.max(...conductivity);
+  if (conductivity.length === 0 || !(largest > 0)) return curves;
+  // Below a billionth of the saturated conductivity the flow is negligible.
+  const low = Math.max(Math.min(...conductivity), 1e-9 * largest);
+  const domain: [number, number] = [
+    10 ** Math.floor(Math.log10(low / 1.5)),
+    10 ** Math.ceil(Math.log10(largest * 1.5)),
+  ];
+  return [...curves, { title: "Conductivity k", unit: speed.name, log: true, values: conductivity, domain }];
+}
+
+const toUnit = (values: readonly number[], unit: Unit): number[] => values.map((v) => v / unit.si);
+
+/** A unit of time in which a span is read well. */
+export function chooseTimeUnit(span: number): Unit {
+  if (span >= 5 * 86400) return { name: "d", si: 86400 };
+  if (span >= 2 * 3600) return { name: "h", si: 3600 };
+  return span >= 300 ? { name: "min", si: 60 } : { name: "s", si: 1 };
+}
+
+/** Conditions whose value changes with time: a constant needs no chart. */
+export function findChanging(conditions: readonly HydraulicCondition[]): HydraulicCondition[] {
+  return conditions.filter((c) => c.series && new Set(c.series.values).size > 1);
+}
+
+const margins: [number, number, number, number] = [26, 14, 44, 58];
 
 function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurve; water: SoilWater }) {
   const { stress } = report.value.units;
   const suction = toUnit(water.curves.suction, stress);
   const most = water.curves.largest_suction === null ? null : water.curves.largest_suction / stress.si;
   const domain: [number, number] = [suction[0] ?? 1, suction.at(-1) ?? 10];
-  const draw = (): Plot.PlotOptions => {
-    const ticks = curve.log ? findLogTicks(curve.domain, 5) : 5;
-    return {
+  const draw = () =>
+    layOut({
       height: 210,
-      ...margins,
-      x: {
-        type: "log",
-        domain,
-        label: titleWithUnit("Suction s", stress.name),
-        ...centred,
-        ticks: findLogTicks(domain, 6),
-        tickFormat: formatLogTick,
-      },
-      y: {
-        type: curve.log ? "log" : "linear",
-        domain: curve.domain,
-        label: titleWithUnit(curve.title, curve.unit),
-        labelArrow: "none",
-        ticks,
-        tickFormat: curve.log ? formatLogTick : undefined,
-      },
+      margins,
+      x: makeAxis({ title: "Suction s", unit: stress.name, domain, log: true, count: 6 }),
+      y: makeAxis({ title: curve.title, unit: curve.unit, domain: curve.domain, log: curve.log }),
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
-        most === null ?
-          []
-        : [
-            Plot.ruleX([most], { stroke: "var(--muted)", strokeDasharray: "3 3" }),
-            Plot.text([most], {
-              x: (d: number) => d,
-              text: () => "largest in the model",
-              frameAnchor: "bottom",
-              textAnchor: "end",
-              dx: -5,
-              dy: -4,
-              fill: "var(--muted)",
-            }),
-          ],
+        most === null
+          ? []
+          : [
+              Plot.ruleX([most], { stroke: "var(--muted)", strokeDasharray: "3 3" }),
+              Plot.text([most], {
+                x: (d: number) => d,
+                text: () => "largest in the model",
+                frameAnchor: "bottom",
+                textAnchor: "end",
+                dx: -5,
+                dy: -4,
+                fill: "var(--muted)",
+              }),
+            ],
         Plot.line(
           suction.map((s, i) => [s, curve.values[i] ?? Number.NaN]),
           { stroke: "var(--series-1)", strokeWidth: 1.8, clip: true },
         ),
       ],
-    };
-  };
+    });
   return (
     <Chart
       label={`${name}: ${curve.title.toLowerCase()} over suction`}
@@ -70,7 +92,6 @@ function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurv
       depends={[curve, water]}
       stops={suction}
       printWidth={320}
-      showReading
       hint="Point at the curve to read it."
       read={(i) => ({
         text: `s = ${formatQuantity(suction[i], stress.name)}: ${formatQuantity(curve.values[i], curve.unit)}`,
@@ -128,33 +149,26 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
   const title = `${condition.on}: ${series.title}`;
   const fromZero = condition.condition === "rain" || condition.condition === "flux";
   const domain: [number, number] = fromZero ? [low, high * 1.05] : padded(Math.min(...series.values), high);
-  const axis = describeAxis(domain[0], domain[1], 5);
   const formatTime = (i: number) => formatQuantity(time[i], unit.name);
-  const draw = (): Plot.PlotOptions => ({
-    height: 190,
-    ...margins,
-    x: { label: titleWithUnit("Time", unit.name), ...centred, ticks: 6 },
-    y: {
-      domain,
-      label: titleWithPower(title, series.unit.name, axis.power),
-      labelArrow: "none",
-      ticks: 5,
-      tickFormat: axis.format,
-    },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      fromZero ?
-        Plot.areaY(
+  const draw = () =>
+    layOut({
+      height: 190,
+      margins,
+      x: { label: titleWithUnit("Time", unit.name), ticks: 6 },
+      y: makeAxis({ title, unit: series.unit.name, domain }),
+      marks: [
+        fromZero
+          ? Plot.areaY(
+              time.map((t, i) => [t, series.values[i]!]),
+              { x: "0", y: "1", fill: "var(--series-1)", fillOpacity: 0.18 },
+            )
+          : [],
+        Plot.line(
           time.map((t, i) => [t, series.values[i]!]),
-          { x: "0", y: "1", fill: "var(--series-1)", fillOpacity: 0.18 },
-        )
-      : [],
-      Plot.line(
-        time.map((t, i) => [t, series.values[i]!]),
-        { stroke: "var(--series-1)", strokeWidth: 1.8 },
-      ),
-    ],
-  });
+          { stroke: "var(--series-1)", strokeWidth: 1.8 },
+        ),
+      ],
+    });
   return (
     <Chart
       label={`${title} over time`}
@@ -162,7 +176,6 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
       depends={[condition]}
       stops={time}
       printWidth={320}
-      showReading
       hint={`${title}.`}
       read={(i) => ({
         text: `${title} at ${formatTime(i)}: ${writeCondition(condition, series.values[i]!)}`,

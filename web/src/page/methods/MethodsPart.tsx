@@ -4,12 +4,11 @@ import katex from "katex";
 import { useMemo } from "preact/hooks";
 
 import { report } from "../../state";
-import { CopyButton } from "../CopyButton";
-import { Lazy } from "../Lazy";
-import { Part } from "../Part";
-import { Scroller } from "../Scroller";
-import { writeMethods, type Paragraph, type Piece } from "./paragraphs";
+import { CopyButton, Lazy, Part } from "../Part";
+import { Scroller } from "../DataTable";
+import { writeMethods, type Paragraph } from "./paragraphs";
 import { writePlainMethods, writeTexMethods } from "./plainText";
+import type { Piece } from "./writer";
 
 /** MathML only: browsers draw it with the fonts that are there. */
 function Formula({ tex, display }: { tex: string; display?: boolean }) {

@@ -25,14 +25,6 @@ const make = (methods: MethodParagraph[], dimension: 2 | 3 = 2) =>
   writeMethods({ methods, result: { input }, model: { dimension } } as unknown as Report);
 
 describe("writeMethods", () => {
-  it("has a paragraph for every method of the contract", () => {
-    expect(
-      make(allMethods)
-        .paragraphs.map((paragraph) => paragraph.method)
-        .sort(),
-    ).toEqual([...allMethods].sort());
-  });
-
   it("describes the extrapolation of the frozen factor and its interval", () => {
     const write = (frozen: InputTable, dimension = 2) => {
       const used = { ...input, strength_reduction: { frozen } };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The methods section as text for an engineer's own report: plain characters, or LaTeX. */
-import type { Paragraph, Piece } from "./paragraphs";
+import type { Paragraph } from "./paragraphs";
+import type { Piece } from "./writer";
 
 const signs: { [command: string]: string } = {
   alpha: "α",

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** Settings of this calculation that the methods section quotes; looked up in the input echo. */
-import { isValue, type InputNode } from "../inputRows";
-import type { InputTable } from "../../contract";
+/** Settings of this calculation, looked up in the input echo: those that the methods section quotes, and the selected methods. */
+import { findMethods } from "../../compared/methodTable";
+import type { InputTable, Method, Report } from "../../contract";
+import { type InputNode, isValue } from "../inputRows";
 
 /** The value at a path such as "strength_reduction.frozen.damping", or undefined. */
 export function findSetting(input: InputTable, path: string): unknown {
@@ -83,4 +84,11 @@ export function isOnAnywhere(input: InputTable, key: string): boolean | undefine
   const values = listCalculations(input).map(({ table }) => findSetting(table, key));
   const known = values.filter((value) => typeof value === "boolean" || typeof value === "number");
   return known.length === 0 ? undefined : known.some(Boolean);
+}
+
+/** A report that names none is one of material points. */
+export function selectsMethod(report: Report, method: Method): boolean {
+  const given = findSetting(report.result.input, "analysis.methods");
+  const asked = findMethods(report)?.asked ?? (Array.isArray(given) ? given : []);
+  return asked.length > 0 ? asked.includes(method) : method === "mpm";
 }

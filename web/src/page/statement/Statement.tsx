@@ -3,16 +3,13 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../../state";
-import { selectsMethod } from "../selected";
+import { selectsMethod } from "../methods/settings";
 import { formatSentence } from "../format";
 import { Part } from "../Part";
 import { WarningList } from "../Warnings";
-import { GeometryTables } from "./GeometryTables";
-import { MaterialTable } from "./MaterialTable";
-import { ResultTables } from "./ResultTables";
-import { StageTable } from "./StageTable";
-import { SupportTables } from "./SupportTables";
-import { TitleBlock } from "./TitleBlock";
+import { GeometryTables, MaterialTable } from "./ModelTables";
+import { ResultTables, StageTable, SupportTables } from "./RunTables";
+import { TitleBlock } from "../TitleLine";
 import { WaterResults, WaterTables } from "./WaterTables";
 
 /** Two are side by side where they fit, unless one needs the whole width. */
