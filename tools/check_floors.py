@@ -42,6 +42,7 @@ ORDER = {
     "fem": ["", "seepage", "solid"],
     "bounds": ["conic", ""],
     "input": ["language", "case", ""],
+    "report": ["folder", "pack", "content", "words", ""],
 }
 LONGEST = 500
 # file → why it may be longer

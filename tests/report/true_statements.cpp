@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "report/folder/numbers.hpp"
 #include "report/report.hpp"
-#include "report/words/numbers.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/user_file.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 

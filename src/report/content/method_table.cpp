@@ -11,7 +11,7 @@
 
 #include "base/units.hpp"
 #include "report/content/choices.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/governing.hpp"
 
 namespace talus::report {

@@ -19,7 +19,7 @@
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::report {

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "report/content/water_states.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {

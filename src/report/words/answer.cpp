@@ -11,7 +11,7 @@
 #include "report/content/choices.hpp"
 #include "report/content/method_table.hpp"
 #include "report/content/water.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "report/words/water_words.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"

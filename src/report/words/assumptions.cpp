@@ -10,7 +10,7 @@
 #include "report/content/choices.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "report/words/water_words.hpp"
 
 namespace talus::report {
