@@ -95,7 +95,7 @@ def study(
         when jobs end; when it stops the study, jobs under way come to their end. Jobs whose workers were lost are
         given to others if the executor goes on. If it does not, Interrupted is raised: what has ended is kept, and
         `resume=True` with another executor calculates the rest, and repeats jobs with failures.
-    jobs: how many; by default one for each run, or for a thousand samples by slices.
+    jobs: how many; by default one for each run, or for a thousand samples by LEM.
 
     A variant that fails does not stop the others; when all have ended an Error says which failed and why, and
     `talus.Study(folder)` has the table and the results of those that finished. All else as for `talus.run`.
