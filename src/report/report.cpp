@@ -98,6 +98,7 @@ json make_common(const ResultFolder& folder, Packer& packer) {
                   {"flow", report::to_json(units.flow(get_dimension(run)))},
                   {"speed", report::to_json(units.speed())}}},
                 {"model", make_model(folder, results::find_main_factor(run), packer)},
+                {"method_titles", list_method_titles()},
                 {"sequences", json::array()},
                 {"tables", json::array()},
                 {"assumptions", list_assumptions(folder)},

@@ -3,11 +3,11 @@
 import type { MethodComparison, MethodRow, Report } from "../contract";
 import { roundDown, roundUp } from "../page/format";
 
-/** Undefined for material points alone. */
+/** Undefined for MPM alone. */
 export const findMethods = (report: Report): MethodComparison | undefined =>
   report.methods_read && report.result.methods;
 
-/** Intervals of limit analysis and finite elements are rounded outward. */
+/** Intervals of limit analysis and FEM are rounded outward. */
 export function listRows({ table }: MethodComparison): MethodRow[] {
   const isOutward = ({ method }: MethodRow) => method === "bounds" || method === "fem";
   return table.map((row) =>

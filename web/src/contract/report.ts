@@ -13,7 +13,7 @@ import type { ElementsDrawn } from "./elements";
 import type { InputTable } from "./input";
 import type { MethodsRead } from "./methods";
 import type { Model } from "./model";
-import type { Calibration, PointTests, RunResult, StudyResult, Unit } from "./results";
+import type { Calibration, Method, PointTests, RunResult, StudyResult, Unit } from "./results";
 import type { Section, Sequence, Table } from "./run";
 import type { Slices } from "./slices";
 import type { StudyShown } from "./study";
@@ -48,6 +48,8 @@ export interface ReportDocument {
     flow: Unit;
     speed: Unit;
   };
+  /** Titles of the methods as headings: "LEM", "Limit analysis". */
+  method_titles: Record<Method, string>;
   answer: Answer;
   warnings: string[];
   model: Model;

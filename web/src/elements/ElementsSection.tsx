@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
+/** Strength reduction by FEM: factors by both criteria, the picture at failure, the trials. */
 import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
@@ -21,7 +21,7 @@ function describeAngles(psi: number[]): string {
 function FactorRows({ runs }: { runs: FlowRun[] }) {
   return (
     <ChartTable
-      label="Factors of safety by finite elements"
+      label="Factors of safety by FEM"
       class="elements-factors"
       head={["Flow", ...numbers("ψ", "F, non-convergence", "between", "F, sharp rise of displacement")]}
     >
@@ -46,7 +46,7 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
 function NotDrawn({ element }: { element: string }) {
   return (
     <p>
-      {element === "T10" ? "Finite elements in three dimensions are" : "The finite elements of this run are"} not drawn
+      {element === "T10" ? "Elements in three dimensions are" : "The elements of this run are"} not drawn
       here; ParaView shows them from <code>fem.vtu</code> in the results folder.
     </p>
   );
@@ -62,7 +62,7 @@ export function ElementsSection() {
   const warnings = [...new Set(runs.flatMap((r) => r.warnings))];
   return (
     <section class="chart-section" aria-labelledby="chart-elements-title">
-      <h3 id="chart-elements-title">Finite elements</h3>
+      <h3 id="chart-elements-title">Finite elements (FEM)</h3>
       {elements.elements > 0 && (
         <p>
           {formatNumber(elements.elements, 6)}{" "}

@@ -32,7 +32,7 @@ export function TrialTable({ runs }: { runs: FlowRun[] }) {
           {rows.length} trials, {rows.filter(({ trial }) => trial.converged).length} of them in equilibrium
         </summary>
         <ChartTable
-          label="Trials of the strength reduction by finite elements"
+          label="Trials of the strength reduction by FEM"
           head={[
             several && "Flow",
             ...numbers("F"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The strength reductions of the finite elements, with what their figures and tables add to the results. */
+/** The strength reductions by FEM, with what their figures and tables add to the results. */
 import { computed } from "@preact/signals";
 
 import { report } from "../state";

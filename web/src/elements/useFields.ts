@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Decodes mesh and fields of the finite elements. */
+/** Decodes mesh and fields of FEM. */
 import { useEffect, useState } from "preact/hooks";
 
 import { load, loadIntegers, loadPlaces, report } from "../state";

@@ -2,7 +2,7 @@
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { findMethods } from "../compared/methodTable";
 import { report } from "../state";
-import { FactorTable, methodNames } from "./FactorTable";
+import { FactorTable, getMethodTitle } from "./FactorTable";
 import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
 import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
@@ -28,7 +28,7 @@ const describeFailure = () =>
   : report.value.timeline ? "the slope fails in this time"
   : "the slope fails as it stands";
 
-/** Proven interval of a factor. */
+/** Interval of limit analysis. */
 function Interval({ factor }: { factor: Factor }) {
   const { lower, upper } = checkInterval(factor);
   return (
@@ -58,7 +58,7 @@ function ProvenInterval({ factor }: { factor: Factor }) {
 function MethodValue({ factor }: { factor: Factor }) {
   return (
     <div>
-      <dt>{methodNames[factor.method]}</dt>
+      <dt>{getMethodTitle(factor.method)}</dt>
       <dd>
         {factor.value === null ? (
           <Interval factor={factor} />
@@ -76,10 +76,10 @@ function MethodValue({ factor }: { factor: Factor }) {
 function Referee({ factor }: { factor: Factor }) {
   const { method, lower, upper } = factor;
   if (method !== "lem" || (lower ?? upper) === null) return null;
-  return <span class="criterion">proven: {formatInterval(checkInterval(factor))}</span>;
+  return <span class="criterion">limit analysis: {formatInterval(checkInterval(factor))}</span>;
 }
 
-/** Factors side by side with several methods. The proven interval comes last, unless it governs. */
+/** Factors side by side with several methods. The interval of limit analysis comes last, unless it governs. */
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
@@ -110,7 +110,7 @@ function MainFactor({ factor }: { factor: Factor }) {
         <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
         {(factor.lower ?? factor.upper) !== null && (
           <span class="bracket">
-            {factor.method === "lem" && "proven: "}
+            {factor.method === "lem" && "limit analysis: "}
             {formatInterval(checkInterval(factor))}
           </span>
         )}

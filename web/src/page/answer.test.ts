@@ -45,7 +45,7 @@ describe("the short table", () => {
     expect(shown.length + folded.length).toBe(factors.length);
   });
 
-  it("has all of material points alone", () => {
+  it("has all of MPM alone", () => {
     const own = factors.filter((f) => f.method === "mpm");
     expect(splitFactors(own)).toEqual({ shown: own, folded: [] });
   });

@@ -19,7 +19,7 @@ import {
   splitSentences,
 } from "./format";
 
-describe("ends of proven intervals", () => {
+describe("ends of the intervals of limit analysis", () => {
   it("are rounded outward", () => {
     expect([1.2349, 1.235, null].map(roundDown)).toEqual([1.234, 1.235, null]);
     expect([1.2341, 1.235, null].map(roundUp)).toEqual([1.235, 1.235, null]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Initial state of the viewer with slip surfaces of other methods over the material points. */
+/** Initial state of the viewer with slip surfaces of other methods over the points of MPM. */
 import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/curve/rest";
 import { findMethods } from "../compared/methodTable";
@@ -8,8 +8,8 @@ import { fieldName, frameIndex, sequenceIndex } from "../state";
 import { limitMode } from "../viewer/settings";
 
 /**
- * The trial of the displacement curve that shows the mechanism: of those above the main factor of the material points
- * the first that does not come to rest, else the first. Null for material points alone, and without such a trial.
+ * The trial of the displacement curve that shows the mechanism: of those above the main factor of MPM
+ * the first that does not come to rest, else the first. Null for MPM alone, and without such a trial.
  */
 export function findMechanism(report: Report): { sequence: number; frame: number } | null {
   if (!findMethods(report)?.surfaces.some((s) => s.method !== "mpm")) return null;

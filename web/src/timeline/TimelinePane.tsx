@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The first figure of a run with a timeline: the factor of safety and the rain with the section at the chosen time, or
- * the material points. */
+ * the points of MPM. */
 import { Choice } from "../charts/base/Legend";
 import { report } from "../state";
 import { Viewer } from "../viewer/Viewer";
@@ -10,7 +10,7 @@ import { MomentFigure } from "./MomentFigure";
 import "./timeline.css";
 import { shownTimeline, type ShownTimeline } from "./shownTimeline";
 
-const titles: Record<FirstFigure, string> = { motion: "material points", time: "factor in time" };
+const titles: Record<FirstFigure, string> = { motion: "MPM", time: "factor in time" };
 
 export function TimelinePane() {
   const { sequences } = report.value;

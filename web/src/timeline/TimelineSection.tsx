@@ -14,9 +14,9 @@ function Releases({ releases }: { releases: ShownRelease[] }) {
   const length = (x: number) => formatQuantity(x, units.displacement);
   return (
     <ChartTable
-      label="Material points take over"
+      label="Start of MPM"
       class="timeline-releases"
-      head={["Material points take over", ...numbers("F"), "Start", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
+      head={["Start of MPM", ...numbers("F"), "Start", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
     >
       {releases.map((r) => (
         <tr key={r.time}>
@@ -88,7 +88,7 @@ export function TimelineSection() {
             <th scope="row">{e.title}</th>
             <td class="number">{e.runs.length > 0 ? e.runs.map((r) => formatFactor(r.factor)).join("; ") : "none"}</td>
             <td>
-              Finite elements
+              FEM
               {e.runs.length > 0 && `, ${e.runs.map((r) => (r.flow === "associated" ? "ψ = φ" : "ψ as given")).join("; ")}`}
               {e.error && `: ${e.error}`} ({e.folder})
             </td>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Slip surfaces that slices and finite elements found, to be laid over the points. */
+/** Slip surfaces that LEM and FEM found, to be laid over the points. */
 import { listSurfaces, type NamedSurface } from "../compared/surfaces";
 import { chosenSurfaces } from "./settings";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Paragraph on proven bounds. */
+/** Paragraph on limit analysis. */
 import type { Writer } from "./writer";
 
 export const writeLimitAnalysis: Writer = () => [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Paragraphs on finite elements. */
+/** Paragraphs on FEM. */
 import { quoteNumber } from "./settings";
 import type { Writer } from "./writer";
 
@@ -40,7 +40,7 @@ export const writeElementReduction: Writer = ({ result: { input, fem } }) => {
     {
       text:
         (both
-          ? "This was done with the dilatancy angle as given and with $\\psi=\\varphi$, which slices and limit analysis assume in effect. "
+          ? "This was done with the dilatancy angle as given and with $\\psi=\\varphi$, which LEM and limit analysis assume in effect. "
           : "") +
         "The slip surface is the ridge of the shear strain between the moving mass and the rest, at the smallest " +
         "factor without equilibrium.",

@@ -42,7 +42,7 @@ import type { Writer } from "./writer";
 import type { MethodParagraph, Report } from "../../contract";
 
 const writers: { method: MethodParagraph; title: string; write: Writer }[] = [
-  { method: "limit_equilibrium", title: "Methods of slices", write: writeLimitEquilibrium },
+  { method: "limit_equilibrium", title: "Limit equilibrium (methods of slices)", write: writeLimitEquilibrium },
   { method: "fellenius", title: "Fellenius", write: writeFellenius },
   { method: "bishop", title: "Bishop", write: writeBishop },
   { method: "janbu", title: "Janbu", write: writeJanbu },
@@ -52,8 +52,8 @@ const writers: { method: MethodParagraph; title: string; write: Writer }[] = [
   { method: "slip_search", title: "Search for the critical surface", write: writeSlipSearch },
   { method: "rapid_drawdown", title: "Rapid drawdown", write: writeRapidDrawdown },
   { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },
-  { method: "finite_elements", title: "Finite elements", write: writeFiniteElements },
-  { method: "finite_element_reduction", title: "Strength reduction by finite elements", write: writeElementReduction },
+  { method: "finite_elements", title: "Finite elements (FEM)", write: writeFiniteElements },
+  { method: "finite_element_reduction", title: "Strength reduction by FEM", write: writeElementReduction },
   { method: "limit_analysis", title: "Limit analysis", write: writeLimitAnalysis },
   { method: "sampling", title: "Uncertain numbers", write: writeSampling },
   { method: "partial_factors", title: "Partial factors", write: writePartialFactors },

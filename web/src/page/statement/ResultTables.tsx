@@ -2,7 +2,7 @@
 /** Factors of safety with their spread, and every other number of the results. */
 import { report } from "../../state";
 import { DataTable, numbers } from "../DataTable";
-import { describeDrainage, methodNames } from "../FactorTable";
+import { describeDrainage, getMethodTitle } from "../FactorTable";
 import { formatFactor, formatNumber, formatQuantity, formatSentence } from "../format";
 import type { Factor } from "../../contract";
 
@@ -29,7 +29,7 @@ function FactorRows({ factors }: { factors: Factor[] }) {
     >
       {factors.map((factor) => (
         <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
-          <td>{methodNames[factor.method]}</td>
+          <td>{getMethodTitle(factor.method)}</td>
           <th scope="row">
             {factor.title}
             {factor.main && <span class="note"> (the answer)</span>}
