@@ -159,7 +159,7 @@ struct ElementFile {
 template <class V, As<ElementFile> R>
 void describe(V& v, R& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "finite elements"});
+  v.key("summary", r.summary, {"", "FEM"});
   describe(v, r.mesh);
 }
 

@@ -301,8 +301,8 @@ inline ShownUnits read_units(const RunResult& run) {
 }
 
 /// Returns the main factor of the run: the smallest of the factors of LEM, FEM and MPM, each selected by the rules of
-/// results/governing.hpp, of the factors of a timeline, and of a proven upper bound. With limit analysis alone it is
-/// the lower bound. Returns nullopt if no method found a factor.
+/// results/governing.hpp, of the factors of a timeline, and of the upper bound of limit analysis. With limit analysis
+/// alone it is the lower bound. Returns nullopt if no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>
@@ -318,15 +318,15 @@ void describe(V& v, R& r) {
   v.maybe("error", r.error, {"", "why it did not finish"});
   v.key("warnings", r.warnings, {"", "what must be known before the results are used"});
   v.maybe("slope_height", r.slope_height, {"m", "height of the slope"});
-  v.maybe("lem", r.slices, {"", "slices"});
-  v.maybe("fem", r.elements, {"", "finite elements"});
-  v.maybe("bounds", r.bounds, {"", "proven bounds"});
+  v.maybe("lem", r.slices, {"", "limit equilibrium (LEM)"});
+  v.maybe("fem", r.elements, {"", "strength reduction by FEM"});
+  v.maybe("bounds", r.bounds, {"", "limit analysis"});
   v.maybe("timeline", r.timeline, {"", "the factor of safety in time"});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});
-  v.maybe("stress_start", r.stress_start, {"", "finite elements whose stress material points began with"});
-  v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety of the material points"});
+  v.maybe("stress_start", r.stress_start, {"", "FEM equilibrium that gave the initial stress of MPM"});
+  v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety by MPM"});
   v.maybe("curve", r.curve, {"", "displacement over the strength reduction factor"});
   v.maybe("runouts", r.runouts, {"", "trials that went on until rest"});
   v.maybe("runout", r.runout, {"", "how far the soil ran"});

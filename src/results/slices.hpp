@@ -314,7 +314,7 @@ struct SliceFile {
 template <class V, As<SliceFile> R>
 void describe(V& v, R& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "slices"});
+  v.key("summary", r.summary, {"", "limit equilibrium"});
   v.merge("trials", r.trials);
 }
 

@@ -138,7 +138,7 @@ class CaseRun {
     if (data.earthquake.list_directions().size() > 1) notes.push_back(choose_direction(own->earthquake, data));
     if constexpr (D == 2) {
       if (data.initial.stress == input::InitialStress::elements) {
-        if (options_.progress) options_.progress->show("finite elements: stress at the start");
+        if (options_.progress) options_.progress->show("FEM: initial stress");
         own->initial.known_stress = find_start_stress(*own, options_.threads, run.stress_start.emplace());
       }
     }
@@ -152,14 +152,14 @@ class CaseRun {
     const auto weaker = find_weaker_direction(data, options_.threads);
     if (options_.progress) options_.progress->clear();
     if (!weaker)
-      return "Material points follow the earthquake towards the lower end of the ground, or towards larger x where "
+      return "MPM takes the earthquake towards the lower end of the ground, or towards larger x where "
              "both ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' "
              "under "
              "[earthquake].";
     quake.direction = *weaker;
     quake.horizontal = std::abs(quake.horizontal);
     return fmt::format(
-        "Material points follow the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
+        "MPM takes the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
         "other one with 'direction' under [earthquake].",
         *weaker == input::EarthquakeDirection::left ? "smaller" : "larger");
   }
@@ -321,7 +321,7 @@ class CaseRun {
     if (timeline_) timeline_->forget();
   }
 
-  /// Compares FEM with ψ = φ with the proven interval, if both have the same tensile strength.
+  /// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength.
   void judge_elements() {
     const input::Case& data = design_.data;
     if (!run_.elements || !run_.bounds || !run_.bounds->is_interval() || run_.bounds->is_davis ||
@@ -360,8 +360,8 @@ class CaseRun {
   std::vector<results::TimedPart> list_parts() const {
     std::vector<results::TimedPart> parts;
     if (run_.slices) parts.push_back({"lem", "limit equilibrium", run_.slices->seconds});
-    if (run_.elements) parts.push_back({"fem", "finite elements", run_.elements->seconds.value_or(0)});
-    if (run_.bounds) parts.push_back({"bounds", "proven bounds", run_.bounds->seconds.value_or(0)});
+    if (run_.elements) parts.push_back({"fem", "FEM", run_.elements->seconds.value_or(0)});
+    if (run_.bounds) parts.push_back({"bounds", "limit analysis", run_.bounds->seconds.value_or(0)});
     return parts;
   }
 

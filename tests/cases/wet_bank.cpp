@@ -60,7 +60,7 @@ TEST_F(WetBank, SteadySeepageIsUnchangedWhenTheSoilIsReleased) {
   const output::HistoryTable history = output::read_history(folder_ / "history.csv");
   const double flow = summary.at("seepage").at("inflow");
   EXPECT_GT(flow, 1e-4);
-  EXPECT_NEAR(sum_last(history, ".inflow"), flow, 0.1 * flow) << "finite elements and material points";
+  EXPECT_NEAR(sum_last(history, ".inflow"), flow, 0.1 * flow) << "steady seepage and MPM";
   EXPECT_NEAR(sum_last(history, ".outflow"), flow, 0.1 * flow);
 
   const output::ResultsReader frames(folder_);

@@ -94,7 +94,7 @@ class Reduction {
       factor *= 0.5;
     }
     throw Error(ExitCode::wrong_input,
-                fmt::format("finite elements do not converge even with the strength multiplied by {:g}: check weights, "
+                fmt::format("FEM does not converge even with the strength multiplied by {:g}: check weights, "
                             "supports and pore pressures",
                             1 / options_.smallest));
   }

@@ -304,10 +304,9 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
       if (!fixed[d]) node.unknown[d] = unknowns++;
   }
   if (!supported)
-    throw Error(ExitCode::wrong_input,
-                "no side of the soil is held: finite elements need a support to find equilibrium");
+    throw Error(ExitCode::wrong_input, "no side of the soil is fixed: FEM needs a support for equilibrium");
   if (unknowns == 0)
-    throw Error(ExitCode::wrong_input, "every node of the soil is held: finite elements have nothing to find");
+    throw Error(ExitCode::wrong_input, "every node of the soil is fixed: FEM has no unknown displacement");
 
   gradients.resize(mesh.elements.size());
   pore.assign(mesh.elements.size(), {});

@@ -62,10 +62,10 @@ inline constexpr auto choices<AnalysisKind> = std::array{
 
 template <>
 inline constexpr auto choices<Method> = std::array{
-    Choice{Method::lem, "lem", "limit equilibrium: slices, see [lem]"},
-    Choice{Method::fem, "fem", "finite elements with reduced strength, see [fem]"},
-    Choice{Method::bounds, "bounds", "proven bounds by limit analysis, see [bounds]"},
-    Choice{Method::mpm, "mpm", "material points: what `kind` says"},
+    Choice{Method::lem, "lem", "limit equilibrium (methods of slices), see [lem]"},
+    Choice{Method::fem, "fem", "strength reduction by finite elements, see [fem]"},
+    Choice{Method::bounds, "bounds", "lower and upper bound by limit analysis, see [bounds]"},
+    Choice{Method::mpm, "mpm", "material point method, for the `kind` of analysis"},
 };
 
 struct AnalysisBlock {
@@ -78,8 +78,8 @@ void describe(Visitor& v, AnalysisBlock& a) {
   v.key("methods", a.methods, plain(),
         "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
         "and, with "
-        "slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
-  v.key("kind", a.kind, plain(), "What the material point method calculates.");
+        "\"lem\" alone, no mesh and no stiffness; where such keys are given, they are not used.");
+  v.key("kind", a.kind, plain(), "Analysis by MPM.");
 }
 
 template <class Visitor>

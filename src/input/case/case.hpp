@@ -120,14 +120,15 @@ void describe(Visitor& v, Case& c) {
   v.tables("stage", c.stages, 1, "A period of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
   v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");
-  v.table("strength_reduction", c.strength_reduction, "How the material point method finds the factor of safety.");
-  v.table("lem", c.lem, "Limit equilibrium: the methods of slices, and the search for the critical slip surface.");
+  v.table("strength_reduction", c.strength_reduction, "Factor of safety by MPM.");
+  v.table("lem", c.lem, "Limit equilibrium (LEM): methods of slices, and the search for the critical slip surface.");
   v.table("fem", c.fem,
-          "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
+          "FEM: strength reduction on quadratic elements at small strain. Where there is no [[boundary]] (and no "
           "\"mpm\" among the methods), the bottom of the section is fixed, and its other sides are on rollers.");
-  v.table("bounds", c.bounds,
-          "Proven bounds of the factor of safety for ψ = φ, by limit analysis of a plane section. Where there is no "
-          "[[boundary]], the section is held as for finite elements.");
+  v.table(
+      "bounds", c.bounds,
+      "Limit analysis: lower and upper bound of the factor of safety of a plane section for ψ = φ. Where there is no "
+      "[[boundary]], the section is fixed as for FEM.");
   v.tables("surcharge", c.surcharges, 0,
            "A vertical load on the ground. A vertical [[traction]] on a line of the ground does the same.");
   v.table("earthquake", c.earthquake, "A pseudo-static acceleration.");

@@ -34,8 +34,8 @@ void describe(Visitor& v, Compare& c) {
         "`stage[gravity].displacement`, `mesh.critical_time_step` and so on; `results` in `summary.json` lists all. Of "
         "element tests "
         "`test[NAME].q[0.1]` (at axial strain 0.1), `test[NAME].void_ratio` (at the end), `test[NAME].peak_q`. Of "
-        "slices `lem.spencer` (critical circle), "
-        "`lem.noncircular.spencer`, `lem.surface[NAME].bishop`, `lem.yield_acceleration.spencer`; of finite elements "
+        "LEM `lem.spencer` (critical circle), "
+        "`lem.noncircular.spencer`, `lem.surface[NAME].bishop`, `lem.yield_acceleration.spencer`; of FEM "
         "`fem.factor`, `fem.by_displacement`, `fem.associated.factor`; of one on the surface of another "
         "`lem.handed[fem.band].spencer`.");
   v.key("value", c.value, plain().required().example("1.4"),

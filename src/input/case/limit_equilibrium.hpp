@@ -200,8 +200,8 @@ void describe(Visitor& v, LimitEquilibrium& l) {
   v.key("yield_acceleration", l.yield_acceleration, plain(),
         "Find the horizontal acceleration with factor 1 of the critical surfaces; not with [lem.drawdown].");
   v.key("referee", l.referee, plain(),
-        "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the proven lower "
-        "bound or above the proven upper bound never governs.");
+        "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the lower bound "
+        "or above the upper bound never governs.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
   v.table("tension_crack", l.crack, "A crack at the crest.");

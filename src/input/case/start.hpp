@@ -77,8 +77,7 @@ template <>
 inline constexpr auto choices<InitialStress> = std::array{
     Choice{InitialStress::none, "none", "no stress: the first stage brings the weight on"},
     Choice{InitialStress::k0, "k0", "the weight of the column above, and K0 times it to the sides"},
-    Choice{InitialStress::elements, "elements",
-           "that of finite elements in equilibrium, which begin with the stress of \"k0\""},
+    Choice{InitialStress::elements, "elements", "equilibrium by FEM, which starts from the stress of \"k0\""},
 };
 
 template <class Visitor>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Arrays of LEM, FEM and limit analysis in a report: trial circles, the fields at failure, the fields of proven bounds.
+// Arrays of LEM, FEM and limit analysis in a report: trial circles, the fields at failure, the fields of limit
+// analysis.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -140,8 +140,8 @@ void format_factor(const results::RunResult& run, const std::vector<Factor>& fac
   const auto found = std::find_if(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main; });
   if (found == factors.end()) {
     if (!factors.empty())
-      sentences.push_back(fmt::format("No criterion {}found a factor of safety in the range that was tried.",
-                                      lone ? "" : "of the material points "));
+      sentences.push_back(
+          fmt::format("No criterion {}found a factor of safety in the range that was tried.", lone ? "" : "of MPM "));
     return;
   }
   if (!lone) return;

@@ -169,7 +169,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char *bounds_file = "bounds.json", *bounds_title = "proven bounds";
+constexpr const char *bounds_file = "bounds.json", *bounds_title = "limit analysis";
 
 /// Returns true if a soil has a tensile strength below the apex of its criterion.
 bool has_tension_limit(const bounds::Problem& problem) {

@@ -34,15 +34,15 @@ constexpr double unyielding = 1e9;
 void check_material(const std::string& name, const input::Material& m) {
   if (m.traits().serves_slices) return;
   throw Error(ExitCode::wrong_input,
-              fmt::format("proven bounds need a cohesion and a friction angle, which material '{}' does not have: they "
-                          "take the models {}",
+              fmt::format("limit analysis needs a cohesion and a friction angle, which material '{}' does not have: it "
+                          "takes the models {}",
                           name, material::list_sliceable()));
 }
 
 void check_boundary(const input::Boundary& b) {
   if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
   throw Error(ExitCode::wrong_input,
-              fmt::format("proven bounds have no {}: take \"bounds\" out of [analysis] methods, or let fix of the "
+              fmt::format("limit analysis has no {}: take \"bounds\" out of [analysis] methods, or let fix of the "
                           "boundary '{}' be full or normal",
                           b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
 }
@@ -185,7 +185,7 @@ class ProblemBuilder {
       const auto side = border.find(find_key(load.sides[i]));
       if (side == border.end())
         throw Error(ExitCode::wrong_input,
-                    fmt::format("the traction on '{}' is not on the surface of the soil: proven bounds take loads "
+                    fmt::format("the traction on '{}' is not on the surface of the soil: limit analysis takes loads "
                                 "there only",
                                 load.name));
       for (std::size_t k = 0; k < 2; ++k) {
@@ -230,7 +230,7 @@ class ProblemBuilder {
     if (across < along_axis && along < along_axis)
       throw Error(
           ExitCode::wrong_input,
-          fmt::format("proven bounds can hold '{}' across or along itself only, not along ({:g}, {:g}); use fix "
+          fmt::format("limit analysis can fix '{}' across or along itself only, not along ({:g}, {:g}); use fix "
                       "= \"normal\"",
                       b.on, b.normal[0], b.normal[1]));
     (across > along ? side.holds_normal : side.holds_along) = true;

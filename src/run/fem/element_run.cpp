@@ -132,7 +132,7 @@ constexpr double coarse_ratio = 2;
 /// the size [-].
 constexpr double least_ratio = 1.25;
 
-constexpr const char *element_file = "fem.json", *element_title = "finite elements";
+constexpr const char *element_file = "fem.json", *element_title = "FEM";
 
 std::vector<results::Flow> list_flows(input::FlowRule rule) {
   if (rule == input::FlowRule::as_given) return {results::Flow::as_given};

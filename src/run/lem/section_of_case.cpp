@@ -37,8 +37,8 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
   if (!m.traits().serves_slices)
     throw Error(ExitCode::wrong_input,
-                fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model {}",
-                            name, material::list_sliceable()));
+                fmt::format("material '{}' has no cohesion and friction angle: LEM needs the model {}", name,
+                            material::list_sliceable()));
   if (const auto strength = material::find_slice_strength(m.model, m)) {
     soil.cohesion = strength->cohesion;
     soil.friction_angle = strength->friction_angle;
@@ -209,7 +209,7 @@ void add_tractions(const input::Case& data, lem::Section& section, std::vector<s
       }
     }
     if (!lies_on_ground)
-      notes.push_back(fmt::format("the traction on '{}' is not on the ground: slices leave it out", t.on));
+      notes.push_back(fmt::format("the traction on '{}' is not on the ground: LEM neglects it", t.on));
   }
 }
 
@@ -253,7 +253,7 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
     if (!has_blocks)
       soil.cohesion += m.root_cohesion;
     else
-      notes.push_back(fmt::format("slices take the root cohesion of material '{}' from [[roots]] alone", soil.name));
+      notes.push_back(fmt::format("LEM takes the root cohesion of material '{}' from [[roots]] alone", soil.name));
   }
 }
 
@@ -305,12 +305,10 @@ void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std
 
 SectionOfCase make_section(const input::Case& data) {
   if (data.mesh.dimension != 2)
-    throw Error(
-        ExitCode::wrong_input,
-        "methods of slices need a plane section; take \"lem\" out of [analysis] methods or make the case plane");
-  if (data.mesh.polygons.empty())
     throw Error(ExitCode::wrong_input,
-                "methods of slices need the polygons of [geometry]; a ready mesh alone does not say what lies where");
+                "LEM needs a plane section; take \"lem\" out of [analysis] methods or make the case plane");
+  if (data.mesh.polygons.empty())
+    throw Error(ExitCode::wrong_input, "LEM needs the polygons of [geometry]; a ready mesh is not enough");
   SectionOfCase result;
   lem::Section& section = result.section;
   section.units = data.units();

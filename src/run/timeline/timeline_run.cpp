@@ -147,8 +147,8 @@ struct TimelineRun::Parts {
     if (data.lem.referee) judge_governing_times();
   }
 
-  /// Compares the least factor, and those between which the slope fails, with the proven interval. If limit analysis
-  /// rejects a factor, another time may govern, which is compared next.
+  /// Compares the least factor, and those between which the slope fails, with the interval of limit analysis. If limit
+  /// analysis rejects a factor, another time may govern, which is compared next.
   void judge_governing_times() {
     constexpr int most_times = 12;
     for (int judged = 0; judged < most_times; ++judged) {
@@ -227,8 +227,8 @@ struct TimelineRun::Parts {
       (found.stands ? loss.from : loss.to) = times[number];
       if (found.undecided)
         summary.notes.push_back(
-            fmt::format("at {} finite elements ran out of iterations before their soil flowed: with more "
-                        "`iterations` under [fem] they may find equilibrium later than that",
+            fmt::format("at {} FEM ran out of iterations before its soil flowed: with more `iterations` under [fem] it "
+                        "may find equilibrium later than that",
                         units::format_time(times[number])));
       return found.stands;
     };
@@ -441,9 +441,9 @@ std::vector<ReleaseCase> TimelineRun::list_releases() {
   const auto at = parts_->find_release();
   if (!at) {
     parts_->summary.notes.push_back(fmt::format(
-        "material points do not take over: {}; [timeline.release] time lets them go all the same",
+        "MPM does not start: {}; [timeline.release] time starts it all the same",
         parts_->summary.equilibrium
-            ? "finite elements find equilibrium at every time that was tried"
+            ? "FEM converges at every time that was tried"
             : fmt::format("the factor is not below {:g} at any time that was tried", parts_->summary.target)));
     return {};
   }
