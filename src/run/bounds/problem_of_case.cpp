@@ -263,7 +263,7 @@ namespace {
 /// Differences up to this fraction of the largest load, or of the pressure of water as deep as the ground is wide, are
 /// rounding errors. The second one applies to a water table along the ground, whose load consists of rounding errors.
 constexpr double rounding_of_loads = 1e-6, rounding_of_water = 1e-12;
-/// Number of places at which a side is checked.
+/// Number of points at which a side is checked.
 constexpr int side_samples = 9;
 
 /// Interpolates a polyline at x, level beyond its ends; `ys` has the length of `xs`.
