@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # `cpack`: the Debian packages talus (program, Python package, manual page, completions, examples, manual) and talus-dev (library, headers).
-# What they need follows from what they are linked with (dpkg-shlibdeps).
+# Their dependencies follow from the libraries that they are linked with (dpkg-shlibdeps).
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME talus)

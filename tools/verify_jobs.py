@@ -118,7 +118,7 @@ def main():
             same = (folder / "samples.csv").read_bytes() == whole
             faults += not same
             print(f"{way}: {options.jobs} jobs, {kills}, {spent}, collected in {told}, "
-                  + ("the same bits" if same else "OTHER BITS"))
+                  + ("bitwise identical" if same else "NOT IDENTICAL"))
 
         for way, killed in (("commands", 0), ("commands, killed at random", KILLED)):
             folder = place / f"commands_{killed}"

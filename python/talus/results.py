@@ -51,7 +51,7 @@ class Trials(dict[float, "Results"]):
 
 
 class Results:
-    """The folder of a run, of a trial, or of a run that is still going on, as far as it is written."""
+    """The folder of a run, of a trial, or of a run that has not ended, as far as it is written."""
 
     def __init__(self, folder: Union[str, os.PathLike[str]], parent: Optional["Results"] = None) -> None:
         """Nothing is read yet. Raises InputError where there is no such folder, or where it is a study's."""

@@ -25,7 +25,7 @@ class Table(Fields):
 
 
 class Study:
-    """The results of `talus study` or `talus.study`, also of one that still goes on or was stopped.
+    """The results of `talus study` or `talus.study`, also of one that has not ended or was stopped.
 
     study.table["FoS, frozen"], study.table["mesh.size"], study.table.units["mesh.size"]
     study["size_0.5"].frame()                # the results of a variant, by the name of its folder or its number

@@ -75,7 +75,7 @@ def test_a_stopped_study_goes_on(slope, tmp_path):
         seen.append(progress)
         return False
 
-    with pytest.raises(talus.Interrupted, match="of 3 variants finished; --resume goes on with the others"):
+    with pytest.raises(talus.Interrupted, match="of 3 variants finished; --resume continues with the others"):
         talus.study(case, tmp_path / "s", threads=1, progress=stop)
     assert len(seen) == 1 and "of 3 variants done" in seen[0].line and seen[0].fraction is None
     stopped = talus.Study(tmp_path / "s")

@@ -56,7 +56,7 @@ void describe(V& v, R& r) {
   v.key("method", r.method, {"", "method"});
   v.key("name", r.name, {"", "which of its factors"});
   v.key("title", r.title, {"", "name of the method"});
-  v.key("label", r.label, {"", "what tells it from others of its method"});
+  v.key("label", r.label, {"", "what distinguishes it from others of its method"});
   v.key("criterion", r.criterion, {"", "criterion"});
   v.key("surface", r.surface, {"", "name of the surface"});
   v.key("source", r.source, {"", "where the surface comes from"});
@@ -211,13 +211,13 @@ struct MethodComparison {
 };
 template <class V, As<MethodComparison> R>
 void describe(V& v, R& r) {
-  v.key("asked", r.asked, {"", "methods that the case asks for"});
+  v.key("asked", r.asked, {"", "methods of the case"});
   v.key("table", r.table, {"", "factors of all methods"});
   v.key("surfaces", r.surfaces, {"", "surfaces of all methods"});
   v.key("handed", r.handed, {"", "surfaces of other methods evaluated by LEM"});
   v.key("optimised", r.optimised, {"", "surfaces that LEM optimised from those of other methods"});
   v.key("warnings", r.warnings, {"", "warnings on factors that lie far apart"});
-  v.key("remarks", r.remarks, {"", "what the differences say"});
+  v.key("remarks", r.remarks, {"", "reasons of the differences"});
   v.key("partial_factors", r.partial_factors, {"", "design values"});
 }
 

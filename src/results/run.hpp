@@ -52,8 +52,8 @@ void describe(V& v, R& r) {
   v.key("commit", r.commit, {"", "commit"});
   v.key("compiler", r.compiler, {"", "compiler"});
   v.key("build_type", r.build_type, {"", "kind of build"});
-  v.key("architecture", r.architecture, {"", "instruction set, as the compiler was told it"});
-  v.key("level", r.level, {"", "level of the instruction set: equal bits of packages where it is equal"});
+  v.key("architecture", r.architecture, {"", "instruction set that was compiled for"});
+  v.key("level", r.level, {"", "level of the instruction set: packages of one level give bitwise identical results"});
   v.key("lane_width", r.lane_width, {"", "doubles in a pack"});
   v.key("machine", r.machine, {"", "machine"});
   v.key("threads", r.threads, {"", "threads"});
@@ -240,7 +240,7 @@ void describe(V& v, R& r) {
   v.key("ranks", r.ranks, {"", "ranks"});
   v.key("bytes", r.bytes, {"", "bytes that the first rank has sent"});
   v.key("seconds", r.seconds, {"s", "seconds that it spent with it, waiting for others too"});
-  v.key("hand_overs", r.hand_overs, {"", "times that ranks handed soil on, because some had more to do"});
+  v.key("hand_overs", r.hand_overs, {"", "rebalancings: times that soil migrated between ranks"});
 }
 
 struct RunResult {
@@ -328,7 +328,7 @@ void describe(V& v, R& r) {
   v.maybe("stress_start", r.stress_start, {"", "FEM equilibrium that gave the initial stress of MPM"});
   v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety by MPM"});
   v.maybe("curve", r.curve, {"", "displacement over the strength reduction factor"});
-  v.maybe("runouts", r.runouts, {"", "trials that went on until rest"});
+  v.maybe("runouts", r.runouts, {"", "trials that continued until rest"});
   v.maybe("runout", r.runout, {"", "how far the soil ran"});
   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
   v.maybe("clock", r.clock, {"", "clock of onset, sections and pictures"});

@@ -31,7 +31,7 @@ void describe(V& v, R& r) {
   v.key("condition", r.condition, {"", "what it is to water"});
   v.key("entered", r.entered, {"kg", "water that came in"});
   v.key("left", r.left, {"kg", "water that left"});
-  v.key("supplied", r.supplied, {"kg", "water that was offered"});
+  v.key("supplied", r.supplied, {"kg", "water supplied by rain or a given flux"});
   v.key("runoff", r.runoff, {"kg", "water that ran off"});
 }
 

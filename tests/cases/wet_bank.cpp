@@ -54,7 +54,7 @@ double sum_last(const output::HistoryTable& history, const std::string& ending) 
 TEST_F(WetBank, SteadySeepageIsUnchangedWhenTheSoilIsReleased) {
   const json summary = run({});
   EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
-  EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank stands";
+  EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank is stable";
   EXPECT_LT(get(summary, "water.budget_error"), 1e-9);
 
   const output::HistoryTable history = output::read_history(folder_ / "history.csv");

@@ -153,7 +153,7 @@ TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
   const json& sentences = document().at("answer").at("sentences");
   EXPECT_LE(sentences.size(), 4u) << sentences;
   for (const json& sentence : sentences)
-    EXPECT_EQ(std::count(result.begin(), result.end(), sentence.get<std::string>()), 0) << "said twice: " << sentence;
+    EXPECT_EQ(std::count(result.begin(), result.end(), sentence.get<std::string>()), 0) << "repeated: " << sentence;
 }
 
 TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {

@@ -152,7 +152,7 @@ TEST(MainFactor, IsTheSmallestOfTheMethods) {
   EXPECT_EQ(find_main_factor(run), 1.2);
   run.factor_of_safety->value = 1.15;
   EXPECT_EQ(find_main_factor(run), 1.15);
-  EXPECT_EQ(to_json(run).at("main_factor"), 1.15) << "the summary says it";
+  EXPECT_EQ(to_json(run).at("main_factor"), 1.15) << "the summary has it";
 }
 
 }  // namespace

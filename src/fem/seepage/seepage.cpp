@@ -40,10 +40,10 @@ template <int D>
 void check_boundary(const SeepageModel<D>& model, const HydraulicBoundary<D>& b) {
   const std::string who = "The hydraulic boundary \"" + b.name + "\"";
   if (b.sides.empty()) fail(who + " has no sides.");
-  if (!std::isfinite(b.value)) fail(who + " has a value that is no number.");
+  if (!std::isfinite(b.value)) fail(who + " has a value that is not finite.");
   for (std::size_t i = 0; i < b.history.size(); ++i) {
     if (!std::isfinite(b.history[i][0]) || !std::isfinite(b.history[i][1]))
-      fail(who + " has a table with a value that is no number.");
+      fail(who + " has a table with a value that is not finite.");
     if (i > 0 && b.history[i][0] < b.history[i - 1][0])
       fail(fmt::format("{} has a table whose times do not increase: {:g} s comes after {:g} s.", who, b.history[i][0],
                        b.history[i - 1][0]));

@@ -123,9 +123,10 @@ class Reduction {
       low_ = high_;
       width *= 2;
     }
-    throw Error(ExitCode::wrong_input, fmt::format("the soil still stands with its strength divided by {:g}: it has no "
-                                                   "factor of safety",
-                                                   options_.largest));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the soil is still stable with its strength divided by {:g}: it has no "
+                            "factor of safety",
+                            options_.largest));
   }
 
   bool try_factor(double factor) {

@@ -98,7 +98,7 @@ void describe(Visitor& v, DisplacementCurve& c) {
         "From and to which factor the second line is fitted; empty: chosen from the data.");
   v.key("displacement_ratio", c.displacement_ratio, plain().above(0),
         "Displacement over the relief of the ground that counts as failure in the second criterion.");
-  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials go on until rest.");
+  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials continue until rest.");
   v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
 }
 

@@ -90,12 +90,12 @@ bool uses(const Case& data, Method method);
 template <class Visitor>
 void describe(Visitor& v, Case& c) {
   v.key("format", c.format, plain().at_least(1),
-        "Which form of the case file this is. Programs that know only earlier forms say so and stop. Without it the "
+        "Which form of the case file this is. Programs for earlier forms only stop with a message. Without it the "
         "file has "
         "form 1.");
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
   v.key("unusual", c.unusual, plain().example(R"(["materials.peat.unit_weight"])"),
-        "Keys or blocks that are odd on purpose: what warnings name them for is not said again. The paths are those of "
+        "Keys or blocks that are unusual on purpose: their warnings are not repeated. The paths are those of "
         "the warnings.");
   v.table("project", c.project, "The title block of the report.");
   v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");

@@ -117,7 +117,7 @@ void describe(Visitor& v, Initial& i) {
         "Weather before the run: seepage is calculated in soil at rest from this long before time 0, where the pore "
         "pressure named above holds, with the [[hydraulic]] series at negative times and the roots' transpiration.");
   v.key("date", i.date, plain().example("2023-07-01"),
-        "The date of time 0: tables of dates begin there, and the times of [timeline] are told as dates as well.");
+        "The date of time 0: tables of dates begin there, and the times of [timeline] are printed as dates as well.");
   v.key("equilibrium", i.equilibrium, plain().example(R"("gravity")"),
         "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
   v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),

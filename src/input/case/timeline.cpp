@@ -76,7 +76,7 @@ void check_timeline(const Case& data, Findings& findings) {
     findings.add("timeline",
                  "without pore water nothing changes in time: a soil with [materials.NAME.water] is missing");
   if (!data.initial.result.empty())
-    findings.add("timeline", "not with [initial] result: a timeline begins with the water that [initial] names");
+    findings.add("timeline", "not with [initial] result: a timeline starts from the water that [initial] names");
   if (timeline.pool_loading && findings.is_sound("materials") &&
       std::none_of(data.materials.begin(), data.materials.end(),
                    [](const auto& m) { return m.second.water.compressibility > 0; }))

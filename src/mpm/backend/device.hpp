@@ -140,7 +140,7 @@ class Device {
 /// Ends the run as an interruption does, after a failure of the device.
 [[noreturn]] inline void throw_lost(const std::string& why) {
   throw Error(ExitCode::interrupted, "the device failed (" + why +
-                                         "); --resume goes on from the last checkpoint, without --device on the "
+                                         "); --resume continues from the last checkpoint, without --device on the "
                                          "processor");
 }
 

@@ -308,7 +308,7 @@ void format_state(const results::RunResult& run, json& sentences) {
   if (run.status == Status::finished) return;
   if (run.status == Status::unfinished) {
     sentences.push_back(
-        "This run has not finished: it still goes on or was ended from outside. The report shows what is in its "
+        "This run has not finished: it is still active or was ended from outside. The report shows what is in its "
         "folder.");
     return;
   }

@@ -259,7 +259,7 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
   return fem::reduce_strength<D>(model.solid.model, make_options(data_.fem, options_.threads),
                                  [&](const fem::ReductionTrial& t) {
                                    show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words,
-                                                    t.factor, t.converged ? "stands" : "fails", t.iterations));
+                                                    t.factor, t.converged ? "converges" : "fails", t.iterations));
                                  });
 }
 

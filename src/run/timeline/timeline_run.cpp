@@ -279,7 +279,7 @@ struct TimelineRun::Parts {
     if (summary.distance && *summary.distance > asked.tolerance)
       summary.notes.push_back(
           fmt::format("after {} times straight lines between them may still be off by {:.2g} % of the "
-                      "factor; a larger most_times or times of your own tell more",
+                      "factor; a larger most_times or times of your own show more",
                       moments.size(), 100 * *summary.distance));
     keep_water();
   }

@@ -26,7 +26,7 @@ const nameFactor = () =>
 const describeFailure = () =>
   hasDesignValues() ? "the slope is not verified"
   : report.value.timeline ? "the slope fails in this time"
-  : "the slope fails as it stands";
+  : "the slope fails in its present state";
 
 /** Interval of limit analysis. */
 function Interval({ factor }: { factor: Factor }) {
