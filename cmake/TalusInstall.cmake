@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is installed: program, library, headers, and the files by which other projects find them. The component `program` is the Debian
+# Installation: program, library, headers, and the files by which other projects find them. The component `program` is the Debian
 # package `talus`, `development` is `talus-dev` (cmake/TalusPackage.cmake).
 
 include(CMakePackageConfigHelpers)
@@ -27,7 +27,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/talus-config-version.cmake 
 install(FILES ${CMAKE_BINARY_DIR}/talus-config.cmake ${CMAKE_BINARY_DIR}/talus-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus COMPONENT development)
 
-# Manual page and completions, made of what the program says of itself.
+# Manual page and completions, made of the help of the program.
 set(pages ${CMAKE_BINARY_DIR}/pages)
 add_custom_command(OUTPUT ${pages}/talus.1.gz ${pages}/talus ${pages}/_talus ${pages}/talus.fish
   COMMAND ${PROJECT_SOURCE_DIR}/tools/package/shell_pages.py $<TARGET_FILE:talus_cli> ${pages}

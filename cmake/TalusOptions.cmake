@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # How the sources are compiled: headers that are compiled once, the cache, and the flags of every target.
 
-# What most sources include: headers from outside. Sources that lead, read and write also have the case and the results, which two of
+# Headers from outside that most sources include. Sources that lead, read and write also have the case and the results, which two of
 # three of them include in any case; for one of the engine they would cost more to load than they save.
 set(TALUS_PRECOMPILED <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional> <set> <sstream>
   <string> <variant> <vector> <fmt/format.h>)
@@ -68,6 +68,6 @@ if(TALUS_FUZZ)
   target_compile_options(talus_text_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=fuzzer-no-link>)
 endif()
 
-# For tests that read what the program and the library said.
+# For tests that read the output of the program and the library.
 add_library(talus_reading_options INTERFACE)
 target_compile_options(talus_reading_options INTERFACE -O0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # `cpack`: the Debian packages talus (program, Python package, manual page, completions, examples, manual) and talus-dev (library, headers).
-# What they need follows from what they are linked with (dpkg-shlibdeps).
+# Their dependencies follow from the libraries that they are linked with (dpkg-shlibdeps).
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME talus)
@@ -15,7 +15,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME talus)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Slope stability and runout by slices, finite elements and the material point method
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Slope stability and runout by LEM, FEM, limit analysis and MPM
  Factor of safety, mechanism and runout of slopes in dry, saturated and unsaturated soil, bare or rooted, from one case file, with a report.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-numpy, python3-tomli-w, gnuplot-nox")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/tools/package/prerm)

@@ -43,6 +43,7 @@ ORDER = {
     "fem": ["", "seepage", "solid"],
     "bounds": ["conic", ""],
     "input": ["language", "case", ""],
+    "report": ["folder", "pack", "content", "words", ""],
     "run": ["common", "lem", "fem", "bounds", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "forecast", ""],
 }
 LONGEST = 500

@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Who may know JSON by keys: results/ itself, and input/, whose echo and schema are JSON of the case and not of results.
+# Floors that may use keys of JSON: results/ itself, and input/, whose echo and schema are JSON of the case and not of results.
 MAY_READ = ("src/results/", "src/input/", "src/base/")
 READS = [re.compile(p) for p in (
     r'\.at\("[A-Za-z_]+"\)', r'\.value\("[A-Za-z_]+",', r'\.(?:contains|erase)\("[A-Za-z_]+"\)',

@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 
 CASES = pathlib.Path(__file__).resolve().parent.parent / "tests" / "ranks"
-DRY, WET = CASES / "block_3d.toml", CASES / "wet_bank_3d.toml"  # one bank, without and with water that seeps
+DRY, WET = CASES / "block_3d.toml", CASES / "wet_bank_3d.toml"  # one bank, without and with pore water (Darcy formulation)
 POINTS_OF_CASE = 41000 / 3  # for each metre of its thickness, in elements of 0.35 m
 QUIET = ["--set", "output.history_interval=10", "--set", "output.frame_interval=0"]
 DURATIONS = (0.1, 0.4)  # s; what a step takes is the difference, without what the run begins and ends with
@@ -38,7 +38,7 @@ def run(program, case, ranks, thickness, duration, scratch):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
-    parser.add_argument("--wet", action="store_true", help="with pore water that seeps")
+    parser.add_argument("--wet", action="store_true", help="with pore water (Darcy formulation)")
     parser.add_argument("--points", type=float, default=250000, help="points for each rank")
     parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2, 4])
     options = parser.parse_args()

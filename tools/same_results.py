@@ -5,9 +5,9 @@
 Usage: same_results.py store PROGRAM FOLDER [--only NAME …] [--jobs N]
        same_results.py compare FOLDER OTHER [--renamed OLD=NEW …] [--added KEY …]
 
-`store` runs every example in a short form, and the published problems by slices, and keeps per case: what was printed,
+`store` runs every example in a short form, and the published problems by LEM, and keeps per case: what was printed,
 every JSON and CSV file, the data of the report page, and a SHA-256 of every other file. Times, machine and commit are
-left out. `compare` names each value that differs, with its path; numbers must be equal to the last bit, but 0 and 0.0 are
+left out. `compare` names each value that differs, with its path; numbers must be bitwise identical, but 0 and 0.0 are
 one. --renamed, --added: keys that moved or are new on purpose. Ends with 1 on a difference.
 """
 import argparse

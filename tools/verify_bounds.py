@@ -4,8 +4,8 @@
 
 Usage: tools/verify_bounds.py PROGRAM [--file problems.json] [--only ID …] [--gap G] [--triangles N] [--jobs N] [--out FOLDER] [--wet] [--write]
 
-Each slope of tests/data/published/problems.json runs by slices, by finite elements on two meshes and by limit analysis, with ψ = φ and no
-limit of tension below the apex, which is what slices assume. Closed forms run by limit analysis alone. --write stores the table in docs/verification_data/bounds.md.
+Each slope of tests/data/published/problems.json runs by LEM, by FEM on two meshes and by limit analysis, with ψ = φ and no
+limit of tension below the apex, as LEM assumes. Closed forms run by limit analysis alone. --write stores the table in docs/verification_data/bounds.md.
 --wet runs limit analysis alone on the slopes with water, loads or an earthquake, with tension up to the apex and without any, and writes
 bounds_wet.md. --out keeps cases and results. Ends with 1 where a closed form lies outside its interval, or a slope has no interval.
 """
@@ -161,7 +161,7 @@ def check_form(runner, form, options):
 
 
 def list_factors(summary):
-    """Spencer's factor on the critical circle and polyline, and that of finite elements, extrapolated from two meshes; each with half the
+    """Spencer's factor on the critical circle and polyline, and that of FEM, extrapolated from two meshes; each with half the
     width of its brackets."""
     factors = {}
     for kind, list_name in (("circle", "critical"), ("polyline", "noncircular")):
@@ -268,9 +268,9 @@ def main():
             of_slopes = list(pool.map(lambda entry: check_slope(runner, entry, options), slopes))
     lines = [f"Made by `tools/verify_bounds.py PROGRAM --gap {options.gap} --triangles {options.triangles} --write`; seconds of one core beside other "
              "work. [Theory](../theory/21-proven-bounds.md).", "", "## Closed forms", "",
-             "| problem | exact | proven | gap | triangles | seconds |", "|---|---|---|--:|--:|--:|", *(line for line, _, _ in of_forms), "",
+             "| problem | exact | bounds | gap | triangles | seconds |", "|---|---|---|--:|--:|--:|", *(line for line, _, _ in of_forms), "",
              "## Published slopes", "", "Factors of Spencer's critical circle and polyline and of FEM, and their position: inside, or the distance below or above.",
-             "", "| problem | proven for ψ = φ | gap | circle | polyline | FEM | triangles | seconds | explanation |",
+             "", "| problem | bounds for ψ = φ | gap | circle | polyline | FEM | triangles | seconds | explanation |",
              "|---|---|--:|---|---|---|--:|--:|---|", *(line for line, _, _ in of_slopes)]
     counts = []
     for kind in KINDS:

@@ -5,7 +5,7 @@
 Usage: tools/verify_frozen_meshes.py PROGRAM [--only SLOPE …] [--coarse N …] [--jobs N] [--out FOLDER] [--write]
 
 Three pairs of meshes, from 6.7 to 26.7 elements over the height, ψ = φ and ψ = 0, by the default mesher and without a second one. The
-truth is the middle of the proven interval for ψ = φ, and for ψ = 0 the factor of quadratic elements, extrapolated from two meshes. The slab,
+truth is the middle of the interval of limit analysis for ψ = φ, and for ψ = 0 the factor of quadratic elements, extrapolated from two meshes. The slab,
 of tetrahedra between smooth walls, has the factor of its section. --write
 stores the table in docs/verification_data/frozen_meshes.md. --out keeps cases and results, and finished runs found there are taken. Twenty
 minutes on two cores.
@@ -105,7 +105,7 @@ def find_truth(runner, slope, associated):
         return slope.known, slope.known, "known"
     if associated or all(soil[2] == 0 for soil in slope.soils):
         bounds = runner.run(f"{slope.name} bounds", make_case(slope, True, "bounds"), ["bounds.gap=0.008"])["bounds"]
-        return bounds["lower"], bounds["upper"], "proven"
+        return bounds["lower"], bounds["upper"], "limit analysis"
     coarse, fine = (find_by_elements(runner, slope, associated, level) for level in ELEMENTS)
     return 2 * fine - coarse, fine, "elements"
 

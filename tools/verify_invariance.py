@@ -7,7 +7,7 @@ Usage: tools/verify_invariance.py PROGRAM [--count 100] [--only N …] [--out FO
 Random slopes (tools/published/random_slopes.py: layers, water, loads, earthquakes; with seepage and rain where tools/published/invariant_cases.py
 adds them) are calculated as drawn and in the ways of tools/published/rewritten.py: at map coordinates and other elevations, mirrored, with outlines
 that begin elsewhere, soils split in two, points in straight edges, other names, in feet and pounds, 10 and 16 times as large with everything scaled,
-and 1.25 times as strong (slices); also with two and four threads, and with each method alone. Limit equilibrium runs on every slope, the other
+and 1.25 times as strong (LEM); also with two and four threads, and with each method alone. Limit equilibrium runs on every slope, the other
 methods on every fifth or tenth. The largest difference of each change and method must stay in its band; where that is wider than 1e-9
 for limit equilibrium or 1e-6 for what is meshed anew, a reason stands beside it. The methods keep their order as well: Fellenius is not above Bishop
 (where Bishop is above 1), nor Janbu above Janbu corrected. --write stores docs/verification_data/invariance.md and .csv. Ends with 1 where a

@@ -4,7 +4,7 @@
 
 Usage: tools/verify_jobs.py PROGRAM [--case CASE] [--jobs 100] [--workers 4] [--seed 1]
 
-Calculates a study of samples (examples/probability_of_failure, 10,000 of them by slices) in one process, then in jobs of the
+Calculates a study of samples (examples/probability_of_failure, 10,000 of them by LEM) in one process, then in jobs of the
 command line on local workers, of which three in ten are killed by SIGKILL after a random time, and, where Python finds the
 package talus (PYTHONPATH), on a ProcessPoolExecutor whose workers are killed as often as nine jobs have ended. Jobs without
 a kill, for the time that they cost, come first. Prints a line for each way; ends with 1 where a sample is lost or samples.csv differs
@@ -118,7 +118,7 @@ def main():
             same = (folder / "samples.csv").read_bytes() == whole
             faults += not same
             print(f"{way}: {options.jobs} jobs, {kills}, {spent}, collected in {told}, "
-                  + ("the same bits" if same else "OTHER BITS"))
+                  + ("bitwise identical" if same else "NOT IDENTICAL"))
 
         for way, killed in (("commands", 0), ("commands, killed at random", KILLED)):
             folder = place / f"commands_{killed}"

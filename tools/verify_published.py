@@ -6,7 +6,7 @@ Usage: tools/verify_published.py PROGRAM [--file problems.json] [--only ID|KIND 
 
 Reads a file of the schema of tests/data/published/problems.json (its "meta" defines each key), writes a case
 file for each problem, runs it, and compares factors, heads and discharges with the recomputed or published ones.
-KIND is one of: slices, coupled, seepage, closed, others, fem. --fem also runs the strength reductions by finite elements
+KIND is one of: slices, coupled, seepage, closed, others, fem. --fem also runs the strength reductions by FEM
 (minutes). --out keeps the case files, the results, published.csv and published.md there. Ends with 1 on a miss.
 """
 import argparse

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The referee on random slopes: proven intervals, the governing LEM factor, and the interval of FEM.
+"""The referee on random slopes: intervals of limit analysis, the governing LEM factor, and the interval of FEM.
 
 Usage: tools/verify_referee.py PROGRAM [--count 200] [--only N …] [--out FOLDER] [--jobs N] [--write]
 
 Each random slope of tools/published/random_slopes.py (number N is always the same slope) runs by limit equilibrium with its referee and by finite
-elements with ψ = φ on two meshes. Counted are governing factors outside the proven interval, the factors that would have governed without the
-referee and lie outside, intervals wider than 3 %, intervals of finite elements that have nothing in common with the proven one, printed factors
-that fail a gate (λ, thrust line, tension), and governing factors within 5 % of finite elements. tests/data/random_slopes.json has what is known
+elements with ψ = φ on two meshes. Counted are governing factors outside the interval of limit analysis, the factors that would have governed without the
+referee and lie outside, intervals wider than 3 %, FEM intervals that do not overlap it, printed factors
+that fail a gate (λ, thrust line, tension), and governing factors within 5 % of FEM. tests/data/random_slopes.json has what is known
 of those that stand out. --write stores docs/verification_data/referee.csv and .md. Ends with 1 where a governing factor lies outside or a gate failed.
 """
 import csv
@@ -27,12 +27,12 @@ FOLDER = ROOT / "docs" / "verification_data"
 REASONS = ROOT / "tests" / "data" / "random_slopes.json"
 ELEMENTS = 600  # of the coarser of two meshes, about
 WIDEST = 0.03  # gap of an interval over its middle
-AGREE = 0.05  # of the governing factor and that of finite elements
+AGREE = 0.05  # of the governing factor and that of FEM
 ROUNDING = 1e-3  # bounds are compared as they are shown
 
 
 def judge(runner, number):
-    """A row: the slope, its proven interval, the governing factor, the one without the referee, the FEM factor."""
+    """A row: the slope, its interval of limit analysis, the governing factor, the one without the referee, the FEM factor."""
     entry = draw_slope(number)
     problem = read_problem(entry)
     size = round(0.7 * find_height(problem) / choose_level(problem, ELEMENTS), 6)
@@ -87,11 +87,11 @@ def make_page(rows, reasons):
              f"{len(rows)} slopes with layers, water, loads and earthquakes, drawn by `tools/verify_referee.py PROGRAM --count {len(rows)} --write`. "
              "*Without* is the smallest factor of Spencer and Morgenstern–Price, which would govern without the referee; *governs* is the one that does, "
              "– where the end of the interval governs. FEM: ψ = φ, two meshes, their interval. Seconds: one thread, beside other work.", "",
-             f"- Governing factors outside the proven interval: {sum(bool(r['faults']) for r in judged)} of {len(judged)}.",
+             f"- Governing factors outside the interval of limit analysis: {sum(bool(r['faults']) for r in judged)} of {len(judged)}.",
              f"- Without the referee: {sum(is_outside(r, 0) for r in judged)} of {len(judged)} outside, {sum(is_outside(r, 0.02) for r in judged)} outside the interval widened by 2 %.",
              f"- No LEM factor inside, so that the end of the interval governs: {len(judged) - len(own)}.",
              f"- Intervals wider than 3 %: {len(wide)}.",
-             f"- FEM intervals that miss the proven one: {sum(r['misses'] for r in judged)}.",
+             f"- FEM intervals that do not overlap it: {sum(r['misses'] for r in judged)}.",
              f"- No interval: {len(rows) - len(judged)}.",
              f"- Printed factors that fail a gate, or govern outside: {sum(len(r['faults']) for r in rows)}.",
              f"- Governing factor and FEM within {100 * AGREE:.0f} %: {len(own) - sum(map(is_apart, own))} of {len(own)}."]
@@ -101,7 +101,7 @@ def make_page(rows, reasons):
     notes = [r for r in rows if r in wide or r["misses"] or is_apart(r)]
     lines += ["", "| outlier | reason |", "|--:|---|"]
     lines += [f"| {r['slope']}, {r['what']} | {reasons.get(str(r['slope']), 'not looked into')} |" for r in notes]
-    lines += ["", "| slope | content | proven | gap | without | governs | FEM | seconds |", "|--:|---|---|--:|--:|--:|---|--:|"]
+    lines += ["", "| slope | content | bounds | gap | without | governs | FEM | seconds |", "|--:|---|---|--:|--:|--:|---|--:|"]
     for r in rows:
         interval = f"{write_number(r.get('lower'))} … {write_number(r.get('upper'))}"
         gap = "–" if r.get("gap") is None else f"{100 * r['gap']:.1f} %"

@@ -4,7 +4,7 @@
 statement.
 
 Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches|sizes] [--runs FOLDER] [--threads N]
-Writes vegetated_slope.csv and .md and pictures to FOLDER, or vegetated_sizes.csv and .md (water that seeps in elements of
+Writes vegetated_slope.csv and .md and pictures to FOLDER, or vegetated_sizes.csv and .md (Darcy formulation, elements of
 four sizes, an hour and a half), and prints the tables. Differences from the source are
 reported, and do not make the program fail. --runs keeps the results of the runs there and takes finished ones as they
 are. Needs python3 with numpy, h5py and matplotlib.

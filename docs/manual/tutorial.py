@@ -50,7 +50,7 @@ case = talus.Case(
     analysis=dict(kind="strength_reduction"),
 )
 
-# What a key means, its unit, range and default:
+# Meaning, unit, range and default of a key:
 print(talus.describe("stage.damping"))
 
 # %% [markdown]
@@ -91,7 +91,7 @@ print(case.echo()["stage"][0]["courant"])  # what a calculation uses, and whethe
 # ## The run
 #
 # It writes the same folder as `talus run`, with the same numbers. `progress` may stop it by returning False; so does Ctrl-C.
-# Either way the state is saved, and `resume=True` goes on from there.
+# Either way the state is saved, and `resume=True` continues from there.
 
 # %%
 try:

@@ -25,7 +25,7 @@ class OnlyRun {
   OnlyRun() {
     if (is_running.exchange(true))
       throw Error(ExitCode::wrong_input,
-                  "a run or a study is going on in this process already; runs side by side need a process each");
+                  "a run or a study is active in this process already; runs side by side need a process each");
     request_interrupt(false);
   }
   ~OnlyRun() {

@@ -12,6 +12,7 @@
 #include "bind.hpp"
 #include "output/files/history.hpp"
 #include "report/report.hpp"
+#include "results/json.hpp"
 
 namespace talus::python {
 namespace {
@@ -116,6 +117,7 @@ void bind_results(py::module_& module) {
     const NoThreads alone;
     return report::write_report(folder);
   });
+  module.def("get_result_schema", &results::write_schema);
   using output::ResultsReader;
   py::class_<ResultsReader>(module, "Reader")
       .def(py::init([](const std::filesystem::path& folder) {

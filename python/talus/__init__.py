@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Talus: slope stability and runout by the material point method.
+"""Talus: slope stability and runout by LEM, FEM, limit analysis and MPM.
 
     case = talus.Case.read("case.toml")        # or talus.Case(geometry=dict(...), materials=dict(...), ...)
     case.materials["sand"].cohesion = "3 kPa"  # the names and units of `talus manual`
@@ -55,6 +55,7 @@ from .fields import Fields, History  # noqa: E402
 from .frames import Frame, Mesh  # noqa: E402
 from .methods import MethodFactor, MethodTable, Surface  # noqa: E402
 from .named import Comparison, Result  # noqa: E402
+from .records import Record  # noqa: E402
 from .results import Results  # noqa: E402
 from .studies import Study  # noqa: E402
 
@@ -77,6 +78,7 @@ __all__ = [
     "MethodTable",
     "NotEnoughMemory",
     "Progress",
+    "Record",
     "Result",
     "Results",
     "Study",

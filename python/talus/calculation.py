@@ -52,11 +52,11 @@ def run(
     """Calculates a case, or a case file, into `folder` as `talus run` does, and returns the results.
 
     threads: how many to use; by default all cores. Results do not depend on it.
-    resume: go on with an interrupted run in the folder; a finished one is not run again.
+    resume: resume an interrupted run in the folder; a finished one is not run again.
     overwrite: replace results that are in the folder.
-    progress: called with a Progress, at most five times a second, in the calling thread; the calculation goes on
-        meanwhile. When it returns False or raises an exception, the state is saved and Interrupted is raised, with that
-        exception as its cause; `resume=True` goes on from there.
+    progress: called with a Progress, at most five times a second, in the calling thread, during the
+        calculation. When it returns False or raises an exception, the state is saved and Interrupted is raised, with that
+        exception as its cause; `resume=True` continues from there.
     report: write `folder`/report.html at the end, also of a run that was stopped.
     device: "cpu", "gpu" (the manual's "Calculate on a GPU" says what that needs) or "emulated", as --device has them.
 
@@ -87,15 +87,15 @@ def study(
 
     vary: keys and their values, {"mesh.size": [1.0, "150 cm"]}, instead of those that the case lists.
     threads: variants calculated side by side, each by one thread; by default all cores.
-    resume: keep finished variants and go on with interrupted ones.
+    resume: keep finished variants and resume interrupted ones.
     progress: called about ten times a second with a Progress whose `line` says how many variants are done; stops the
         study as `talus.run` is stopped.
     executor: a concurrent.futures.Executor whose workers calculate the study, job by job: processes, MPI ranks or other
         machines, all of which must see `folder`. `threads` are those of each job then, by default one. Progress is told
         when jobs end; when it stops the study, jobs under way come to their end. Jobs whose workers were lost are
-        given to others if the executor goes on. If it does not, Interrupted is raised: what has ended is kept, and
+        given to others if the executor continues. If it does not, Interrupted is raised: what has ended is kept, and
         `resume=True` with another executor calculates the rest, and repeats jobs with failures.
-    jobs: how many; by default one for each run, or for a thousand samples by slices.
+    jobs: how many; by default one for each run, or for a thousand samples by LEM.
 
     A variant that fails does not stop the others; when all have ended an Error says which failed and why, and
     `talus.Study(folder)` has the table and the results of those that finished. All else as for `talus.run`.

@@ -26,7 +26,7 @@ class Key:
     words: list[list[str]]  #: of a choice: word and meaning
 
     def describe(self) -> str:
-        """The key as the manual tells it."""
+        """The key as in the manual."""
         facts = [self.type]
         if self.range:
             facts.append(self.range)
@@ -56,7 +56,7 @@ class Block:
         return [*self.keys, *self.blocks]
 
     def describe(self) -> str:
-        """The block and all its keys as the manual tells them."""
+        """The block and all its keys as in the manual."""
         lines = [f"{self.header} {self.meaning}".strip(), ""]
         lines += [f"{name}: {key.describe()}" for name, key in self.keys.items()]
         lines += [f"{block.header}: {block.meaning}" for block in self.blocks.values()]

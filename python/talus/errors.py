@@ -53,7 +53,7 @@ class Unstable(Error):
 
 
 class Interrupted(Error):
-    """The run was stopped; its state is saved, and `resume=True` goes on from it."""
+    """The run was stopped; its state is saved, and `resume=True` continues from it."""
 
     exit_code = 5
 

@@ -23,7 +23,7 @@ def calculate_job(folder: Union[str, os.PathLike[str]], job: int, threads: int =
     """Calculates one job of the study that was prepared in `folder`, as `talus study FOLDER --job JOB` does.
 
     This is what workers are given: a name and two numbers. They need nothing else than this package and the folder.
-    A job with failures has ended as well; the results say which. Jobs in threads of one process take turns."""
+    A job with failures has ended as well; the results name them. Jobs in threads of one process take turns."""
     with _turn:
         _core.calculate_job(Path(folder), job, threads)
 
@@ -65,7 +65,7 @@ def calculate_jobs(
     tell: Optional[Callable[[str], Any]],
 ) -> Optional[BaseException]:
     """Calculates the jobs with these numbers. `tell` hears how many are done; when it returns False or raises, no other
-    job is begun and Interrupted is raised. Returns what lost a job, or None: `_core.list_jobs` knows which are missing."""
+    job is begun and Interrupted is raised. Returns what lost a job, or None: `_core.list_jobs` lists the missing ones."""
     run, start, total = _Run(executor, folder, threads), time.monotonic(), len(numbers)
     try:
         for job in numbers:
@@ -84,7 +84,7 @@ def calculate_jobs(
 
 
 def _ask(tell: Callable[[str], Any], line: str) -> None:
-    sentence = f"stopped: {line}; those that are calculated now end, and resume=True goes on with the others"
+    sentence = f"stopped: {line}; those that are calculated now end, and resume=True continues with the others"
     try:
         goes_on = tell(line) is not False
     except Exception as error:

@@ -4,27 +4,13 @@
 from __future__ import annotations
 
 import html
-from dataclasses import astuple, dataclass, fields
 from typing import Any, Optional
 
-import numpy as np
-from numpy.typing import NDArray
+from .records import Record
 
 
-@dataclass(frozen=True)
-class MethodFactor:
-    """A row of the table of methods."""
-
-    method: str  #: "lem", "fem", "bounds", "mpm": slices, finite elements, proven bounds, material points
-    name: str  #: "spencer", "as_given", "frozen"
-    title: str  #: in words
-    criterion: str  #: "critical circle", "non-convergence"
-    surface: str  #: name of its surface in `Results.surfaces`; empty where it has none
-    factor: Optional[float]
-    lower: Optional[float]  #: the largest factor that is known to stand
-    upper: Optional[float]  #: the smallest factor that is known to fail
-    seconds: Optional[float]  #: of all rows of its method together, at the first of them
-    note: str
+class MethodFactor(Record, kind="MethodRow"):
+    """A row of the table of methods: .method, .title, .criterion, .factor, .lower, .upper, …"""
 
     def __str__(self) -> str:
         return f"{self.title}, {self.criterion}: {_show(self.factor)}"
@@ -52,43 +38,21 @@ class MethodTable(list[MethodFactor]):
             import pandas
         except ImportError as missing:
             raise ImportError("to_dataframe needs pandas (Debian: python3-pandas)") from missing
-        return pandas.DataFrame([astuple(row) for row in self], columns=[f.name for f in fields(MethodFactor)])
+        return pandas.DataFrame([row.to_dict() for row in self])
 
 
-@dataclass(frozen=True)
-class Surface:
-    """A slip surface of a method."""
-
-    name: str  #: "lem.spencer", "fem.band", "bounds.mechanism", "mpm.slip_line"
-    title: str  #: in words
-    method: str  #: "lem", "fem", "bounds", "mpm"
-    factor: Optional[float]
-    points: NDArray[Any]  #: (points, 2) [m]
-    direction: Optional[int] = None  #: 1: its soil moves towards larger x, -1: smaller; None: all soil moves one way
+class Surface(Record, kind="MethodSurface"):
+    """A slip surface of a method: .name, .title, .method, .factor, .points (points, 2) [m], …"""
 
 
-def read_methods(summary: dict[str, Any]) -> MethodTable:
-    """`methods.table` of a summary.json; empty where there is none."""
-    names = [f.name for f in fields(MethodFactor)]
-    return MethodTable(
-        MethodFactor(**{name: row[name] for name in names}) for row in summary.get("methods", {}).get("table", [])
-    )
+def read_methods(run: Record) -> MethodTable:
+    """The table of a run; empty where there is none."""
+    return MethodTable(run.methods.table if run.methods else [])
 
 
-def read_surfaces(summary: dict[str, Any]) -> dict[str, Surface]:
-    """`methods.surfaces` of a summary.json by name; empty where there are none."""
-    listed = summary.get("methods", {}).get("surfaces", [])
-    return {
-        s["name"]: Surface(
-            s["name"],
-            s["title"],
-            s["method"],
-            s["factor"],
-            np.array(s["points"], float).reshape(-1, 2),
-            s.get("direction"),
-        )
-        for s in listed
-    }
+def read_surfaces(run: Record) -> dict[str, Surface]:
+    """The slip surfaces of a run by name; empty where there are none."""
+    return {surface.name: surface for surface in run.methods.surfaces} if run.methods else {}
 
 
 def _show(value: Optional[float]) -> str:

@@ -33,26 +33,26 @@ def plot_curve(results: Results, ax: Optional["Axes"] = None, logarithmic: bool 
     scale = 1 / _core.get_si_factor(unit)
     shown = curve.displacement * scale
     ax.plot(curve.srf, shown, "o-", color="#404040", linewidth=1, markersize=4, label="trials")
-    block = results.summary["curve"]
-    bilinear = block.get("bilinear")
+    found = results.record.curve
     low, high = float(shown.min()), float(shown.max())
     margin = 0.05 * (high - low) or 1.0
-    if bilinear:
+    if found.bilinear:
         factor = np.linspace(curve.srf.min(), curve.srf.max(), 400)
         for part, colour, name in (("first", COLOURS[0], "initial branch"), ("second", COLOURS[1], "final branch")):
-            line = (bilinear[part]["slope"] * factor + bilinear[part]["intercept"]) * scale
+            branch = found.bilinear[part]
+            line = (branch.slope * factor + branch.intercept) * scale
             inside = (line >= low - margin) & (line <= high + margin)
             ax.plot(factor[inside], line[inside], color=colour, linewidth=2, label=name)
-    frozen = results.summary.get("factor_of_safety", {}).get("value")
-    for i, criterion in enumerate(block["criteria"]):
-        if criterion["factor"] is not None:
-            is_the_factor = criterion["factor"] == frozen
-            words = "factor of safety" if is_the_factor else criterion["name"].replace("_", " ")
+    factors = results.record.factor_of_safety
+    for i, criterion in enumerate(found.criteria):
+        if criterion.factor is not None:
+            is_the_factor = factors is not None and criterion.factor == factors.value
+            words = "factor of safety" if is_the_factor else criterion.name.replace("_", " ")
             ax.axvline(
-                criterion["factor"],
+                criterion.factor,
                 color="black" if is_the_factor else COLOURS[(i + 2) % len(COLOURS)],
                 linestyle="-" if is_the_factor else "--",
-                label=f"{criterion['factor']:.3f}  {words}",
+                label=f"{criterion.factor:.3f}  {words}",
             )
     if logarithmic:
         ax.set_yscale("log")

@@ -19,20 +19,8 @@ from .errors import InputError
 from .fields import Fields, History
 from .frames import Frame, Mesh, follow_points
 from .methods import MethodTable, Surface, read_methods, read_surfaces
-from .named import Comparison, ResultTable, read_comparisons, read_results
-
-_CURVE_TYPE = np.dtype(
-    [
-        ("srf", "f8"),
-        ("displacement", "f8"),
-        ("end", "U8"),
-        ("time", "f8"),
-        ("steps", "i8"),
-        ("force_ratio", "f8"),
-        ("nodal_speed", "f8"),
-        ("largest_nodal_speed", "f8"),
-    ]
-)
+from .named import Comparison, ResultTable, read_results
+from .records import Record, make_rows
 
 
 def read_summary(path: Path) -> dict[str, Any]:
@@ -63,7 +51,7 @@ class Trials(dict[float, "Results"]):
 
 
 class Results:
-    """The folder of a run, of a trial, or of a run that is still going on, as far as it is written."""
+    """The folder of a run, of a trial, or of a run that has not ended, as far as it is written."""
 
     def __init__(self, folder: Union[str, os.PathLike[str]], parent: Optional["Results"] = None) -> None:
         """Nothing is read yet. Raises InputError where there is no such folder, or where it is a study's."""
@@ -92,19 +80,31 @@ class Results:
             raise InputError(f"cannot read '{path}': {error}") from error
 
     @property
+    def record(self) -> Record:
+        """The summary with its names as attributes, as `talus schema --results` describes them:
+        record.lem.critical[0].surface.factor. None where the run has no such result; `record.describe()` has titles and
+        units."""
+        return Record(self.summary, "Trial" if "srf" in self.summary else "RunResult")
+
+    @property
     def status(self) -> str:
         """finished, interrupted, unstable, failed; "unknown" without a summary."""
-        return self.summary.get("status", "unknown")
+        return str(self.summary.get("status", "unknown"))
 
     @property
     def warnings(self) -> list[str]:
         """Warnings on the results."""
-        return self.summary.get("warnings", [])
+        return list(self.summary.get("warnings", []))
 
     @property
     def run_summary(self) -> dict[str, Any]:
         """The summary of the run, also from one of its trials."""
         return self.parent.run_summary if self.parent else self.summary
+
+    @property
+    def _run(self) -> Record:
+        """The record of a run; without results of a run for a trial."""
+        return Record({} if "srf" in self.summary else self.summary, "RunResult")
 
     @property
     def units(self) -> dict[str, str]:
@@ -118,57 +118,54 @@ class Results:
 
     @property
     def factor_of_safety(self) -> Optional[float]:
-        """The factor of safety that governs, or None where none was calculated: the smallest of slices (of all their
-        admissible surfaces), finite elements and material points. `methods` lists all factors."""
-        value: Optional[float] = self.summary.get("main_factor")
+        """The factor of safety that governs, or None where none was calculated: the smallest of LEM (of all admissible
+        surfaces), FEM and MPM. `methods` lists all factors."""
+        value: Optional[float] = self._run.main_factor
         return value
 
     @property
     def methods(self) -> MethodTable:
-        """The factors of all methods beside one another; empty for material points alone and for trials."""
-        return read_methods(self.summary)
+        """The factors of all methods beside one another; empty for MPM alone and for trials."""
+        return read_methods(self._run)
 
     @property
     def surfaces(self) -> dict[str, Surface]:
         """The slip surfaces of the methods by name, surfaces["lem.spencer"].points (points, 2) [m]."""
-        return read_surfaces(self.summary)
+        return read_surfaces(self._run)
 
     @property
     def criteria(self) -> dict[str, Optional[float]]:
         """The factors by every criterion; None for a criterion that found none."""
-        listed = self.summary.get("curve", {}).get("criteria", [])
-        return {criterion["name"]: criterion["factor"] for criterion in listed}
+        curve = self._run.curve
+        return {criterion.name: criterion.factor for criterion in curve.criteria} if curve else {}
 
     @property
     def results(self) -> ResultTable:
         """Every number of the run by its name, results["runout[1.75].front_advance"].value, .unit, .title, .si."""
-        return read_results(self.summary)
+        return read_results(self._run)
 
     @property
     def comparisons(self) -> list[Comparison]:
-        """What the case's [[compare]] expects, beside what was computed, and whether it passes."""
-        return read_comparisons(self.summary)
+        """The values that the case's [[compare]] expects, beside what was computed, and whether they pass."""
+        return list(self._run.comparisons or [])
 
     @property
     def failure_time(self) -> Optional[float]:
         """When the slope failed [s], from the start of the last stage or of the trial's runout: when the displacement
         passed `displacement_ratio` of the height. None where it did not, or where it was not looked for."""
-        summary = self.summary
-        if self.parent and "srf" in summary:
-            matches = [r for r in self.parent.summary.get("runouts", []) if r["srf"] == summary["srf"]]
-            summary = matches[0] if matches else {}
-        value: Optional[float] = summary.get("failure_time")
+        runout: Optional[Record] = self._run
+        if self.parent and "srf" in self.summary:
+            matches = [r for r in self.parent._run.runouts or [] if r.srf == self.summary["srf"]]
+            runout = matches[0] if matches else None
+        value: Optional[float] = runout.failure_time if runout else None
         return value
 
     @property
     def curve(self) -> Optional[Any]:
         """A record array with a row for each trial of the curve, or None: srf, displacement [m], end (rest, time, …),
         time [s], steps, force_ratio, nodal_speed and largest_nodal_speed [m/s]."""
-        block = self.summary.get("curve")
-        if block is None:
-            return None
-        rows = [tuple(point[name] for name in _CURVE_TYPE.names or ()) for point in block["points"]]
-        return np.array(rows, dtype=_CURVE_TYPE).view(np.recarray)
+        curve = self._run.curve
+        return make_rows(curve.points, "Trial") if curve else None
 
     @property
     def times(self) -> NDArray[Any]:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from .errors import InputError
 from .fields import Fields
+from .records import Record
 from .results import Results, read_summary
 
 
@@ -24,7 +25,7 @@ class Table(Fields):
 
 
 class Study:
-    """The results of `talus study` or `talus.study`, also of one that still goes on or was stopped.
+    """The results of `talus study` or `talus.study`, also of one that has not ended or was stopped.
 
     study.table["FoS, frozen"], study.table["mesh.size"], study.table.units["mesh.size"]
     study["size_0.5"].frame()                # the results of a variant, by the name of its folder or its number
@@ -37,38 +38,39 @@ class Study:
         if not path.is_file():
             raise InputError(f"there is no study in '{self.folder}': it has no study.json")
         self.summary: dict[str, Any] = read_summary(path)  #: study.json
+        self.record = Record(self.summary, "StudyResult")  #: the same with its names as attributes
 
     @property
     def title(self) -> str:
         """Title of the case."""
-        return str(self.summary["title"])
+        return str(self.record.title)
 
     @property
     def names(self) -> list[str]:
         """Names of the variants, which are those of their folders; the first is "base"."""
-        return [variant["folder"] for variant in self.summary["variants"]]
+        return [variant.folder for variant in self.record.variants]
 
     @property
     def labels(self) -> list[str]:
         """The variants for people, "size = 0.5"."""
-        return [variant["name"] for variant in self.summary["variants"]]
+        return [variant.name for variant in self.record.variants]
 
     @property
     def statuses(self) -> dict[str, str]:
         """How each variant went: finished, unstable, failed, interrupted, not started."""
-        return {variant["folder"]: variant["status"] for variant in self.summary["variants"]}
+        return {variant.folder: variant.status for variant in self.record.variants}
 
     @property
     def reasons(self) -> dict[str, str]:
         """Why variants did not finish; only those that did not."""
-        listed = self.summary["variants"]
-        return {variant["folder"]: variant["reason"] for variant in listed if variant["reason"]}
+        return {variant.folder: variant.reason for variant in self.record.variants if variant.reason}
 
     @property
     def sampling(self) -> Optional[dict[str, Any]]:
-        """The statistics of samples, as study.json has them; None where values were listed."""
-        told: Optional[dict[str, Any]] = self.summary.get("sampling")
-        return told
+        """The statistics of samples, as study.json has them; None where values were listed. `record.sampling` has the
+        same with names as attributes."""
+        sampling: Optional[dict[str, Any]] = self.summary.get("sampling")
+        return sampling
 
     @functools.cached_property
     def samples(self) -> Table:
@@ -87,14 +89,13 @@ class Study:
     @property
     def keys(self) -> list[str]:
         """The varied keys, "mesh.size": each is a column of the table."""
-        return [key["key"] for key in self.summary["vary"]]
+        return [key.key for key in self.record.vary]
 
     @functools.cached_property
     def table(self) -> Table:
         """study.csv as arrays by the name of the column, with units; numbers in full."""
-        columns = self.summary["columns"]
-        texts = {column["name"]: [cell["full"] for cell in column["cells"]] for column in columns}
-        return Table({column["name"]: (column["unit"] or "-", _to_array(texts[column["name"]])) for column in columns})
+        columns = self.record.columns
+        return Table({c.name: (c.unit or "-", _to_array([cell.full for cell in c.cells])) for c in columns})
 
     @property
     def rows(self) -> list[dict[str, Any]]:
@@ -135,9 +136,10 @@ class Study:
         def row(cells: list[str], tag: str) -> str:
             return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"
 
-        columns = self.summary["columns"]
-        heads = [column["title"] + (f" [{column['unit']}]" if column["unit"] else "") for column in columns]
-        lines = [row([column["cells"][i]["shown"] for column in columns], "td") for i in range(len(self))]
+        columns = self.record.columns
+        heads = [column.title + (f" [{column.unit}]" if column.unit else "") for column in columns]
+        shown = [[cell.shown for cell in column.cells] for column in columns]
+        lines = [row(list(cells), "td") for cells in zip(*shown)]
         return f"<table><thead>{row(heads, 'th')}</thead><tbody>{''.join(lines)}</tbody></table>"
 
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 
 def plot_surfaces(results: Results, *names: str, ax: Optional["Axes"] = None) -> "Axes":
-    """The soils, true to scale, and the slip surfaces that the methods found, with their factors; bands of finite
-    elements are wide and pale. Returns the axes.
+    """The soils, true to scale, and the slip surfaces that the methods found, with their factors; shear
+    bands of FEM are wide and pale. Returns the axes.
 
     names: of the surfaces, as in `Results.surfaces`; all of them by default.
     """

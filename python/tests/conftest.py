@@ -70,7 +70,7 @@ def make_reduction() -> talus.Case:
 
 
 def make_uncertain(samples) -> talus.Case:
-    """Li and Lumb's slope with two uncertain numbers: some hundred samples by slices are a second."""
+    """Li and Lumb's slope with two uncertain numbers: some hundred samples by LEM take a second."""
     case = talus.Case(
         title="Li and Lumb",
         geometry=dict(

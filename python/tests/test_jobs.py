@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A study on workers is the study in one process, to the bit, whatever happens to the workers."""
+"""A study on workers is bitwise identical to the study in one process, whatever happens to the workers."""
 
 import concurrent.futures
 import contextlib
@@ -159,7 +159,7 @@ def test_variants_on_workers_are_those_of_one_process_and_failures_are_repeated(
 
 def test_a_stopped_study_goes_on(tmp_path, alone):
     with concurrent.futures.ProcessPoolExecutor(1) as pool:
-        with pytest.raises(talus.Interrupted, match="resume=True goes on"):
+        with pytest.raises(talus.Interrupted, match="resume=True continues"):
             talus.study(make_uncertain(400), tmp_path / "s", executor=pool, jobs=9, progress=lambda p: False, report=False)
     # At its end the pool has waited for the jobs that were under way.
     with concurrent.futures.ProcessPoolExecutor(1) as pool:

@@ -3,6 +3,7 @@
 
 import csv
 import gc
+import pickle
 
 import h5py
 import numpy as np
@@ -306,6 +307,31 @@ def test_slices_and_elements_alone_have_a_factor_and_surfaces(slope, tmp_path):
     alone = talus.run(case, tmp_path / "slices")
     named = alone.results  # Bishop's is not of all equilibrium
     assert alone.factor_of_safety == min(named["lem.spencer"].value, named["lem.noncircular.spencer"].value)
+
+
+def find_undescribed(record, data):
+    """Names of the JSON that the records do not have."""
+    missing = [name for name in data if f"\n{name}: " not in f"\n{record.describe()}"]
+    for name, inner in data.items():
+        pairs = zip(record[name], inner) if isinstance(inner, list) else [(record[name], inner)]
+        missing += [m for own, its in pairs if isinstance(own, talus.Record) for m in find_undescribed(own, its)]
+    return missing
+
+
+def test_records_have_every_name_of_the_summary(results):
+    record = results.record
+    assert find_undescribed(record, results.summary) == []
+    assert record.curve.points[1].displacement == results.summary["curve"]["points"][1]["displacement"]
+    assert record.timeline is None and "timeline" in dir(record) and "timeline" not in record
+    assert record.to_dict() == results.summary
+    assert "slope_height: height of the slope [m]" in record.describe()
+    assert pickle.loads(pickle.dumps(record.curve)) == record.curve
+    with pytest.raises(AttributeError, match="there is no 'curv' in RunResult; there are bounds, "):
+        record.curv
+    with pytest.raises(AttributeError, match="results cannot be changed"):
+        record.title = "other"
+    trial = results.trials[1.4]
+    assert trial.record.srf == 1.4 and trial.factor_of_safety is None and trial.methods == []
 
 
 def test_runs_without_methods_have_no_surfaces(slope, tmp_path):

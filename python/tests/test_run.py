@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run from Python is the command line's run; it can be stopped and goes on to the same bits."""
+"""A run from Python is the command line's run; it can be stopped and resumed, with bitwise identical results."""
 
 import ctypes
 import json
@@ -57,7 +57,7 @@ def test_stopped_from_the_callback_and_resumed(how, slope, tmp_path):
             raise RuntimeError("enough")
         return False
 
-    with pytest.raises(talus.Interrupted, match="the state is saved, --resume goes on from there") as error:
+    with pytest.raises(talus.Interrupted, match="the state is saved, --resume continues from there") as error:
         talus.run(case, tmp_path / "parts", progress=stop)
     assert error.value.exit_code == 5
     assert (str(error.value.__cause__) == "enough") == (how == "raising")
@@ -138,7 +138,7 @@ def test_ctrl_c_leaves_a_folder_that_can_be_resumed(mode, slope, tmp_path):
     assert "caused by Interrupted(\"interrupted in 'gravity' at t = " in output
     reached = json.loads((tmp_path / "parts/summary.json").read_text())
     assert reached["status"] == "interrupted" and (tmp_path / "parts/checkpoint.h5").exists()
-    with pytest.raises(talus.Interrupted) as again:  # it goes on from there and can be stopped again
+    with pytest.raises(talus.Interrupted) as again:  # it continues from there and can be stopped again
         talus.run(case, tmp_path / "parts", resume=True, progress=lambda p: False)
     before, after = (float(text.split("t = ")[1].split()[0]) for text in (output, str(again.value)))
     assert after >= before

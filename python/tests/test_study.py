@@ -39,6 +39,7 @@ def test_the_table_is_the_command_lines_and_that_of_the_runs(slope, tmp_path, co
     assert list(study.table["mesh.size"]) == [3, 4, 5] == [float(row[head.index("mesh.size [m]")]) for row in rows]
     assert list(study.table["points"]) == [len(study[name].frame()) for name in study]
     assert study.rows[2]["variant"] == "size_500_cm" and study.rows[2]["points"] == study.table["points"][2]
+    assert study.record.variants[1].name == study.labels[1] and study.record.vary[0].key == "mesh.size"
     assert study[2].summary == study["size_500_cm"].summary
     assert (tmp_path / "python/report.html").exists()
     assert "<td>size = 4</td>" in study._repr_html_()
@@ -74,7 +75,7 @@ def test_a_stopped_study_goes_on(slope, tmp_path):
         seen.append(progress)
         return False
 
-    with pytest.raises(talus.Interrupted, match="of 3 variants finished; --resume goes on with the others"):
+    with pytest.raises(talus.Interrupted, match="of 3 variants finished; --resume continues with the others"):
         talus.study(case, tmp_path / "s", threads=1, progress=stop)
     assert len(seen) == 1 and "of 3 variants done" in seen[0].line and seen[0].fraction is None
     stopped = talus.Study(tmp_path / "s")

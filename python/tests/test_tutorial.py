@@ -17,7 +17,7 @@ def test_the_tutorial_runs(source, tmp_path):
     factor = float(re.search(r"^factor of safety ([\d.]+)$", done.stdout, re.MULTILINE)[1])
     results = talus.Results(tmp_path / "slope")
     assert f"{results.factor_of_safety:.3f}" == f"{factor:.3f}"
-    # What the manual says of this coarse mesh; another instruction set may decide a trial at the limit differently.
+    # The manual has these numbers of this coarse mesh; another instruction set may decide a trial at the limit differently.
     assert factor == pytest.approx(1.387, abs=0.03)
     factors = [float(re.search(rf"^with {c} kPa: ([\d.]+)$", done.stdout, re.MULTILINE)[1]) for c in (2, 3, 4)]
     assert factors == sorted(set(factors)) and factors[0] == factor  # more cohesion, more safety; the curve does not matter
@@ -27,7 +27,7 @@ def test_the_tutorial_runs(source, tmp_path):
     ratio, count = re.search(r"weight above: ([\d.]+) on average at (\d+) points", done.stdout).groups()
     assert float(ratio) == pytest.approx(1, abs=0.03) and int(count) > 10
     assert "unknown key 'cohesoin' in [materials.sand]; did you mean 'cohesion'?" in done.stdout
-    assert "--resume goes on from there" in done.stdout
+    assert "--resume continues from there" in done.stdout
     # The settlement that it prints is that of the table.
     settled = float(re.search(r"^crest settled ([\d.-]+) mm$", done.stdout, re.MULTILINE)[1])
     rows = (tmp_path / "slope/monitors.csv").read_text().splitlines()

@@ -69,18 +69,18 @@ std::string describe_elements(const input::Case& data) {
   std::string sizes;
   if (data.mesh.file.empty()) sizes = " with elements of " + show_length(data, size);
   if (data.mesh.file.empty() && data.fem.meshes > 1) sizes += " and of " + show_length(data, 2 * size);
-  return fmt::format("  finite elements: strength reduction{}, {}\n", sizes, flow);
+  return fmt::format("  FEM: strength reduction{}, {}\n", sizes, flow);
 }
 
 std::string describe_bounds(const input::ProvenBounds& bounds) {
-  return fmt::format("  proven bounds: to {:g} % of the factor, with at most {} triangles\n", 100 * bounds.gap,
+  return fmt::format("  limit analysis: to {:g} % of the factor, with at most {} triangles\n", 100 * bounds.gap,
                      bounds.triangles);
 }
 
 std::string describe_points(const input::Case& data) {
   double time = 0;
   for (const input::Stage& stage : data.stages) time += stage.duration;
-  return fmt::format("  {}{}: {}, together at most {:g} s\n", data.methods.size() > 1 ? "material points, " : "",
+  return fmt::format("  {}{}: {}, together at most {:g} s\n", data.methods.size() > 1 ? "MPM, " : "",
                      data.analysis == input::AnalysisKind::run ? "run" : "strength reduction",
                      count(data.stages.size(), "stage", "stages"), time);
 }

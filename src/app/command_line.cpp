@@ -115,7 +115,8 @@ int run_command_line(int argc, char** argv) {
   check_asked_level();
   require_open_files();
   CLI::App app{
-      "Talus: slope stability and runout by limit equilibrium, finite elements, limit analysis and material points",
+      "Talus: slope stability and runout by limit equilibrium (LEM), finite elements (FEM), limit analysis and "
+      "material points (MPM)",
       "talus"};
   app.require_subcommand(1);
   app.set_version_flag("--version", write_version(), "Print the version, as `talus version`");

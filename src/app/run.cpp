@@ -152,7 +152,7 @@ void add_run(CLI::App& app) {
   command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
   command.take("--threads", options->threads, "Threads to use (default: all cores; one for each rank under mpiexec)")
       .positive(most_threads);
-  command.take("--device", options->device, "Device for the material point method: cpu (default) or gpu");
+  command.take("--device", options->device, "Device for MPM: cpu (default) or gpu");
   const Argument resume = command.flag("--resume", options->resume, "Resume an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");

@@ -288,7 +288,7 @@ void handle_exit() {
   say("talus: error: ");
   say(running.name);
   say(" ended the program, as STOP or exit() do. Results that were written are whole. ");
-  say("--resume goes on from the last checkpoint\n");
+  say("--resume continues from the last checkpoint\n");
   std::_Exit(static_cast<int>(ExitCode::unstable));
 }
 

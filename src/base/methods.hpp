@@ -12,7 +12,7 @@ enum class Method { lem, fem, bounds, mpm };
 
 /// Returns the title of a method in reports.
 constexpr const char* get_title(Method method) {
-  constexpr std::array titles{"slices", "finite elements", "proven bounds", "material points"};
+  constexpr std::array titles{"LEM", "FEM", "limit analysis", "MPM"};
   return titles[static_cast<std::size_t>(method)];
 }
 

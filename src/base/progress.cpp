@@ -42,7 +42,7 @@ bool is_interrupted() {
 
 void throw_if_interrupted() {
   if (is_interrupted())
-    throw Error(ExitCode::interrupted, "interrupted; what was calculated is saved, --resume goes on from there");
+    throw Error(ExitCode::interrupted, "interrupted; what was calculated is saved, --resume continues from there");
 }
 
 void request_interrupt(bool wanted) {

@@ -24,7 +24,7 @@ struct VelocityField {
 inline constexpr double rounding = 1e-8;
 
 /// Smallest cohesion and tensile strength that soil is given, in units of stress. At a free surface, soil without them
-/// bears no stress at all, which a computed field can only approximate.
+/// carries no stress at all, which a computed field can only approximate.
 inline constexpr double least_strength = 1e-6;
 
 struct StaticCheck {

@@ -210,7 +210,8 @@ class BoundsSearch {
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
     ConicProgram program = make_program(result_.problem, bound, factor, units_);
-    // The solver's tolerance refers to the largest entry of the right side, which in strong soil exceeds the loads.
+    // The solver's tolerance refers to the largest entry of the right-hand side, which in strong soil exceeds the
+    // loads.
     double largest = 1;
     for (const double b : program.right) largest = std::max(largest, std::abs(b));
     options.tolerance /= largest;

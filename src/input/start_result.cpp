@@ -168,7 +168,7 @@ void check_result(const Case& data, Findings& findings) {
 void check_start_stress(const Case& data, Findings& findings) {
   if (data.initial.stress != InitialStress::elements || !findings.is_sound("initial.stress")) return;
   if (data.mesh.dimension != 2)
-    findings.add("initial.stress", "the stress of finite elements is there for plane sections only; write \"k0\"");
+    findings.add("initial.stress", "the initial stress by FEM needs a plane section; write \"k0\"");
 }
 
 }  // namespace talus::input

@@ -193,7 +193,7 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
   }
   for (const double r : result.residuals)
     if (!std::isfinite(r)) {
-      if (why != nullptr) *why = "a test gives a value that is no number";
+      if (why != nullptr) *why = "a test gives a value that is not finite";
       return std::nullopt;
     }
   return result;

@@ -213,7 +213,7 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
     const PointRow row =
         make_row(test, soil, state, strain, static_cast<double>(i) / static_cast<double>(values.size() - 1));
     if (!std::isfinite(row.p) || !std::isfinite(row.q))
-      throw Error(ExitCode::unstable, "the model gives no number at step {} of {}", i, values.size() - 1);
+      throw Error(ExitCode::unstable, "the model gives NaN at step {} of {}", i, values.size() - 1);
     // A step that converged in part has brought the soil to failure.
     if (follows || increment != Voigt{}) curve.rows.push_back(row);
     if (!follows || (step.free_count > 0 && largest > largest_strain)) {

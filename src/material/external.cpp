@@ -290,7 +290,7 @@ double External::update_point(int components, double* sigma, const double* d_eps
   if (!fault.empty()) {
     // The call did not return, so there is no answer to check.
   } else if (!is_finite(stress)) {
-    fault = "it answered a stress that is no number";
+    fault = "it returned a stress that is NaN or infinite";
   } else if (!is_finite(answer.states)) {
     fault = "it answered state variables that are no numbers";
   } else if (!(answer.step_ratio >= 1)) {

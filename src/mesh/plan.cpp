@@ -48,10 +48,10 @@ void check_numbers(const Plan& plan) {
   }
   for (const Polygon& p : plan.polygons)
     if (!std::all_of(p.points.begin(), p.points.end(), finite))
-      fail_input("polygon '{}' has a point that is no number", p.name);
+      fail_input("polygon '{}' has a point that is not finite", p.name);
   for (const Line& l : plan.lines)
     if (!std::all_of(l.points.begin(), l.points.end(), finite))
-      fail_input("line '{}' has a point that is no number", l.name);
+      fail_input("line '{}' has a point that is not finite", l.name);
 }
 
 void check_names(const Plan& plan) {

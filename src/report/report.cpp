@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
@@ -12,7 +10,6 @@
 #include "base/file_list.hpp"
 #include "base/folder_lock.hpp"
 #include "base/parallel.hpp"
-#include "input/echo.hpp"
 #include "report/content/head.hpp"
 #include "report/content/laboratory.hpp"
 #include "report/content/method_results.hpp"
@@ -24,118 +21,15 @@
 #include "report/content/timeline.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
+#include "report/folder/numbers.hpp"
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
 #include "report/words/answer.hpp"
 #include "report/words/assumptions.hpp"
-#include "report/words/numbers.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
-
-namespace fs = std::filesystem;
-
-namespace {
-
-[[noreturn]] void fail(const std::string& sentence) {
-  throw Error(ExitCode::wrong_input, sentence);
-}
-
-std::vector<TrialFolder> list_trials(const fs::path& folder) {
-  static constexpr std::string_view prefix = "srf_";
-  std::vector<TrialFolder> trials;
-  if (!fs::is_directory(folder)) return trials;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!entry.is_directory() || !name.starts_with(prefix)) continue;
-    TrialFolder trial;
-    trial.path = entry.path();
-    const char* end = name.data() + name.size();
-    if (std::from_chars(name.data() + prefix.size(), end, trial.factor).ptr != end) continue;
-    trial.result = results::read_file<results::Trial>(entry.path() / "trial.json");
-    trial.runs_out = fs::exists(entry.path() / "history.csv");
-    trials.push_back(std::move(trial));
-  }
-  std::sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.factor < b.factor; });
-  return trials;
-}
-
-/// Sets the dimension of a run that was killed before it wrote a summary: plane strain if all z of its frames are zero.
-void note_dimension(ResultFolder& folder) {
-  if (folder.run.mesh || !folder.frames || folder.frames->size() == 0) return;
-  const output::Frame frame = folder.frames->read(0);
-  bool plane = true;
-  for (std::size_t i = 2; i < frame.positions.size(); i += 3) plane = plane && frame.positions[i] == 0;
-  results::Mesh& mesh = folder.run.mesh.emplace();
-  mesh.dimension = plane ? 2 : 3;
-  mesh.points = frame.point_count();
-}
-
-/// Returns a run with the parts that element tests contain: title, case, units, warnings.
-results::RunResult make_run_of_tests(const results::PointTests& tests) {
-  results::RunResult run;
-  run.title = tests.title;
-  run.project = tests.project;
-  run.provenance = tests.provenance;
-  run.units = tests.units;
-  run.input = tests.input;
-  run.status = results::Status::finished;
-  run.warnings = tests.warnings;
-  run.comparisons = tests.comparisons;
-  run.timing = tests.timing;
-  return run;
-}
-
-}  // namespace
-
-std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder) {
-  return output::holds_frames(folder) ? std::make_shared<const output::ResultsReader>(folder) : nullptr;
-}
-
-std::size_t get_dimension(const results::RunResult& run) {
-  return run.mesh && run.mesh->dimension == 3 ? 3 : 2;
-}
-
-std::optional<ResultFolder> open_run(const fs::path& path) {
-  auto run = results::read_file<results::RunResult>(path / "summary.json");
-  if (!run) return std::nullopt;
-  ResultFolder folder;
-  folder.path = path;
-  folder.run = std::move(*run);
-  folder.data = input::read_echo(folder.run.input);
-  return folder;
-}
-
-ResultFolder open_folder(const fs::path& path) {
-  if (!fs::is_directory(path)) fail(fmt::format("there is no folder '{}'", path.string()));
-  std::optional<ResultFolder> run = open_run(path);
-  ResultFolder folder = run ? std::move(*run) : ResultFolder{};
-  folder.path = path;
-  folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
-  folder.tests = results::read_file<results::PointTests>(path / "point" / "point.json");
-  folder.calibration = results::read_file<results::Calibration>(path / "calibration" / "calibration.json");
-  folder.trials = list_trials(path / "trials");
-  folder.frames = open_frames(path);
-  if (!run && !folder.study_result && !folder.frames && folder.trials.empty()) {
-    if (folder.tests) {
-      folder.has_tests_alone = true;
-      folder.run = make_run_of_tests(*folder.tests);
-      folder.data = input::read_echo(folder.run.input);
-      return folder;
-    }
-    fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
-                     path.string()));
-  }
-  if (!run) {
-    // A killed run has the reports of its finished stages and their warnings in stages.json.
-    if (auto record = results::read_file<results::StageRecord>(path / "stages.json")) {
-      folder.run.stages = std::move(record->stages);
-      folder.run.warnings = std::move(record->warnings);
-    }
-  }
-  note_dimension(folder);
-  return folder;
-}
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -204,6 +98,7 @@ json make_common(const ResultFolder& folder, Packer& packer) {
                   {"flow", report::to_json(units.flow(get_dimension(run)))},
                   {"speed", report::to_json(units.speed())}}},
                 {"model", make_model(folder, results::find_main_factor(run), packer)},
+                {"method_titles", list_method_titles()},
                 {"sequences", json::array()},
                 {"tables", json::array()},
                 {"assumptions", list_assumptions(folder)},

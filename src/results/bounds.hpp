@@ -14,7 +14,7 @@
 
 namespace talus::results {
 
-/// Classification of a factor by the proven bounds.
+/// Classification of a factor by the bounds of limit analysis.
 enum class Verdict { possible, too_low, too_high };
 template <>
 inline constexpr auto words<Verdict> = std::array{"possible", "below_lower_bound", "above_upper_bound"};
@@ -47,8 +47,8 @@ struct Referee {
 };
 void describe(auto& v, As<Referee> auto& r) {
   v.maybe("why_not", r.why_not, {"", "why limit analysis cannot judge the factors of limit equilibrium"});
-  v.key("lower", r.lower, {"", "proven lower bound for the soil of limit equilibrium"});
-  v.key("upper", r.upper, {"", "proven upper bound for the soil of limit equilibrium"});
+  v.key("lower", r.lower, {"", "lower bound by limit analysis, for the soil of LEM"});
+  v.key("upper", r.upper, {"", "upper bound by limit analysis, for the soil of LEM"});
   v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
   v.key("no_upper", r.no_upper, {"", "why there is no upper bound"});
   v.maybe("upper_only", r.upper_only, {"", "why factors below the lower bound are not refused"});
@@ -79,9 +79,10 @@ struct EarthquakeSide {
 void describe(auto& v, As<EarthquakeSide> auto& r) {
   v.key("direction", r.direction,
         {"", "direction of the earthquake that governs: -1 towards smaller x, 1 towards larger x"});
-  v.key(
-      "other_stable", r.other_stable,
-      {"", "factor at which the slope is stable in the other direction: with equilibrium on the same mesh, or proven"});
+  v.key("other_stable", r.other_stable,
+        {"",
+         "factor at which the slope is stable in the other direction: with equilibrium on the same mesh, or by the "
+         "lower bound theorem"});
 }
 
 /// Returns "the earthquake towards smaller x governs (towards larger x WHAT 1.620)"; `what` replaces WHAT.
@@ -98,8 +99,8 @@ struct BoundsMesh {
 };
 void describe(auto& v, As<BoundsMesh> auto& r) {
   v.key("triangles", r.triangles, {"", "triangles"});
-  v.key("lower", r.lower, {"", "lower bound proven up to this mesh"});
-  v.key("upper", r.upper, {"", "upper bound proven up to this mesh"});
+  v.key("lower", r.lower, {"", "largest lower bound up to this mesh"});
+  v.key("upper", r.upper, {"", "smallest upper bound up to this mesh"});
   v.key("programs", r.programs, {"", "cone programs"});
   v.key("iterations", r.iterations, {"", "iterations of their solver"});
   v.key("seconds", r.seconds, {"s", "seconds since the first mesh"});
@@ -114,7 +115,7 @@ struct BoundsResult {
   double asked_gap = 0;            ///< required width of the interval over its middle
   bool is_davis = false;           ///< the strength is that of Davis, so the bounds do not hold for the given soil
   bool takes_tension = false;      ///< the given tensile strength of the soils is used
-  double imbalance = 0;            ///< largest imbalance of the stress field over the unit of stress
+  double imbalance = 0;            ///< largest imbalance of the stress field over the largest load or overburden [-]
   std::vector<BoundsMesh> meshes;
   std::optional<std::vector<SideLine>> sides;  ///< slip lines of the mechanism
   std::optional<EarthquakeSide> earthquake;    ///< nullopt if there is no earthquake or the case gives its direction
@@ -128,14 +129,14 @@ struct BoundsResult {
 void describe(auto& v, As<BoundsResult> auto& r) {
   v.maybe("error", r.error, {"", "why there is no answer"});
   v.key("warnings", r.warnings, {"", "warnings"});
-  v.key("lower", r.lower, {"", "proven lower bound of the factor of safety"});
-  v.key("upper", r.upper, {"", "proven upper bound of the factor of safety"});
+  v.key("lower", r.lower, {"", "lower bound of the factor of safety"});
+  v.key("upper", r.upper, {"", "upper bound of the factor of safety"});
   v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
   v.key("no_upper", r.no_upper, {"", "why there is no upper bound"});
   v.key("asked_gap", r.asked_gap, {"", "width of the interval over its middle that was asked for"});
   v.key("is_davis", r.is_davis, {"", "whether it is of soil with the strength of Davis for ψ < φ"});
   v.key("takes_tension", r.takes_tension, {"", "whether soils bear no more tension than given"});
-  v.key("imbalance", r.imbalance, {"", "largest imbalance of the stress field over the largest load"});
+  v.key("imbalance", r.imbalance, {"", "largest imbalance of the stress field over the largest load or overburden"});
   v.key("meshes", r.meshes, {"", "nested meshes"});
   v.maybe("sides", r.sides, {"", "lines along which the mechanism slides"});
   v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
@@ -181,7 +182,7 @@ struct BoundsFile {
 };
 void describe(auto& v, As<BoundsFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "proven bounds"});
+  v.key("summary", r.summary, {"", "limit analysis"});
   v.key("holds", r.holds, {"", "stresses of the lower bound"});
   v.key("moves", r.moves, {"", "velocities of the upper bound"});
 }

@@ -40,7 +40,7 @@ inline constexpr auto words<FactorMeasure> = std::array{"equilibrium", "displace
 struct MethodRow {
   Method method = Method::lem;
   std::string name;       ///< word of the method of slices, of the flow rule or of the criterion: "spencer", "as_given"
-  std::string title;      ///< "Spencer", "Finite elements, ψ = φ"
+  std::string title;      ///< "Spencer", "FEM, ψ = φ"
   std::string label;      ///< title within its method: "Spencer", "ψ = φ"
   std::string criterion;  ///< such as "critical circle"
   std::string surface;    ///< name of its surface; empty if none is drawn
@@ -54,7 +54,7 @@ void describe(auto& v, As<MethodRow> auto& r) {
   v.key("method", r.method, {"", "method"});
   v.key("name", r.name, {"", "which of its factors"});
   v.key("title", r.title, {"", "name of the method"});
-  v.key("label", r.label, {"", "what tells it from others of its method"});
+  v.key("label", r.label, {"", "what distinguishes it from others of its method"});
   v.key("criterion", r.criterion, {"", "criterion"});
   v.key("surface", r.surface, {"", "name of the surface"});
   v.key("source", r.source, {"", "where the surface comes from"});
@@ -91,7 +91,7 @@ void describe(auto& v, As<MethodSurface> auto& r) {
   v.key("points", r.points, {"m", "its points"});
   v.maybe("source", r.source, {"", "where the line was taken from"});
   v.maybe("direction", r.direction, {"", "1: its soil moves towards larger x, -1: towards smaller x"});
-  v.maybe("beside", r.beside, {"", "name of the surface of the other side, which slices are given instead"});
+  v.maybe("beside", r.beside, {"", "name of the surface of the other side, which LEM evaluates instead"});
 }
 
 /// Slip surface of another method, evaluated by a method of slices.
@@ -191,13 +191,13 @@ struct MethodComparison {
   std::optional<DesignStatement> partial_factors;
 };
 void describe(auto& v, As<MethodComparison> auto& r) {
-  v.key("asked", r.asked, {"", "methods that the case asks for"});
+  v.key("asked", r.asked, {"", "methods of the case"});
   v.key("table", r.table, {"", "factors of all methods"});
   v.key("surfaces", r.surfaces, {"", "surfaces of all methods"});
-  v.key("handed", r.handed, {"", "surfaces that slices were given"});
-  v.key("optimised", r.optimised, {"", "surfaces that slices improved from those of other methods"});
+  v.key("handed", r.handed, {"", "surfaces of other methods evaluated by LEM"});
+  v.key("optimised", r.optimised, {"", "surfaces that LEM optimised from those of other methods"});
   v.key("warnings", r.warnings, {"", "warnings on factors that lie far apart"});
-  v.key("remarks", r.remarks, {"", "what the differences say"});
+  v.key("remarks", r.remarks, {"", "reasons of the differences"});
   v.key("partial_factors", r.partial_factors, {"", "design values"});
 }
 

@@ -151,7 +151,7 @@ struct ElementFile {
 };
 void describe(auto& v, As<ElementFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "finite elements"});
+  v.key("summary", r.summary, {"", "FEM"});
   describe(v, r.mesh);
 }
 

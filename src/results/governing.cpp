@@ -130,8 +130,8 @@ std::optional<double> find_main_factor(const RunResult& run) {
     if (const TimedReduction* elements = find_least_reduction(*run.timeline)) take(elements->runs.front().factor);
   }
   if (!run.bounds || run.bounds->is_davis) return least;
-  // A proven upper bound limits the factors of the other methods. With limit analysis alone the lower bound is the
-  // result.
+  // The upper bound of limit analysis limits the factors of the other methods. With limit analysis alone the lower
+  // bound is the result.
   take(least ? run.bounds->upper : run.bounds->lower);
   return least;
 }

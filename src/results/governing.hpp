@@ -25,7 +25,7 @@ std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
 /// Same for one LEM result; `methods` has the optimised surfaces and may be null.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
 
-/// Marks the factors that limit analysis proves impossible, and stores its interval in `slices`.
+/// Marks the factors outside the interval of limit analysis, and stores its interval in `slices`.
 void take_referee(Referee referee, SliceResult& slices);
 
 /// Same as the next function, for the results of one time of a timeline.
@@ -44,9 +44,9 @@ std::optional<double> find_points_factor(const RunResult& run);
 /// too low are excluded; nullptr if none remains.
 const ElementRun* find_governing_elements(const RunResult& run);
 
-/// Returns which proven bound equals the main factor: a lower bound if all factors of LEM were proven impossible or
-/// only limit analysis was run, an upper bound if it is below the factors of all other methods. Returns nullopt if the
-/// main factor is that of another method.
+/// Returns which bound of limit analysis equals the main factor: a lower bound if all factors of LEM are outside the
+/// interval or only limit analysis was run, an upper bound if it is below the factors of all other methods. Returns
+/// nullopt if the main factor is that of another method.
 enum class ProvenEnd { lower, upper };
 std::optional<ProvenEnd> find_proven_end(const RunResult& run);
 inline bool is_main_factor_proven(const RunResult& run) {

@@ -176,7 +176,7 @@ void describe(auto& v, As<CalibrationSearch> auto& r) {
   v.key("misfit_before", r.misfit_before, {"", "half the sum of the squares at the start"});
   v.key("converged", r.converged, {"", "whether it converged"});
   v.key("iterations", r.iterations, {"", "iterations"});
-  v.key("message", r.message, {"", "what the solver said"});
+  v.key("message", r.message, {"", "message of the solver"});
 }
 
 struct Calibration {

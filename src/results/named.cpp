@@ -39,9 +39,9 @@ struct Member {
 const char* describe_line(const MethodComparison& methods, const std::string& name) {
   const auto found = std::find_if(methods.surfaces.begin(), methods.surfaces.end(),
                                   [&](const MethodSurface& s) { return s.name == name; });
-  if (found != methods.surfaces.end() && found->method == Method::fem) return "the band of the finite elements";
+  if (found != methods.surfaces.end() && found->method == Method::fem) return "the shear band of FEM";
   if (found != methods.surfaces.end() && found->method == Method::bounds) return "the mechanism of the upper bound";
-  return "the slip line of the material points";
+  return "the slip line of MPM";
 }
 
 constexpr std::string_view factor_at = "timeline.factor[";
@@ -81,14 +81,12 @@ class Values {
   void add_governing(const RunResult& run) {
     const std::optional<GoverningSurface> governing = find_governing_surface(run);
     if (run.slices && run.slices->referee) {
-      add_factor("lem.referee.lower", "proven lower bound for the soil of limit equilibrium",
-                 run.slices->referee->lower);
-      add_factor("lem.referee.upper", "proven upper bound for the soil of limit equilibrium",
-                 run.slices->referee->upper);
+      add_factor("lem.referee.lower", "lower bound by limit analysis, for the soil of LEM", run.slices->referee->lower);
+      add_factor("lem.referee.upper", "upper bound by limit analysis, for the soil of LEM", run.slices->referee->upper);
     }
-    if (!governing) return add_factor("lem.factor", "factor of safety that governs, slices", find_slices_factor(run));
+    if (!governing) return add_factor("lem.factor", "factor of safety that governs, LEM", find_slices_factor(run));
     const CriticalSurface& c = *governing->found;
-    add_factor("lem.factor", "factor of safety that governs, slices", c.surface.factor);
+    add_factor("lem.factor", "factor of safety that governs, LEM", c.surface.factor);
     if (c.drawdown) {
       add_factor("lem.drawdown.before", "factor of safety of the same slip surface before drawdown",
                  c.drawdown->factor_before);
@@ -113,15 +111,15 @@ class Values {
     for (const ElementRun& run : elements.runs) {
       const bool associated = run.flow == Flow::associated;
       const char *stem = associated ? "fem.associated." : "fem.", *flow = associated ? " with ψ = φ" : "";
-      add_factor(fmt::format("{}factor", stem), fmt::format("factor of safety, finite elements{}", flow), run.factor);
-      add_factor(fmt::format("{}by_displacement", stem),
-                 fmt::format("factor of safety by displacement, finite elements{}", flow), run.by_displacement);
+      add_factor(fmt::format("{}factor", stem), fmt::format("factor of safety, FEM{}", flow), run.factor);
+      add_factor(fmt::format("{}by_displacement", stem), fmt::format("factor of safety by displacement, FEM{}", flow),
+                 run.by_displacement);
     }
   }
 
   void add_bounds(const BoundsResult& bounds) {
-    add_factor("bounds.lower", "proven lower bound of the factor of safety", bounds.lower);
-    add_factor("bounds.upper", "proven upper bound of the factor of safety", bounds.upper);
+    add_factor("bounds.lower", "lower bound of the factor of safety", bounds.lower);
+    add_factor("bounds.upper", "upper bound of the factor of safety", bounds.upper);
   }
 
   void add_timeline(const Timeline& timeline) {
@@ -132,8 +130,7 @@ class Values {
         "time at which the factor of safety is first found below the target", "s", "failure_time",
         timeline.failure ? std::optional(timeline.failure->to) : std::nullopt);
     if (const TimedReduction* elements = find_least_reduction(timeline))
-      add_factor("timeline.elements", "least factor of safety of finite elements at later times",
-                 elements->runs.front().factor);
+      add_factor("timeline.elements", "least factor of safety by FEM at later times", elements->runs.front().factor);
     if (timeline.chosen) return;
     for (const TimedFactor& f : timeline.factors)
       add_factor(fmt::format("{}{:.15g}]", factor_at, f.time),

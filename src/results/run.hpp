@@ -48,8 +48,8 @@ void describe(auto& v, As<Provenance> auto& r) {
   v.key("commit", r.commit, {"", "commit"});
   v.key("compiler", r.compiler, {"", "compiler"});
   v.key("build_type", r.build_type, {"", "kind of build"});
-  v.key("architecture", r.architecture, {"", "instruction set, as the compiler was told it"});
-  v.key("level", r.level, {"", "level of the instruction set: equal bits of packages where it is equal"});
+  v.key("architecture", r.architecture, {"", "instruction set that was compiled for"});
+  v.key("level", r.level, {"", "level of the instruction set: packages of one level give bitwise identical results"});
   v.key("lane_width", r.lane_width, {"", "doubles in a pack"});
   v.key("machine", r.machine, {"", "machine"});
   v.key("threads", r.threads, {"", "threads"});
@@ -223,7 +223,7 @@ void describe(auto& v, As<RankWork> auto& r) {
   v.key("ranks", r.ranks, {"", "ranks"});
   v.key("bytes", r.bytes, {"", "bytes that the first rank has sent"});
   v.key("seconds", r.seconds, {"s", "seconds that it spent with it, waiting for others too"});
-  v.key("hand_overs", r.hand_overs, {"", "times that ranks handed soil on, because some had more to do"});
+  v.key("hand_overs", r.hand_overs, {"", "rebalancings: times that soil migrated between ranks"});
 }
 
 struct RunResult {
@@ -276,8 +276,8 @@ inline ShownUnits read_units(const RunResult& run) {
 }
 
 /// Returns the main factor of the run: the smallest of the factors of LEM, FEM and MPM, each selected by the rules of
-/// results/governing.hpp, of the factors of a timeline, and of a proven upper bound. With limit analysis alone it is
-/// the lower bound. Returns nullopt if no method found a factor.
+/// results/governing.hpp, of the factors of a timeline, and of the upper bound of limit analysis. With limit analysis
+/// alone it is the lower bound. Returns nullopt if no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 void describe(auto& v, As<RunResult> auto& r) {
@@ -292,17 +292,17 @@ void describe(auto& v, As<RunResult> auto& r) {
   v.maybe("error", r.error, {"", "why it did not finish"});
   v.key("warnings", r.warnings, {"", "what must be known before the results are used"});
   v.maybe("slope_height", r.slope_height, {"m", "height of the slope"});
-  v.maybe("lem", r.slices, {"", "slices"});
-  v.maybe("fem", r.elements, {"", "finite elements"});
-  v.maybe("bounds", r.bounds, {"", "proven bounds"});
+  v.maybe("lem", r.slices, {"", "limit equilibrium (LEM)"});
+  v.maybe("fem", r.elements, {"", "strength reduction by FEM"});
+  v.maybe("bounds", r.bounds, {"", "limit analysis"});
   v.maybe("timeline", r.timeline, {"", "the factor of safety in time"});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});
-  v.maybe("stress_start", r.stress_start, {"", "finite elements whose stress material points began with"});
-  v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety of the material points"});
+  v.maybe("stress_start", r.stress_start, {"", "FEM equilibrium that gave the initial stress of MPM"});
+  v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety by MPM"});
   v.maybe("curve", r.curve, {"", "displacement over the strength reduction factor"});
-  v.maybe("runouts", r.runouts, {"", "trials that went on until rest"});
+  v.maybe("runouts", r.runouts, {"", "trials that continued until rest"});
   v.maybe("runout", r.runout, {"", "how far the soil ran"});
   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
   v.maybe("clock", r.clock, {"", "clock of onset, sections and pictures"});

@@ -36,7 +36,7 @@ void describe(auto& v, As<Circle> auto& r) {
 
 struct SlipSurface {
   SliceMethod method = SliceMethod::spencer;
-  std::string title;  ///< title of the method
+  std::string title;
   bool circular = false;
   std::optional<double> factor;  ///< nullopt if there is no admissible solution
   std::optional<Circle> circle;
@@ -149,11 +149,11 @@ void describe(auto& v, As<CriticalSurface> auto& r) {
   v.key("area", r.area, {"m2", "area of the mass"});
   v.key("depth", r.depth, {"m", "greatest depth"});
   v.maybe("crack", r.crack, {"m", "depth of the dry tension crack that the search added"});
-  v.key("volume_note", r.volume_note, {"", "what the area stands for"});
+  v.key("volume_note", r.volume_note, {"", "meaning of the area"});
   v.key("slides_left", r.slides_left, {"", "whether it slides towards smaller x"});
   v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});
   v.maybe("drawdown", r.drawdown, {"", "rapid drawdown; the factor is after it"});
-  v.key("checks", r.checks, {"", "whether to believe it"});
+  v.key("checks", r.checks, {"", "checks of admissibility"});
   v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
   v.key("slices", r.slices, {"", "its slices"});
   v.key("warnings", r.warnings, {"", "warnings"});
@@ -287,7 +287,7 @@ struct SliceFile {
 };
 void describe(auto& v, As<SliceFile> auto& r) {
   v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "slices"});
+  v.key("summary", r.summary, {"", "limit equilibrium"});
   v.merge("trials", r.trials);
 }
 

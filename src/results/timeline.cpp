@@ -68,10 +68,9 @@ std::string format_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
   if (!loss.from)
-    return fmt::format("Finite elements with the strength as given do not converge at {}. ",
-                       format_moment(t, *loss.to));
-  return fmt::format("Finite elements with the strength as given converge at {} and not at {}. ",
-                     format_moment(t, *loss.from), format_moment(t, *loss.to));
+    return fmt::format("FEM with the strength as given does not converge at {}. ", format_moment(t, *loss.to));
+  return fmt::format("FEM with the strength as given converges at {} and not at {}. ", format_moment(t, *loss.from),
+                     format_moment(t, *loss.to));
 }
 
 /// Returns a sentence on the initial stress of MPM, followed by a space; empty if it is not from FEM.
@@ -81,11 +80,8 @@ std::string format_start(const std::vector<Release>& releases) {
   for (const Release& r : releases)
     if (r.start_factor) any = true, most = std::max(most, 1 / *r.start_factor);
   if (!any) return "";
-  if (most == 1) return " The points begin with the stress of finite elements in equilibrium.";
-  return fmt::format(
-      " The points begin with the stress of finite elements in equilibrium, which need up to {:.3g} times the strength "
-      "for it.",
-      most);
+  if (most == 1) return " MPM starts from the equilibrium stress by FEM.";
+  return fmt::format(" MPM starts from the equilibrium stress by FEM, with up to {:.3g} times the strength.", most);
 }
 
 }  // namespace
@@ -94,7 +90,7 @@ std::string format_releases(const Timeline& t, const ShownUnits& units) {
   if (t.releases.empty()) return "";
   const ShownUnit& length = units.length;
   const auto say = [&](const Release& r, const char* before) {
-    if (r.error) return fmt::format("their run did not end: {}", *r.error);
+    if (r.error) return fmt::format("the run did not end: {}", *r.error);
     return fmt::format(
         "the soil {}moves {} at most{}{}.", before, format_value(r.largest_displacement, length, 3),
         r.front_advance > 0 ? ", its front " + format_uncertain(r.front_advance, r.front_uncertainty, length) : "",
@@ -102,10 +98,10 @@ std::string format_releases(const Timeline& t, const ShownUnits& units) {
   };
   const Release& first = t.releases.front();
   std::string text = format_loss(t);
-  text += fmt::format("Material points take over at {}: {}", format_moment(t, first.time),
+  text += fmt::format("MPM starts at {}: {}", format_moment(t, first.time),
                       say(first, first.rests ? "comes to rest, is let go and " : ""));
   for (std::size_t i = 1; i < t.releases.size(); ++i)
-    text += fmt::format(" When they do so {} {}, {}", units::format_time(std::abs(t.releases[i].time - first.time)),
+    text += fmt::format(" When it starts {} {}, {}", units::format_time(std::abs(t.releases[i].time - first.time)),
                         t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i], ""));
   text += format_start(t.releases);
   return text;

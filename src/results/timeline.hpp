@@ -68,12 +68,12 @@ struct Release {
   std::optional<BoxLimit> limits;           ///< as in Runout
 };
 void describe(auto& v, As<Release> auto& r) {
-  v.key("time", r.time, {"s", "when material points took over"});
-  v.key("factor", r.factor, {"", "factor of safety at that time, by slices"});
+  v.key("time", r.time, {"s", "start of MPM"});
+  v.key("factor", r.factor, {"", "factor of safety at that time, by LEM"});
   v.key("folder", r.folder, {"", "folder of its results; empty: the run itself"});
   v.key("rests", r.rests, {"", "whether the soil came to rest before it was let go"});
   v.key("start_factor", r.start_factor,
-        {"", "what finite elements divided the strength by for the equilibrium that the points began with"});
+        {"", "strength reduction factor of the FEM equilibrium that gave the initial stress"});
   v.key("error", r.error, {"", "why it did not end"});
   v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
@@ -144,10 +144,10 @@ void describe(auto& v, As<Timeline> auto& r) {
   v.key("chosen", r.chosen, {"", "whether the times were chosen"});
   v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
   v.key("states", r.states, {"", "where the water stood at the times of the factors"});
-  v.key("elements", r.elements, {"", "factors of safety of finite elements in time"});
-  v.key("equilibrium", r.equilibrium, {"", "when finite elements lose their equilibrium"});
+  v.key("elements", r.elements, {"", "factors of safety by FEM in time"});
+  v.key("equilibrium", r.equilibrium, {"", "loss of equilibrium by FEM"});
   v.key("pool_loading", r.pool_loading, {"", "whether the weight of pools compresses saturated soil"});
-  v.key("releases", r.releases, {"", "material points that took over, the run itself first"});
+  v.key("releases", r.releases, {"", "MPM runs that start from the timeline, the run itself first"});
   v.key("notes", r.notes, {"", "what must be known of it"});
   v.key("weather", r.weather, {"", "water that came, went and is stored"});
   v.key("step_error", r.step_error, {"m", "the largest error of a step of the seepage, by its prediction"});

@@ -38,7 +38,7 @@ struct Retry {
 };
 void describe(auto& v, As<Retry> auto& r) {
   v.key("time", r.time, {"s", "when it became unstable"});
-  v.key("back_to", r.back_to, {"s", "where it went on from"});
+  v.key("back_to", r.back_to, {"s", "where it resumed"});
   v.key("courant", r.courant, {"", "Courant number from there on"});
   v.key("smoothing", r.smoothing, {"", "smoothing from there on"});
   v.key("reason", r.reason, {"", "what was unstable"});
@@ -155,7 +155,7 @@ struct TrialOutcome {
 };
 void describe(auto& v, As<TrialOutcome> auto& r) {
   v.key("trial", r.trial, {"", "how it ended"});
-  v.maybe("runout", r.runout, {"", "where it went on until rest"});
+  v.maybe("runout", r.runout, {"", "continued until rest"});
   v.maybe("slip_line", r.slip_line, {"", "of one that failed at frozen geometry"});
 }
 

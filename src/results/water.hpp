@@ -26,7 +26,7 @@ void describe(auto& v, As<SurfaceWater> auto& r) {
   v.key("condition", r.condition, {"", "what it is to water"});
   v.key("entered", r.entered, {"kg", "water that came in"});
   v.key("left", r.left, {"kg", "water that left"});
-  v.key("supplied", r.supplied, {"kg", "water that was offered"});
+  v.key("supplied", r.supplied, {"kg", "water supplied by rain or a given flux"});
   v.key("runoff", r.runoff, {"kg", "water that ran off"});
 }
 
@@ -49,7 +49,8 @@ void describe(auto& v, As<WaterBudget> auto& r) {
   v.key("runoff", r.runoff, {"kg", "rain that ran off"});
   v.key("lost_between", r.lost_between, {"kg", "water that was cut off between elements"});
   v.key("left_grid", r.left_grid, {"kg", "water of points that left the grid"});
-  v.key("pressed_in", r.pressed_in, {"kg", "water that pressures at the surface pressed in"});
+  v.key("pressed_in", r.pressed_in,
+        {"kg", "water that the volumetric strain at frozen geometry would expel, kept in the pores"});
   v.key("error", r.error, {"", "error of the water budget over the water in the model"});
   v.key("largest_pressure", r.largest_pressure, {"Pa", "largest pore pressure at the end"});
   v.key("largest_suction", r.largest_suction, {"Pa", "largest suction at the end"});

@@ -21,14 +21,14 @@ std::string choose_direction(const RunOptions& options, input::Earthquake& quake
   const auto weaker = find_weaker_direction(data, options.threads);
   if (options.progress) options.progress->clear();
   if (!weaker)
-    return "Material points follow the earthquake towards the lower end of the ground, or towards larger x where "
+    return "MPM takes the earthquake towards the lower end of the ground, or towards larger x where "
            "both ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' "
            "under "
            "[earthquake].";
   quake.direction = *weaker;
   quake.horizontal = std::abs(quake.horizontal);
   return fmt::format(
-      "Material points follow the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
+      "MPM takes the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
       "other one with 'direction' under [earthquake].",
       *weaker == input::EarthquakeDirection::left ? "smaller" : "larger");
 }
@@ -55,7 +55,7 @@ std::unique_ptr<const input::Case> make_point_case(const input::Case& data, cons
   if (data.earthquake.list_directions().size() > 1) notes.push_back(choose_direction(options, own->earthquake, data));
   if constexpr (D == 2) {
     if (data.initial.stress == input::InitialStress::elements) {
-      if (options.progress) options.progress->show("finite elements: stress at the start");
+      if (options.progress) options.progress->show("FEM: initial stress");
       own->initial.known_stress = find_start_stress(*own, options.threads, run.stress_start.emplace());
     }
   }

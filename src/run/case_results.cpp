@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares FEM with ψ = φ with the proven interval, if both have the same tensile strength.
+/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength.
 void judge_elements(const input::Case& data, results::RunResult& run) {
   if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis ||
       data.bounds.tension != input::BoundsTension::as_given)
@@ -42,8 +42,8 @@ void keep_water(const fs::path& folder, const CaseMethods<D>& m) {
 std::vector<results::TimedPart> list_parts(const results::RunResult& run) {
   std::vector<results::TimedPart> parts;
   if (run.slices) parts.push_back({"lem", "limit equilibrium", run.slices->seconds});
-  if (run.elements) parts.push_back({"fem", "finite elements", run.elements->seconds.value_or(0)});
-  if (run.bounds) parts.push_back({"bounds", "proven bounds", run.bounds->seconds.value_or(0)});
+  if (run.elements) parts.push_back({"fem", "FEM", run.elements->seconds.value_or(0)});
+  if (run.bounds) parts.push_back({"bounds", "limit analysis", run.bounds->seconds.value_or(0)});
   return parts;
 }
 

@@ -52,14 +52,14 @@ std::string write_main_factor(const results::RunResult& run) {
         results::show_lower(*run.slices->referee->lower), results::show_upper(*run.slices->referee->upper));
   if (const auto end = results::find_proven_end(run))
     return *end == results::ProvenEnd::lower
-               ? fmt::format("Factor of safety at least {:.3f} (proven lower bound)\n", results::show_lower(*factor))
-               : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
+               ? fmt::format("Factor of safety at least {:.3f} (lower bound)\n", results::show_lower(*factor))
+               : fmt::format("Factor of safety at most {:.3f} (upper bound)\n", results::show_upper(*factor));
   if (run.timeline && run.timeline->least == factor)
-    return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
+    return fmt::format("Factor of safety {:.3f} (LEM, the least in time, at {})\n", *factor,
                        results::format_moment(*run.timeline, *run.timeline->least_time));
   const results::TimedReduction* later = run.timeline ? results::find_least_reduction(*run.timeline) : nullptr;
   if (later != nullptr && later->runs.front().factor == factor)
-    return fmt::format("Factor of safety {:.3f}{} (finite elements, at {})\n", *factor,
+    return fmt::format("Factor of safety {:.3f}{} (FEM, at {})\n", *factor,
                        write_interval(later->runs.front().interval),
                        results::format_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
@@ -70,8 +70,8 @@ std::string write_main_factor(const results::RunResult& run) {
       "Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
       by_elements ? write_interval(elements->interval) : "",
       by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface, read_units(run)))
-      : by_elements ? "finite elements"
-                    : "material points");
+      : by_elements ? "FEM"
+                    : "MPM");
 }
 
 /// Formats the stages of rapid drawdown before the governing one, on the same slip surface.
@@ -85,7 +85,7 @@ std::string write_drawdown(const results::RunResult& run) {
   return text + "\n";
 }
 
-/// "1.441"; "1.432–1.446" for a proven interval; "none".
+/// "1.441"; "1.432–1.446" for the interval of limit analysis; "none".
 std::string write_factor(const results::MethodRow& row) {
   if (row.factor) return fmt::format("{:6.3f}", *row.factor);
   if (row.method != Method::bounds) return "  none";
@@ -242,7 +242,7 @@ std::string write_timeline(const results::Timeline& t, const Units& in) {
   for (const results::TimedReduction& e : t.elements)
     for (const results::ElementRun& r : e.runs)
       text += "  " + pad(results::format_moment(t, e.time), t.start ? 30 : 15) +
-              fmt::format("{:6.3f}   finite elements, {}{}\n", r.factor,
+              fmt::format("{:6.3f}   FEM, {}{}\n", r.factor,
                           r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", write_interval(r.interval));
   text += results::format_failure(t) + "\n";
   if (const std::string releases = results::format_releases(t, in.all()); !releases.empty()) text += releases + "\n";

@@ -18,7 +18,7 @@ using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
 
 /// Returns the ground from left to right; a vertical step has two points of the same x. Throws Error (wrong_input),
-/// with the place, if the soil has a gap, an overhang or a cavity, since methods of slices need soil from the ground
+/// with the place, if the soil has a gap, an overhang or a cavity, since LEM needs soil from the ground
 /// down.
 Polyline find_ground(const mesh::Plan& plan);
 

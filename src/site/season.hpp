@@ -33,7 +33,7 @@ struct SeasonRecord {
   int steps = 0, rejected = 0, iterations = 0;
   /// State of the water at the end of each tenth of the season.
   std::vector<results::WaterState> states;
-  std::vector<results::WaterField> fields;  ///< of these states; none in 3D
+  std::vector<results::WaterField> fields;  ///< fields of `states`; none in 3D
 
   /// Returns the imbalance inflow - outflow - transpired - growth over the largest of these [-].
   double find_error() const;

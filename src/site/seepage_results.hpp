@@ -22,7 +22,7 @@ struct WaterResult {
   std::optional<results::Seepage> seepage;  ///< steady state
   std::optional<results::Season> season;
   std::optional<std::vector<results::WaterState>> states;  ///< in the order of time
-  std::optional<results::WaterFields> fields;              ///< of these states
+  std::optional<results::WaterFields> fields;              ///< fields of `states`
 };
 
 /// Returns the results of steady seepage and of a season on this mesh.

@@ -159,7 +159,7 @@ bool has_same(const fs::path& folder, const std::string& text) {
   if (!fs::exists(folder / "jobs.json")) return false;
   if (read_user_file(folder / "jobs.json", largest_file::result) != text)
     fail_input(
-        "'{}' holds the jobs of another case, study, number of jobs or program; go on with the same, or start anew "
+        "'{}' holds the jobs of another case, study, number of jobs or program; continue with the same, or start anew "
         "with --overwrite",
         folder.string());
   return true;
@@ -187,7 +187,7 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   const std::string text = results::to_json(jobs).dump(1) + "\n";
 
   check_folder(base, planned.plan, options.study,
-               "give another one, replace it with --overwrite, or go on with --resume");
+               "give another one, replace it with --overwrite, or continue with --resume");
   FolderLock lock(folder);
   lock.take_existing();
   if (options.study.resume && has_same(folder, text)) return;

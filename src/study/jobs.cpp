@@ -179,7 +179,7 @@ std::optional<Error> calculate_own_runs(const JobFolder& folder, const results::
   for (const StudyRow& row : rows) {
     // A variant that was interrupted, or is being run elsewhere, has not ended.
     if (row.summary.status == results::VariantStatus::not_started || row.code == ExitCode::interrupted)
-      throw Error(ExitCode::interrupted, "interrupted; the same job goes on from here");
+      throw Error(ExitCode::interrupted, "interrupted; the same job continues from here");
     if (row.code == ExitCode::folder_exists) throw Error(row.code, row.summary.reason);
     result.variants.push_back(row.summary);
     result.codes.push_back(static_cast<int>(row.code));

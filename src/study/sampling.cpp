@@ -217,9 +217,9 @@ results::StudyResult make_runs_result(const input::LoadedCase& base, const Study
       set.summary.runout.emplace().name = name;
     }
   }
-  set.summary.method_title = method == Method::fem   ? "Finite elements"
-                             : method == Method::lem ? "Slices, the least factor in time"
-                                                     : "Material points";
+  set.summary.method_title = method == Method::fem   ? "FEM"
+                             : method == Method::lem ? "LEM, the least factor in time"
+                                                     : "MPM";
   set.summary.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
   if (set.factor.empty() && set.runout.empty())
     set.summary.notes.push_back("No run has come to a factor of safety or a runout.");
@@ -315,7 +315,7 @@ class SliceSampling {
   SampleSet& set_;
 };
 
-/// Describes the proven interval for these values, and the factor of the samples there.
+/// Describes the interval of limit analysis for these values, and the factor of the samples there.
 std::string describe_referee(const char* where, const results::Referee& referee, double factor) {
   if (referee.why_not || !referee.is_interval())
     return fmt::format("Limit analysis cannot judge the factor {}: {}.", where,
@@ -411,7 +411,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   for (const std::string& note : slices.numbers().notes()) result.notes.push_back(note);
   if (!slices.numbers().idle_keys().empty())
     result.notes.push_back(
-        fmt::format("Slices do not use {}: it has no effect here.", fmt::join(slices.numbers().idle_keys(), ", ")));
+        fmt::format("LEM does not use {}: it has no effect here.", fmt::join(slices.numbers().idle_keys(), ", ")));
   if (slices.is_full()) {
     result.notes.push_back(
         fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",

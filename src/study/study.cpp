@@ -231,7 +231,7 @@ std::vector<StudyRow> run_variants(const StudyPlan& plan, const StudyOptions& op
 
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {
   check_folder(plan.variants.front().loaded, plan, options,
-               "give another one with -o, replace it with --overwrite, or go on with --resume");
+               "give another one with -o, replace it with --overwrite, or continue with --resume");
   FolderLock lock(options.folder);
   lock.take_existing();
   check_variants(plan, options);
@@ -260,7 +260,7 @@ std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {
   if (finished == rows.size()) return std::nullopt;
   const std::string what =
       code == ExitCode::interrupted
-          ? fmt::format("interrupted with {} of {} variants finished; --resume goes on with the others", finished,
+          ? fmt::format("interrupted with {} of {} variants finished; --resume continues with the others", finished,
                         rows.size())
           : fmt::format("{} of {} variants did not finish", rows.size() - finished, rows.size());
   return Error(code, what + (reasons.empty() ? "" : ":") + reasons);

@@ -71,7 +71,7 @@ TEST(DrySlope, DisplacementsAreThoseOfAnIndependentCodeOnTheSameMesh) {
 }
 
 TEST(DrySlope, FrozenFactorAgreesWithSlicesForAssociatedFlow) {
-  // 1.44 by Bishop, Spencer and Morgenstern-Price and by quadratic finite elements.
+  // 1.44 by Bishop, Spencer and Morgenstern-Price and by FEM with quadratic elements.
   const json summary = run_example(
       "dry_slope/case.toml", {{"materials.sand.dilatancy_angle", "30"}, {"strength_reduction.curve.enabled", "false"}});
   const json& frozen = summary.at("factor_of_safety").at("frozen");

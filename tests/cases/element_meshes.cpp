@@ -14,7 +14,7 @@ class ElementMeshes : public MethodsTest {
  protected:
   const std::string text_ = write_case("\"fem\"", "[fem]\nsize = 2\nresolution = 0.02\n");
 
-  /// The remarks on finite elements, one after the other.
+  /// The remarks on FEM, one after the other.
   static std::string join_remarks(const json& summary) {
     std::string all;
     for (const json& remark : summary.at("methods").at("remarks")) all += remark.at("text").get<std::string>() + "\n";

@@ -181,7 +181,7 @@ TEST(ExternalModel, RunThatFailsNamesThePointAndItsPlace) {
       name_umat("failing", "symbol = \"smaller_step\"\nconstants = [150]\nstates = 1\ninitial_states = [0.5]\n");
   try {
     run(write_case(failing, "points", 0.05), 2);
-    ADD_FAILURE() << "the run went on";
+    ADD_FAILURE() << "the run continued";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::unstable);
     expect_words(

@@ -10,7 +10,7 @@ using nlohmann::json;
 
 class FineBandTest : public MethodsTest {};
 
-/// 45°, H = 10 m, c = 16.1 kPa, φ = ψ = 25.3°: the factor is proven to lie between 1.294 and 1.302
+/// 45°, H = 10 m, c = 16.1 kPa, φ = ψ = 25.3°: limit analysis bounds the factor by 1.294 and 1.302
 /// (docs/verification_data/frozen_meshes.md). Elements of H/67 lie along the band, of H/13 elsewhere. With an average
 /// that violates the normality of associated flow the slope fails at 1.29, with 30 m in a minute.
 TEST_F(FineBandTest, IsStableBelowTheLowerBound) {

@@ -114,7 +114,7 @@ TEST_F(Machine, LetsOneRunIntoAFolder) {
   EXPECT_TRUE(fs::exists(folder_ / "one" / "summary.json")) << "nothing is removed";
 }
 
-/// Neither in the folder itself nor in that of a part of it.
+/// No file is left in the folder itself, nor in that of a part of it.
 TEST_F(Machine, LetsNoOtherCommandIntoTheFolderOfARun) {
   ASSERT_EQ(run(start + std::string("-o one")), 0) << message_;
   fs::create_directories(folder_ / "one" / "trials");

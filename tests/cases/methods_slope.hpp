@@ -17,7 +17,7 @@
 
 namespace talus {
 
-/// The dry slope of the source with slices alone; `more` is appended.
+/// The dry slope of the source with LEM alone; `more` is appended.
 inline std::string write_case(const std::string& methods = "\"lem\"", const std::string& more = "") {
   return support::write_slope("dry",
                               {"geometry.box=[[0, 0], [44, 15]]", "mesh.size=2.5", "materials.sand.grain_density=2650",

@@ -99,7 +99,7 @@ TEST_F(Misleading, NoPartOfASlideHoldsUpTheOneBelowIt) {
 
 TEST_F(Misleading, AMassOfNoSizeBesideTheEdgeOfALoadDoesNotGovern) {
   const json summary = run_case("crest_load");
-  // Finite elements with ψ = φ have 2.604, from two meshes.
+  // FEM with ψ = φ has 2.604, from two meshes.
   EXPECT_NEAR(summary.at("main_factor").get<double>(), 2.60, 0.03);
   EXPECT_GT(summary.at("lem").at("noncircular").back().at("depth").get<double>(), 3);
 }
@@ -161,7 +161,8 @@ TEST_F(Misleading, MethodsOnBothSidesOfOneAreTheFirstWarningAndTheSmallestFactor
   EXPECT_LT(summary.at("main_factor").get<double>(), 0.75);
   const auto& warnings = summary.at("warnings");
   ASSERT_FALSE(warnings.empty());
-  EXPECT_NE(warnings[0].get<std::string>().find("disagree on whether the slope stands"), std::string::npos) << warnings;
+  EXPECT_NE(warnings[0].get<std::string>().find("disagree on whether the slope is stable"), std::string::npos)
+      << warnings;
   EXPECT_TRUE(warns(summary, {"unstable by inspection", "φ = 37.1°", "0.60"})) << warnings;
 }
 
@@ -296,7 +297,7 @@ TEST_F(Misleading, AnEmbankmentHasALineOnEachSideAndSlicesAreGivenOne) {
   EXPECT_LT(left.back()[0], 24);
   EXPECT_GT(right.back()[0], 52);
 
-  // Slices follow one of the two: the band is a little stronger than their own surface.
+  // LEM evaluates one of the two: the band is a little stronger than its own surface.
   const double least = support::find_result(summary, "lem.factor").value_or(0);
   const auto handed = support::find_result(summary, "lem.handed[fem.band].spencer");
   ASSERT_TRUE(handed) << summary.at("methods").at("handed");

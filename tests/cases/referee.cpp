@@ -60,7 +60,8 @@ TEST_F(RefereeTest, ASteepSlopeIsComparedOnCirclesWithACrack) {
   EXPECT_LE(summary.at("main_factor").get<double>(), upper);
 }
 
-/// The governing factor lies in the proven interval, which meets the narrower one of meshes of 3,000 triangles.
+/// The governing factor lies in the interval of limit analysis, which meets the narrower one of meshes of 3,000
+/// triangles.
 TEST_F(RefereeTest, WhatGovernsIsProvenPossible) {
   struct Slope {
     const char* name;

@@ -170,7 +170,7 @@ TEST_F(Release, HasTheFactorOfTheSameWater) {
               before.at("fem").at("runs")[0].at("factor").get<double>(), 0.011);
 }
 
-// Slices and finite elements on the water of the same times.
+// LEM and FEM on the water of the same times.
 TEST_F(Release, FiniteElementsReduceStrengthAtTimesOfTheTimeline) {
   const auto summary =
       run(write_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5, 1]\n"),
@@ -266,7 +266,7 @@ TEST_F(Release, AnInterruptedTimelineResumes) {
 TEST_F(Release, AStableSlopeIsNotReleased) {
   const auto summary = run(write_bank("[timeline]\nduration = 0.25\n[timeline.release]\n"));
   EXPECT_TRUE(summary.at("timeline").at("releases").empty());
-  EXPECT_NE(summary.at("timeline").at("notes").dump().find("material points do not take over"), std::string::npos);
+  EXPECT_NE(summary.at("timeline").at("notes").dump().find("MPM does not start"), std::string::npos);
   EXPECT_FALSE(summary.contains("runout"));
 }
 
@@ -281,7 +281,7 @@ TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
     EXPECT_NEAR(std::abs(releases[i].at("time").get<double>() - releases[0].at("time").get<double>()), 3600, 1800);
 }
 
-// Points take over with the stress and the water of finite elements, and nothing holds them.
+// MPM starts from the stress and the water of FEM, and nothing holds the points.
 TEST_F(Release, NothingMovesFromTheStressOfFem) {
   const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
                            {{"initial.stress", "'elements'"},
@@ -310,7 +310,7 @@ TEST_F(Release, EveryMovingReleaseHasTheUncertaintyOfItsFront) {
   }
 }
 
-// Finite elements lose their equilibrium where their factor passes 1.
+// FEM loses equilibrium where its factor passes 1.
 TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
   const std::vector<input::Override> weak{{"materials.silt.cohesion", "0.4"},
                                           {"materials.silt.friction_angle", "27"},

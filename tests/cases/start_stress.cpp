@@ -77,7 +77,7 @@ TEST_F(StartStress, ReportsWhatACaseLacks) {
   const std::string fault = find_fault(
       write_dry("elements", let_go),
       {{"boundary", "[{ on = 'bottom', fix = 'friction', friction = 0.3 }, { on = 'left', fix = 'normal' }]"}});
-  EXPECT_NE(fault.find("finite elements have no wall with friction"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("FEM has no wall with friction"), std::string::npos) << fault;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ using nlohmann::json;
 const std::string slice_samples =
     sampling_slope::write_case("[study]\nmode = \"sample\"\nsamples = 60\n" + sampling_slope::deviations);
 
-/// The same run by finite elements, three times.
+/// The same run by FEM, three times.
 const std::string element_samples = slice_samples + R"(
 [fem]
 size = 2.5

@@ -37,7 +37,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(cohesion.cells[i].full, cohesions[i]);
     EXPECT_EQ(get_column(table, "result").cells[i].full, "finished");
-    // The case calculated alone, by several threads, is the same bit for bit.
+    // The case calculated alone, by several threads, is bitwise identical.
     run::RunOptions alone;
     alone.folder = folder.string() + "_alone_" + cohesions[i];
     alone.threads = 2;

@@ -90,7 +90,7 @@ damping = 0.5
   EXPECT_EQ(reduce(tresca), reduce(frictionless));
   const double factor = reduce(std::string(tresca) + growing);
   const double slices = find_factor(run(write_soil("\"lem\"", std::string(tresca) + growing, few_circles)), "spencer");
-  // Elements of H/4 lock: the factor lies above that of slices by some per cent.
+  // Elements of H/4 lock: the factor lies above that of LEM by some per cent.
   EXPECT_NEAR(factor, slices, 0.15 * slices);
 }
 

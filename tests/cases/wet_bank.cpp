@@ -54,13 +54,13 @@ double sum_last(const output::HistoryTable& history, const std::string& ending) 
 TEST_F(WetBank, SteadySeepageIsUnchangedWhenTheSoilIsReleased) {
   const json summary = run({});
   EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
-  EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank stands";
+  EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank is stable";
   EXPECT_LT(get(summary, "water.budget_error"), 1e-9);
 
   const output::HistoryTable history = output::read_history(folder_ / "history.csv");
   const double flow = summary.at("seepage").at("inflow");
   EXPECT_GT(flow, 1e-4);
-  EXPECT_NEAR(sum_last(history, ".inflow"), flow, 0.1 * flow) << "finite elements and material points";
+  EXPECT_NEAR(sum_last(history, ".inflow"), flow, 0.1 * flow) << "steady seepage and MPM";
   EXPECT_NEAR(sum_last(history, ".outflow"), flow, 0.1 * flow);
 
   const output::ResultsReader frames(folder_);

@@ -112,7 +112,7 @@ TEST(DeviceAgainstEngine, LandslideThroughManyElementsOverfillsBlocksAndIsTheSam
   compare(make_landslide(), fast_variant, 250);
 }
 
-/// Nor that threads run together.
+/// The result does not depend on the number of threads of a block that run together.
 TEST(DeviceAgainstEngine, OrderOfThreadsChangesNoBit) {
   const mpm::Body<2> body = golden::translate(make_mixed_slope(), 3);
   for (const PlainVariant& v : all_variants()) {

@@ -118,7 +118,8 @@ mpm::Body<D> run_on_device(WetCase<D> made, int steps, const mpm::Emulation& how
   return made.body;
 }
 
-/// Nor that threads run together, for fewer steps: they wait for each other after each of hundreds of kernels.
+/// The result does not depend on the number of threads that run together. There are fewer steps, since the threads
+/// synchronise after each of hundreds of kernels.
 TEST(DeviceWater, OrderOfThreadsChangesNoBit) {
   const WetCase<2> made = make_case(make_many_conditions<2>(), {.name = "stable", .smoothing = Smoothing::stable});
   const auto compare_bits = [&](const mpm::Emulation& how, int steps) {

@@ -81,7 +81,7 @@ class Resume : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  /// Every frame, and both histories, bit for bit.
+  /// Every frame, and both histories, are bitwise identical.
   void expect_same_results(const std::string& a, const std::string& b) const {
     const output::ResultsReader first(folder_ / a), second(folder_ / b);
     ASSERT_EQ(first.times(), second.times());

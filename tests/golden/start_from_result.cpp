@@ -326,7 +326,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   options.folder = folder_ / "late";
   try {
     support::run_case(read(next, from_one), options);
-    ADD_FAILURE() << "it would go on from another state than it began with";
+    ADD_FAILURE() << "it would resume from another state than it started from";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("belongs to another case"), std::string::npos) << error.what();
   }

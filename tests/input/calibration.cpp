@@ -121,7 +121,7 @@ TEST(CalibrationInput, FaultsAreReportedWithTheirPlace) {
                "material 'sand' has no number 'cohesoin'; did you mean 'cohesion'?");
   expect_fault(alter("\"materials.sand.cohesion\"", "@@\"materials.snad.cohesion\""),
                "there is no material 'snad'; did you mean 'sand'?");
-  expect_fault(alter("\"materials.sand.cohesion\"", "@@\"gravity.acceleration\""), "is no number of a material");
+  expect_fault(alter("\"materials.sand.cohesion\"", "@@\"gravity.acceleration\""), "is not a number of a material");
   expect_fault(alter("\"materials.sand.cohesion\"", "@@\"materials.sand.kappa\""),
                "material 'sand' has no number 'kappa'");
   expect_fault(whole + "[[calibration.parameter]]\nkey = @@\"materials.sand.cohesion\"\nmin = 0\nmax = 9\n",
@@ -173,7 +173,7 @@ TEST_F(CalibrationTable, FaultsNameFileLineAndColumn) {
   EXPECT_NE(find_table_fault("axial_strains [%],q [kPa]\n1,100\n").find("is it 'axial_strains'?"), std::string::npos);
   EXPECT_NE(find_table_fault("axial_strain,q\n1,100\n").find("has no unit; head it 'q [kPa]'"), std::string::npos);
   EXPECT_NE(find_table_fault("axial_strain,q [mm]\n1,100\n").find("is a length"), std::string::npos);
-  EXPECT_NE(find_table_fault("axial_strain,q [kPa]\n1,100\n2,abc\n").find("curve.csv:3: 'abc' is no number"),
+  EXPECT_NE(find_table_fault("axial_strain,q [kPa]\n1,100\n2,abc\n").find("curve.csv:3: 'abc' is not a number"),
             std::string::npos);
   EXPECT_NE(find_table_fault("axial_strain,q [kPa]\n").find("has no row"), std::string::npos);
 }

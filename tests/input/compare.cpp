@@ -103,12 +103,12 @@ TEST(Compare, IsPrintedAtTheTerminal) {
   run.comparisons = {
       {"lem.spencer", "Spencer, critical circle", {"", 1}, 1.386, 1.39, 0.02, "0.02", "a referee", true, ""},
       {"stage[a].displacement", "largest displacement", {"mm", 1e-3}, 0.05, 0.03, 0.003, "10 %", "B", false, ""},
-      {"fem.factor", "finite elements", {"", 1}, {}, 1.4, 0.1, "0.1", "C", false, "the case leaves it out"}};
+      {"fem.factor", "FEM", {"", 1}, {}, 1.4, 0.1, "0.1", "C", false, "the case leaves it out"}};
   const std::string text = run::write_digest(run);
   for (const char* line : {"Compared with published values:\n",
                            "  Spencer, critical circle: 1.386, published 1.39 ± 0.02 (a referee): passes\n",
                            "  largest displacement: 50 mm, published 30 mm ± 10 % (B): misses\n",
-                           "  finite elements: not calculated, published 1.4 ± 0.1 (C); the case leaves it out\n"})
+                           "  FEM: not calculated, published 1.4 ± 0.1 (C); the case leaves it out\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 

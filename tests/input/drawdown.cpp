@@ -58,7 +58,7 @@ TEST(Drawdown, NeedsASoilThatHoldsItsWater) {
 }
 
 TEST(Drawdown, ExcludesOtherMethods) {
-  expect_fault(with_elements + envelope + water + "@@" + three_stages, "by slices alone");
+  expect_fault(with_elements + envelope + water + "@@" + three_stages, "by LEM only");
   // Keys of a method that is not selected may stay.
   EXPECT_TRUE(find_faults(change(with_elements, "[\"lem\", \"fem\"]", "[\"fem\"]") + water + three_stages).empty());
   expect_fault(drawn + "[earthquake]\nhorizontal = 0.1\n@@" + three_stages, "not with [earthquake]");

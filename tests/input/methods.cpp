@@ -38,7 +38,7 @@ TEST(Methods, KeysThatAMethodNeedsAreRequired) {
     EXPECT_NE(elements.find(std::string("missing key ") + key), std::string::npos) << elements;
     EXPECT_NE(points.find(std::string("missing key ") + key), std::string::npos) << points;
   }
-  EXPECT_NE(elements.find("finite elements need a size"), std::string::npos) << elements;
+  EXPECT_NE(elements.find("FEM needs a size"), std::string::npos) << elements;
   EXPECT_EQ(elements.find("'box'"), std::string::npos) << elements;
   EXPECT_EQ(elements.find("no stage"), std::string::npos) << elements;
   for (const char* part : {"missing key 'box'", "missing key 'size' in [mesh]", "there is no stage"})
@@ -77,22 +77,25 @@ TEST(Methods, FemHasDefaultSupports) {
 
 TEST(Methods, FiniteElementsTakeNoWallsThatRubOrMove) {
   const std::string wall = "[[boundary]]\non = \"left\"\nfix = ";
-  expect_fault(with_elements + wall + "@@\"friction\"\nfriction = 0.3\n", "no wall with friction");
-  expect_fault(with_elements + wall + "@@\"velocity\"\nvelocity = [0.1, 0]\n", "no boundary that moves");
+  expect_fault(with_elements + wall + "@@\"friction\"\nfriction = 0.3\n",
+               "a wall with friction is not possible with FEM");
+  expect_fault(with_elements + wall + "@@\"velocity\"\nvelocity = [0.1, 0]\n",
+               "a boundary that moves is not possible with FEM");
 }
 
 TEST(Methods, BoundsNeedTensionAndTakeNoWallsThatRub) {
   const std::string bounds = change(slices_alone, "[\"lem\"]", "[\"bounds\"]");
   expect_one_fault(bounds, "tensile_strength");
   const std::string whole = change(bounds, "friction_angle = 19.6\n", "friction_angle = 19.6\ntensile_strength = 0\n");
-  EXPECT_EQ(read(whole).boundaries.size(), 3u) << "held as for finite elements";
+  EXPECT_EQ(read(whole).boundaries.size(), 3u) << "fixed as for FEM";
   EXPECT_DOUBLE_EQ(read(whole).bounds.gap, 0.01);
   const std::string wall = "[[boundary]]\non = \"left\"\nfix = ";
-  expect_fault(whole + wall + "@@\"friction\"\nfriction = 0.3\n", "proven bounds have no wall with friction");
+  expect_fault(whole + wall + "@@\"friction\"\nfriction = 0.3\n",
+               "a wall with friction is not possible with limit analysis");
   // One sentence for both methods.
   const std::string both = change(with_elements, "[\"lem\", \"fem\"]", "[\"fem\", \"bounds\"]");
   expect_fault(both + wall + "@@\"friction\"\nfriction = 0.3\n",
-               "finite elements and proven bounds have no wall with friction; take \"fem\" and \"bounds\" out");
+               "a wall with friction is not possible with FEM and limit analysis; take \"fem\" and \"bounds\" out");
   expect_fault(whole + "[bounds]\ngap = @@2\n", "gap");
   expect_fault(change(all_three, "[\"lem\", \"fem\", \"mpm\"]", "[\"bounds\"]") + "[bounds]\ntriangles = @@0\n",
                "triangles");
@@ -105,14 +108,13 @@ TEST(Methods, AreNamedOnceAndAtLeastOne) {
 }
 
 TEST(Methods, SlicesArePlaneAndNeedPolygons) {
-  expect_one_fault(change(all_three, "dimension = 2", "dimension = 3\nthickness = 5"),
-                   "slices are those of a plane section");
+  expect_one_fault(change(all_three, "dimension = 2", "dimension = 3\nthickness = 5"), "LEM analyses a plane section");
   const std::string clay = change(slices_alone, "model = \"mohr_coulomb\"", "model = \"modified_cam_clay\"");
   const std::string clay_keys =
       "lambda = 0.1\nkappa = 0.02\ncritical_state_slope = 1\npreconsolidation = 100\nporosity = 0.4\n";
   expect_one_fault(change(clay, "cohesion = 3\nfriction_angle = 19.6\n", clay_keys),
-                   "material 'soil' has no cohesion and friction angle for slices");
-  expect_one_fault(slices_alone + "[gravity]\ndirection = [0.1, -1]\n", "slices weigh along y");
+                   "material 'soil' has no cohesion and friction angle for LEM");
+  expect_one_fault(slices_alone + "[gravity]\ndirection = [0.1, -1]\n", "LEM needs gravity along y");
   expect_one_fault(slices_alone + "[gravity]\nacceleration = 0\n", "needs a weight");
 }
 
@@ -176,7 +178,7 @@ TEST(UnitWeight, IsGivenOnceAndNotAloneForMovingWater) {
   expect_fault(change(slope, "grain_density = 2500", "unit_weight = 20\ngrain_density = @@2500"),
                "both a unit weight and a grain density");
   const std::string water = "[materials.soil.water]\nretention = \"saturated\"\nconductivity = 1e-5\n";
-  // Slices take the weight as it is; only what the pores hold must be known.
+  // LEM takes the weight as given; only the water in the pores must be known.
   EXPECT_TRUE(
       find_faults(change(slices_alone, "unit_weight = 20\n", "unit_weight = 20\nporosity = 0.4\n") + water).empty());
   expect_one_fault(slices_alone + water, "needs pores: a porosity above 0 and below 1");

@@ -64,8 +64,8 @@ TEST(Program, PrintsWhatEachMethodCalculates) {
   EXPECT_EQ(checked.code, 0) << checked.text;
   for (const char* line :
        {"\n  limit equilibrium: Bishop simplified, Spencer; circles between entries and exits, then polylines\n",
-        "\n  finite elements: strength reduction with elements of 0.75 m and of 1.5 m, ψ as given\n",
-        "\n  material points, run: 2 stages, together at most 13 s\n", "\n  with partial factors DA1-2\n"})
+        "\n  FEM: strength reduction with elements of 0.75 m and of 1.5 m, ψ as given\n",
+        "\n  MPM, run: 2 stages, together at most 13 s\n", "\n  with partial factors DA1-2\n"})
     EXPECT_NE(checked.text.find(line), std::string::npos) << line << checked.text;
   const Outcome slices = run_program("check --set 'analysis.methods=[\"lem\"]' " + path);
   EXPECT_EQ(slices.text.find("stages"), std::string::npos) << "nothing moves: " << slices.text;
@@ -88,7 +88,7 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
   for (const std::string& command : {std::string("check "), "run -o '" + testing::TempDir() + "talus_fine' "}) {
     const Outcome refused = run_program(command + "--set mesh.size=0.0003 " + path);
     EXPECT_EQ(refused.code, 2) << refused.text;
-    EXPECT_NE(refused.text.find("--set mesh.size: error: material points with elements of 0.0003 m need about "),
+    EXPECT_NE(refused.text.find("--set mesh.size: error: MPM with elements of 0.0003 m needs about "),
               std::string::npos)
         << refused.text;
     EXPECT_NE(refused.text.find(" m would fit"), std::string::npos) << refused.text;
@@ -96,7 +96,7 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
   EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_fine"));
   const Outcome hopeless = run_program("check --set mesh.size=1e-300 " + path);
   EXPECT_EQ(hopeless.code, 2) << hopeless.text;
-  EXPECT_NE(hopeless.text.find("need more memory than any machine has"), std::string::npos) << hopeless.text;
+  EXPECT_NE(hopeless.text.find("needs more memory than any machine has"), std::string::npos) << hopeless.text;
 }
 
 TEST(Program, PrintsItsWarningsBeforeARunAndKeepsThem) {

@@ -122,7 +122,7 @@ TEST_F(SeriesFromFile, MissingValuesAreRefused) {
   }
   for (const char* cell : {"-9", "-9.9", "-98.9", "99.9", "-0.999"})
     EXPECT_EQ(fault(fmt::format("date;rain [mm]\n2023-03-01;1\n2023-03-02;{}\n", cell), rain), "") << cell;
-  EXPECT_NE(fault("date,rain [mm]\n2023-03-01,1\n2023-03-02,wet\n", rain).find("'wet' is no number"),
+  EXPECT_NE(fault("date,rain [mm]\n2023-03-01,1\n2023-03-02,wet\n", rain).find("'wet' is not a number"),
             std::string::npos);
 }
 

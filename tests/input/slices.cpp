@@ -33,7 +33,7 @@ TEST(Slices, ReadTheirSettings) {
 }
 
 TEST(Slices, NeedAMethodAndSomethingToCalculate) {
-  expect_fault(slices_alone + "[lem]\nmethods = @@[]\n", "name at least one method of slices");
+  expect_fault(slices_alone + "[lem]\nmethods = @@[]\n", "name at least one method");
   expect_fault(slices_alone + "[lem]\nmethods = [\"bishop\", @@\"bishop\"]\n", "named twice");
   expect_fault(slices_alone + "[lem]\nmethods = [@@\"bishops\"]\n", "did you mean 'bishop'?");
   expect_fault(slices_alone + "[lem]\nsearch = @@\"none\"\n", "nothing to calculate");

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double day = 86400;
 
-/// The wet slope from 2023-03-01 on, with slices; `timeline` holds the keys of [timeline].
+/// The wet slope from 2023-03-01 on, with LEM; `timeline` holds the keys of [timeline].
 std::string write_case(const std::string& timeline, const std::string& date = "date = 2023-03-01\n") {
   std::string text = change(wet_slope, "pore_pressure = \"seepage\"", date + "pore_pressure = \"seepage\"");
   text = change(text, "kind = \"strength_reduction\"", "kind = \"run\"\nmethods = [\"lem\", \"fem\", \"mpm\"]");

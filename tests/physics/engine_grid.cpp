@@ -43,7 +43,7 @@ TYPED_TEST(EngineGrid, PointsThatLeaveAreRecordedOnceWithTheirMassAndMomentum) {
   const int count = body.points.size();
   const auto plan = support::make_stage(data, body, 0.25, {});
   EXPECT_EQ(support::run_plan(body, plan), results::StageEnd::time);
-  EXPECT_NEAR(body.time, 0.25, 1e-12) << "the run goes on without them";
+  EXPECT_NEAR(body.time, 0.25, 1e-12) << "the run continues without them";
   ASSERT_GT(body.lost.size(), 10u);
   ASSERT_LT(static_cast<int>(body.lost.size()), count);
   const auto after = mpm::sum_points(body, {});

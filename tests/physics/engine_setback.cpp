@@ -57,7 +57,7 @@ TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   };
   using input::Smoothing;
   EXPECT_EQ(smooth(Smoothing::stable, 0, true), Smoothing::stable);
-  EXPECT_EQ(smooth(Smoothing::stable, 1, true), Smoothing::none) << "water that flows and averaged stress";
+  EXPECT_EQ(smooth(Smoothing::stable, 1, true), Smoothing::none) << "two-velocity formulation and averaged stress";
   EXPECT_EQ(smooth(Smoothing::strain, 1, false), Smoothing::stable);
   EXPECT_EQ(smooth(Smoothing::stable, 1, false), Smoothing::stable) << "dry: first only a smaller step";
   EXPECT_EQ(smooth(Smoothing::stable, 2, false), Smoothing::none);

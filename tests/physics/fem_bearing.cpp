@@ -68,7 +68,7 @@ TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {
   ASSERT_TRUE(interval.has_value());
   EXPECT_LE(interval->lower, exact);
   EXPECT_GE(interval->upper, exact);
-  EXPECT_LT(interval->upper - interval->lower, 0.05 * exact) << "and says something";
+  EXPECT_LT(interval->upper - interval->lower, 0.05 * exact) << "and the interval is narrow";
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ TEST(SolidSlope, FlowWithoutDilatancyFailsALittleEarlier) {
   }
 }
 
-/// 45° and 10 m high, φ = 20°, c = 0.0619 γH: the log-spiral of Chen (1975) has 1.0002, the proven interval is 0.994 to
-/// 1.0002 (docs/verification_data/bounds.md).
+/// 45° and 10 m high, φ = 20°, c = 0.0619 γH: the log-spiral of Chen (1975) has 1.0002, the interval of limit analysis
+/// is 0.994 to 1.0002 (docs/verification_data/bounds.md).
 TEST(SolidSlope, IntervalOfTwoMeshesHoldsChensLogSpiral) {
   const auto search = [](double size) {
     const SoilSection section{

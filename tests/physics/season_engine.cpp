@@ -81,7 +81,7 @@ void expect_to_dry_as_in_seepage(const input::StepSettings& settings, double clo
   const input::Case data = make_planted_case<2>(rate, -0.4);
   const mesh::Mesh<2> mesh = make_column_mesh();
   auto body = make_still_body<2>(data, mesh);
-  EXPECT_EQ(body.water.transpired, 0) << "held water";
+  EXPECT_EQ(body.water.transpired, 0) << "drained water";
   const double before = mpm::find_water_state(body).mass;
   run_plan(body, make_stage<2>(data, body, duration, settings));
   EXPECT_LT(std::abs(run::make_water_result(data, body, before).error), 1e-11) << "65 000 steps";

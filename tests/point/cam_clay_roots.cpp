@@ -24,7 +24,7 @@ TEST(CamClayRoots, StartWithALargerEllipse) {
   EXPECT_NEAR(law.find_preconsolidation(loaded.state.data(), 0.8), 500 * kpa, 1e-3);  // max(p'_cn, p'_0)
 }
 
-/// Roots that do nothing leave modified Cam-clay, to the last bit of the stress.
+/// Roots without effect leave the stress of modified Cam-clay bitwise identical.
 TEST(CamClayRoots, WithoutContentAreBareSoil) {
   const material::RootedCamClay rooted(clay, {.hardening = 0.4, .strength = 0.18});
   const material::ModifiedCamClay bare(clay);

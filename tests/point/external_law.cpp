@@ -164,16 +164,16 @@ TEST(ExternalLaw, FailureNamesThePointAndItsInputs) {
     EXPECT_EQ(q[External::first_strain][l], 0);
   }
   if (lane_width > 2) {
-    EXPECT_EQ(s[0][2], -999) << "the others go on";
+    EXPECT_EQ(s[0][2], -999) << "the others continue";
     EXPECT_EQ(q[1][2], 1.5);
   }
   const std::string sentence = catch_failure(law);
   expect_words(sentence,
                {"material 'clay of Oslo'", "no_number in ", "umat_failing.so", "failed in point 12:",
-                "a stress that is no number", "stress (-1000, -2000, -3000, -4000) Pa (xx yy zz xy)",
+                "a stress that is NaN or infinite", "stress (-1000, -2000, -3000, -4000) Pa (xx yy zz xy)",
                 "strain increment (0.0001, 0.0002, 0.0003, 0.0004)", "state variables (0.5, 2)", "saturation 0.875",
                 "t = 1.5 s", "step 0.25 s", "answer: stress (-999, ", "state variables (1.5, 2)"});
-  EXPECT_EQ(catch_failure(law), "") << "said once";
+  EXPECT_EQ(catch_failure(law), "") << "reported once";
 }
 
 TEST(ExternalLaw, EveryKindOfFailureIsDetected) {

@@ -58,7 +58,7 @@ TEST(Separation, SandOpensAtNoStressAndBearsAgainWhenTheGapIsClosed) {
 TEST(Separation, WithoutItStressComesBackAtOnce) {
   const MohrCoulomb sand(make_elastic(), {0, 0.5, 0, 0});
   Point<MohrCoulomb> p{sand};
-  EXPECT_GT(p.strain(0.01, 0.02, 0, Gaps::ignored).opened, 0) << "it says so, and forgets it";
+  EXPECT_GT(p.strain(0.01, 0.02, 0, Gaps::ignored).opened, 0) << "it is reported and not stored";
   EXPECT_EQ(p.gap(), 0);
   p.strain(-0.001, -0.001, 0, Gaps::ignored);
   EXPECT_LT(p.stress[0], -1e3);

@@ -145,11 +145,11 @@ def main():
             process.communicate()
             if (folder / "checkpoint.h5").exists():
                 run(program, ranks, path, folder, *often, "--resume")
-                compare(f"{case} on four ranks, one of them killed, goes on on {ranks}", here / f"{case}_1", folder)
+                compare(f"{case} on four ranks, one of them killed, resumed on {ranks}", here / f"{case}_1", folder)
             else:
-                print(f"SKIP: the run ended before it was stopped: going on on {ranks} was NOT tried")
+                print(f"SKIP: the run ended before it was stopped: resumption on {ranks} was NOT tried")
         check_faults(program, here)
-    print("\n".join(faults) if faults else "ranks: the same bits on 1, 2 and 4 ranks, and after a stop")
+    print("\n".join(faults) if faults else "ranks: bitwise identical on 1, 2 and 4 ranks, and after a stop")
     return 1 if faults else 0
 
 

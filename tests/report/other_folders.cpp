@@ -108,7 +108,7 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
       EXPECT_EQ(c.at("values")[0], rows[0].result->mesh->points);
     }
     if (c.at("name") == "result") {
-      EXPECT_TRUE(c.at("values")[0].is_null()) << "a word is no number";
+      EXPECT_TRUE(c.at("values")[0].is_null()) << "a word has no value";
     }
   }
   fs::remove_all(folder);

@@ -153,7 +153,7 @@ TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
   const json& sentences = document().at("answer").at("sentences");
   EXPECT_LE(sentences.size(), 4u) << sentences;
   for (const json& sentence : sentences)
-    EXPECT_EQ(std::count(result.begin(), result.end(), sentence.get<std::string>()), 0) << "said twice: " << sentence;
+    EXPECT_EQ(std::count(result.begin(), result.end(), sentence.get<std::string>()), 0) << "repeated: " << sentence;
 }
 
 TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
@@ -168,7 +168,7 @@ TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
   for (const json& group : page.document.at("methods_read").at("reading"))
     groups.emplace_back(group.at("topic"), group.at("sentences").size());
   const std::vector<std::pair<std::string, std::size_t>> expected{
-      {"Agreement", 1}, {"Slices", 2}, {"Mechanism", 1}, {"Finite elements", 1}, {"Computing time", 1}};
+      {"Agreement", 1}, {"LEM", 2}, {"Mechanism", 1}, {"FEM", 1}, {"Computing time", 1}};
   EXPECT_EQ(groups, expected);
   fs::remove_all(folder);
 }
@@ -264,7 +264,7 @@ TEST_F(OtherMethods, ADamagedFileCostsItsPicturesOnly) {
   std::string warnings;
   for (const json& w : page.document.at("warnings")) warnings += w.get<std::string>() + "\n";
   EXPECT_NE(warnings.find("The trial surfaces are not shown"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("The finite elements are not drawn: an element names the node 2 of 2"), std::string::npos)
+  EXPECT_NE(warnings.find("The fields of FEM are not drawn: an element names the node 2 of 2"), std::string::npos)
       << warnings;
   fs::remove_all(folder);
 }
@@ -299,7 +299,7 @@ TEST(ExtrapolatedStudy, ReportsTheFactorAtSizeZeroFirst) {
   EXPECT_EQ(find_schema_faults(page), "");
   EXPECT_EQ(page.document.at("answer").at("sentences").at(0),
             "Extrapolated to mesh.size = 0, the factor of safety is 1.390 ± 0.004 (frozen).")
-      << "slices do not know the size: nothing is extrapolated";
+      << "the size is not a variable of LEM: nothing is extrapolated";
   fs::remove_all(folder);
 }
 
@@ -325,7 +325,7 @@ TEST(SampledStudy, ReportsItsProbabilityFirst) {
   fs::remove_all(folder);
 }
 
-/// The same slope by slices and proven bounds alone.
+/// The same slope by LEM and limit analysis alone.
 TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
   const fs::path folder = make_test_folder("bounds_report");
   const json summary = run(folder, {{"analysis.methods", "[\"lem\", \"bounds\"]"},
@@ -350,7 +350,7 @@ TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
   EXPECT_EQ(rows, 1);
   bool is_stated = false;
   for (const json& sentence : document.at("answer").at("sentences"))
-    is_stated = is_stated || sentence.get<std::string>().find("is proven to lie between") != std::string::npos;
+    is_stated = is_stated || sentence.get<std::string>().find(" by limit analysis.") != std::string::npos;
   EXPECT_TRUE(is_stated);
   fs::remove_all(folder);
 }

@@ -39,7 +39,7 @@ TEST(TimelineReport, LeadsWithTheLeastFactorAndKeepsTheContract) {
   EXPECT_EQ(factors[0].at("name"), "timeline.least");
   EXPECT_TRUE(factors[0].at("main"));
   EXPECT_EQ(factors[0].at("value"), summary.at("main_factor"));
-  // In words as well, before what is proven at time 0.
+  // In words as well, before the bounds at time 0.
   const auto& sentences = document.at("answer").at("sentences");
   EXPECT_EQ(sentences[0], timeline.at("sentence"));
   EXPECT_TRUE(std::any_of(sentences.begin() + 1, sentences.end(), [](const nlohmann::json& sentence) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "report/folder/numbers.hpp"
 #include "report/report.hpp"
-#include "report/words/numbers.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"
@@ -88,12 +88,12 @@ TEST_F(TrueStatements, ElasticGroundNeitherLocksNorShears) {
   EXPECT_CONTAINS(text, "linear elastic): rock");
 }
 
-TEST_F(TrueStatements, ARunWithoutAFactorIsNotComparedWithMethodsOfSlices) {
+TEST_F(TrueStatements, ARunWithoutAFactorIsNotComparedWithLem) {
   summary_["input"]["materials"]["sand"] = sand();
   const std::string text = collect_statements();
   EXPECT_CONTAINS(text, "sand: the plastic flow keeps its volume (ψ = 0, φ = 30°).\n");
   EXPECT_CONTAINS(text, "The stages: linear triangles without smoothing lock");
-  for (const char* of_a_factor : {"slices", "factor", "curve"}) EXPECT_LACKS(text, of_a_factor);
+  for (const char* of_a_factor : {"LEM", "factor", "curve"}) EXPECT_LACKS(text, of_a_factor);
 }
 
 TEST_F(TrueStatements, TensileStrengthIsStatedOfTheSoilThatHasIt) {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "output/files/frames_reader.hpp"
+#include "report/folder/numbers.hpp"
 #include "report/report.hpp"
-#include "report/words/numbers.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"

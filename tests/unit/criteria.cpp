@@ -233,7 +233,7 @@ TEST(FrozenInterval, HoldsBracketsAndWhatTheMeshDoes) {
       join_meshes({make_mesh(0.75, 1.430), make_mesh(0.375, 1.428)}, {}, make_mesh(0.75, 1.430));
   EXPECT_NEAR(close.mesh_effect.value(), 3 * 0.006 * 1.426, 1e-12) << "meshes that agree by chance";
   const results::FrozenFactor one = join_meshes({make_mesh(0.75, 1.459)});
-  EXPECT_FALSE(one.mesh_effect.has_value()) << "one mesh says nothing of another";
+  EXPECT_FALSE(one.mesh_effect.has_value()) << "one mesh has no mesh error";
   EXPECT_FALSE(one.uncertainty.has_value());
   EXPECT_FALSE(one.lower().has_value()) << "a bracket of the search is no interval of the factor";
   EXPECT_NEAR(one.bracket, 0.002, 1e-12);

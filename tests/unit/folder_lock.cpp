@@ -63,11 +63,11 @@ TEST(FolderLock, EndsWithItsProcess) {
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFSIGNALED(status));
-  EXPECT_TRUE(fs::exists(folder / lock_file)) << "it stays, and says who held it";
+  EXPECT_TRUE(fs::exists(folder / lock_file)) << "it stays, and names its holder";
   EXPECT_EQ(catch_lock(folder), "");
 }
 
-/// Neither a link in the place of the lock, nor a pipe, leads to a file that is written to.
+/// A link or a pipe in place of the lock does not lead to a file that is written to.
 TEST(FolderLock, WritesToNoOtherFile) {
   const fs::path folder = make_folder("links"), lock = folder / lock_file, other = folder / "precious.txt";
   fs::create_directories(folder);

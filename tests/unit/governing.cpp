@@ -81,7 +81,7 @@ TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
   EXPECT_EQ(find_main_factor(run), 1.33);
 }
 
-TEST(MainFactor, IsNotAboveAProvenUpperBound) {
+TEST(MainFactor, IsNotAboveTheUpperBound) {
   RunResult run;
   run.bounds.emplace().lower = 1.3;
   run.bounds->upper = 1.4;
@@ -91,21 +91,21 @@ TEST(MainFactor, IsNotAboveAProvenUpperBound) {
   run.slices->critical[0].surface.factor = 1.35;
   EXPECT_EQ(find_main_factor(run), 1.35);
   run.slices->critical[0].surface.factor = 1.2;
-  EXPECT_EQ(find_main_factor(run), 1.2) << "nothing is proven for ψ < φ";
+  EXPECT_EQ(find_main_factor(run), 1.2) << "the bounds do not hold for ψ < φ";
   run.slices->critical[0].surface.factor = 1.5;
   EXPECT_TRUE(is_main_factor_proven(run));
   run.bounds->is_davis = true;
-  EXPECT_EQ(find_main_factor(run), 1.5) << "proven of a weaker soil";
+  EXPECT_EQ(find_main_factor(run), 1.5) << "they hold for a weaker soil";
   EXPECT_FALSE(is_main_factor_proven(run));
 }
 
-TEST(MainFactor, IsNoFactorOfFiniteElementsThatIsProvenImpossible) {
+TEST(MainFactor, IsNoFactorByFemOutsideTheBounds) {
   RunResult run;
   run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
   run.bounds.emplace().lower = 1.25, run.bounds->upper = 1.32;
   auto& elements = run.elements.emplace().runs.emplace_back();
   elements.factor = 1.2;
-  EXPECT_EQ(find_main_factor(run), 1.2) << "of soil with another flow rule nothing is proven";
+  EXPECT_EQ(find_main_factor(run), 1.2) << "the bounds do not hold for soil with another flow rule";
   elements.verdict = Verdict::too_low;
   EXPECT_EQ(find_main_factor(run), 1.3);
   run.slices.reset();
@@ -152,7 +152,7 @@ TEST(MainFactor, IsTheSmallestOfTheMethods) {
   EXPECT_EQ(find_main_factor(run), 1.2);
   run.factor_of_safety->value = 1.15;
   EXPECT_EQ(find_main_factor(run), 1.15);
-  EXPECT_EQ(to_json(run).at("main_factor"), 1.15) << "the summary says it";
+  EXPECT_EQ(to_json(run).at("main_factor"), 1.15) << "the summary has it";
 }
 
 }  // namespace

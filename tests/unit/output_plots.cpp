@@ -205,12 +205,12 @@ TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
   plot.outlines = {{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {5, 10}, {0, 10}}};
   plot.surfaces = {
       {"lem.bishop", "Bishop, critical circle", Method::lem, 1.2344, {{2, 10}, {6, 6}, {12, 5}}, {}, {}, {}},
-      {"fem.band", "Band of the finite elements", Method::fem, 1.1, {{1, 10}, {6, 5}, {13, 5}}, {}, {}, {}}};
+      {"fem.band", "Shear band of FEM", Method::fem, 1.1, {{1, 10}, {6, 5}, {13, 5}}, {}, {}, {}}};
   plot.length_unit = "cm";
   output::draw(plot, folder_ / "section.svg");
   const std::string script = read("section.gp");
-  for (const char* part : {"'1.234  Bishop, critical circle'", "'1.100  Band of the finite elements'", "'A bank'",
-                           "'x [cm]'", "$outlines << END\n0 0\n2000 0\n", "$surface0 << END\n200 1000\n600 600\n"})
+  for (const char* part : {"'1.234  Bishop, critical circle'", "'1.100  Shear band of FEM'", "'A bank'", "'x [cm]'",
+                           "$outlines << END\n0 0\n2000 0\n", "$surface0 << END\n200 1000\n600 600\n"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
   EXPECT_LT(script.find("$surface1 using"), script.find("$surface0 using")) << "lines lie on bands";
   const Frame frame = read_frame(script);

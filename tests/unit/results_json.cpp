@@ -49,7 +49,7 @@ TEST(ResultsJson, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(written.at("status"), "interrupted");
   EXPECT_EQ(written.at("lem").at("critical").at(0).at("method"), "morgenstern_price");
   EXPECT_TRUE(written.at("lem").at("critical").at(0).at("circle").is_null()) << "a key is there, and null";
-  EXPECT_FALSE(written.contains("water")) << "what a run has nothing to say of is left out";
+  EXPECT_FALSE(written.contains("water")) << "absent results are left out";
 }
 
 TEST(ResultsJson, MissingKeysKeepTheirDefaults) {

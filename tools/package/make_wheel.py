@@ -79,7 +79,7 @@ def write_metadata(root, version, tag):
     readme = (pathlib.Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
     (info / "METADATA").write_text(
         f"Metadata-Version: 2.1\nName: talus\nVersion: {version}\n"
-        "Summary: Slope stability and runout by slices, finite elements and the material point method\n"
+        "Summary: Slope stability and runout by LEM, FEM, limit analysis and MPM\n"
         "License: MIT; the libraries that this wheel carries have their own, Gmsh the GNU GPL version 2 or later\n"
         "Requires-Python: ==3.11.*\nRequires-Dist: numpy\nRequires-Dist: tomli-w\nDescription-Content-Type: text/markdown\n\n" + readme,
         encoding="utf-8")

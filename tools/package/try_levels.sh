@@ -23,4 +23,4 @@ TALUS_WAIT_POLICY_SET=1 qemu-x86_64 -cpu Nehalem "$levels/x86-64-v2/talus" "${ca
 TALUS_LEVEL=x86-64-v2 "$levels/talus" "${case[@]}" "$scratch/here"
 cmp "$scratch/old/history.csv" "$scratch/here/history.csv"
 cmp "$scratch/old/results.vtkhdf" "$scratch/here/results.vtkhdf"
-echo "x86-64-v2 gives the same bits on an emulated Nehalem and here"
+echo "x86-64-v2 is bitwise identical on an emulated Nehalem and here"

@@ -95,7 +95,7 @@ def write_csv(rows, path):
 SECTIONS = {
     "slices": "Limit equilibrium: published problems",
     "coupled": "Seepage, then LEM",
-    "fem": "Finite elements: published problems",
+    "fem": "FEM: published problems",
     "seepage": "Seepage: published problems",
     "closed": "Closed forms and identities",
     "others": "Reliability, and what is verified elsewhere or not at all",

@@ -19,9 +19,9 @@ SEEPAGE = ["--set", "mesh.size=1.5", "--set", "lem.referee=false", "--set", "lem
 # name → text of the case or its file, command, more options (none: with its report)
 METHODS = {
     "slices": (LEM.split("[analysis]")[0] + FULL_LEM, "run", []),
-    "finite elements": (LEM.split("[analysis]")[0] + '[analysis]\nmethods = ["fem"]\n[fem]\nsize = 1.2\n', "run", []),
+    "FEM": (LEM.split("[analysis]")[0] + '[analysis]\nmethods = ["fem"]\n[fem]\nsize = 1.2\n', "run", []),
     "limit analysis": (LEM.split("[analysis]")[0] + '[analysis]\nmethods = ["bounds"]\n[bounds]\ngap = 0.03\n', "run", []),
-    "material points": (MOTION, "run", []),
+    "MPM": (MOTION, "run", []),
     "strength reduction": (CASES["curve"][0].replace("enabled = false", "enabled = true"), "run", []),
     "seepage in time": (ROOT / "examples" / "reservoir_drawdown" / "case.toml", "run", SEEPAGE),
     "initial stress by elements": (MOTION.replace("mesh.size = 0.5", "mesh.size = 0.4").replace("duration = 2,", "duration = 0.1,")
@@ -53,7 +53,7 @@ class Undisturbed:
         if name not in self.known:
             folder = self.work / f"good_{name.replace(' ', '_')}"
             shutil.rmtree(folder, ignore_errors=True)
-            command = make_method_command("material points" if name == REPORT else name, self.work, folder)
+            command = make_method_command("MPM" if name == REPORT else name, self.work, folder)
             verdict = run(self.program, command, 300)
             if verdict.code == 0 and name == REPORT:
                 verdict = run(self.program, [REPORT, folder])

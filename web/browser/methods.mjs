@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slices and finite elements: the pictures are drawn, the pointer reads them, surfaces can be chosen and switched.
+// LEM and FEM: the pictures are drawn, the pointer reads them, surfaces can be chosen and switched.
 import { join } from "node:path";
 
 import { scrollThrough } from "./session.mjs";
@@ -80,10 +80,10 @@ async function checkElements(list, page, report, out) {
   const { runs } = report.result.fem;
   const trials = runs.reduce((sum, run) => sum + run.trials.length, 0);
   const rows = await page.locator("#elements figure[aria-label='Trials of the strength reduction'] tbody tr").count();
-  list.expect(rows === trials, `all ${trials} trials of the finite elements have a row`, `${rows}`);
+  list.expect(rows === trials, `all ${trials} trials of FEM have a row`, `${rows}`);
   if (!report.finite_elements) return;
   const colours = await countColours(page, "#elements");
-  list.expect(colours > 3, "the strain of the finite elements is drawn", `${colours} colours`);
+  list.expect(colours > 3, "the strain of FEM is drawn", `${colours} colours`);
   await page
     .locator("#elements")
     .getByLabel(/^Deformed/)

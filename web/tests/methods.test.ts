@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Slices and finite elements of a real report (TALUS_REPORT) against its results folder (TALUS_RESULTS). */
+/** LEM and FEM of a real report (TALUS_REPORT) against its results folder (TALUS_RESULTS). */
 import { describe, expect, it } from "vitest";
 
 import { findMethods } from "../src/compared/methodTable";
@@ -78,7 +78,7 @@ describe.skipIf(!summary?.methods)("the methods of a report", () => {
     });
   });
 
-  it("has the fields of the finite elements at every node", async () => {
+  it("has the fields of FEM at every node", async () => {
     const elements = report.finite_elements;
     if (!elements) return;
     const file = readJson(folder, summary.fem.fields_file);

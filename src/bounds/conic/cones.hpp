@@ -76,7 +76,7 @@ struct ConicSolution {
 };
 
 struct ConicOptions {
-  double tolerance = 1e-6;   ///< of both residuals and the gap
+  double tolerance = 1e-6;   ///< limit of both residuals and of the gap
   double value_size = 1e-3;  ///< scale of qᵀx near zero, in the units of the solver
   double proof = 1e-8;       ///< of a certificate
   int most_iterations = 100;

@@ -17,7 +17,7 @@ struct KktAccuracy {
   /// Variables in no cone, and equations, have nothing else on the diagonal: the product of the two shifts must exceed
   /// the rounding of one.
   double shift = 0;
-  double left_over = 0;  ///< residual over the right side at which the refinement ends
+  double left_over = 0;  ///< residual over the right-hand side at which the refinement ends
 };
 /// The first one is fast; the second, with more refinement, is used where the iteration stalls with the first.
 inline constexpr KktAccuracy quick_accuracy{1e-9, 1e-10}, careful_accuracy{1e-7, 1e-14};

@@ -220,7 +220,7 @@ class InteriorPoint {
     return true;
   }
 
-  /// Computes a direction for the right sides (1 − centring) times the residuals, ds, and dk.
+  /// Computes a direction for the right-hand sides (1 − centring) times the residuals, ds, and dk.
   bool find_direction(double centring, const Vector& ds, double dk, Point& d) {
     const double part_of = 1 - centring;
     Vector f = rx_, g = rz_;
@@ -316,7 +316,7 @@ class InteriorPoint {
     for (double v : rx_) dual_residual = std::max(dual_residual, std::abs(v) / tau);
     for (double v : rz_) primal_residual = std::max(primal_residual, std::abs(v) / tau);
     const double primal = dot(program_.cost, at_.x) / tau, dual = -dot(program_.right, at_.z) / tau;
-    // The largest entries of cost and right side are one after the equilibration.
+    // The largest entries of cost and right-hand side are one after the equilibration.
     dual_residual /= 1 + find_largest(atz_) / tau, primal_residual /= 1 + find_largest(ax_) / tau;
     const double gap = std::abs(primal - dual) / (options_.value_size + std::min(std::abs(primal), std::abs(dual)));
     auto fill = [&](ConicSolution r, ConicEnd end) {

@@ -9,7 +9,7 @@ namespace talus::bounds {
 // Equilibration: a program of entries of about one, equivalent to the given one in other units.
 
 /// The scaling x = column · x' and (A x + s − b)' = row · (A x + s − b), in which the rows of a cone have one factor.
-/// The cost is multiplied by `cost`, and the right side by `right`.
+/// The cost is multiplied by `cost`, and the right-hand side by `right`.
 struct Equilibration {
   std::vector<double> row, column;
   double cost = 1, right = 1;

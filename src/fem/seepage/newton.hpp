@@ -94,10 +94,10 @@ class Runoff {
 
   /// Returns true if any boundary uses it.
   bool is_used() const { return used_; }
-  /// Adds run-on and standing water to the rain offered in a step of `dt` [s].
+  /// Adds run-on and standing water to the rain supplied in a step of `dt` [s].
   void offer(double dt, std::vector<NodeCondition>& conditions) const;
   /// Routes the water that did not infiltrate in a solution with the `conditions` from offer(). Returns true if the
-  /// run-on of every node agrees with what it was offered.
+  /// run-on of every node agrees with its supply.
   bool route(double dt, const std::vector<NodeCondition>& conditions, const SeepageState& state, const NodalSums& sums);
   /// Ends a step: stores the standing water for the next one, and writes its growth into `result`.
   void end_step(double dt, const std::vector<NodeCondition>& conditions, SeepageResult<D>& result);
@@ -109,7 +109,7 @@ class Runoff {
   std::vector<int> order_;              ///< unknowns of the ground, each before its receiver
   std::vector<double> capacity_;        ///< limit of the standing water, by unknown [m³]
   std::vector<double> standing_, now_;  ///< standing water at the start and at the end of the step [m³]
-  std::vector<double> run_on_, next_;   ///< run-on as offered, and as routed [m³/s]
+  std::vector<double> run_on_, next_;   ///< run-on as supplied, and as routed [m³/s]
 };
 
 }  // namespace talus::fem

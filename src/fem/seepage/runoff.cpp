@@ -11,7 +11,7 @@ namespace talus::fem {
 
 namespace {
 
-/// Run-on has converged when it changes by less than this fraction of all water offered.
+/// Run-on has converged when it changes by less than this fraction of all supplied water.
 constexpr double close = 1e-7;
 
 /// Returns the edges of the ground as pairs of unknowns: those of all sides with a condition, except the walls of the
@@ -133,7 +133,7 @@ bool Runoff<D>::route(double dt, const std::vector<NodeCondition>& conditions, c
   for (const int unknown : order_) {
     const auto u = static_cast<std::size_t>(unknown);
     const NodeCondition& c = conditions[u];
-    // Rain on a pool belongs to the pool; an unsaturated face takes all water offered, and may take more.
+    // Rain on a pool belongs to the pool; an unsaturated face takes all supplied water, and may take more.
     now_[u] = 0;
     if (c.fixed || !c.face) continue;
     const double change = next_[u] - run_on_[u], offered = c.offered + change;

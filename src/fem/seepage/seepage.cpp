@@ -34,10 +34,10 @@ template <int D>
 void check_boundary(const SeepageModel<D>& model, const HydraulicBoundary<D>& b) {
   const std::string who = "The hydraulic boundary \"" + b.name + "\"";
   if (b.sides.empty()) fail_input(who + " has no sides.");
-  if (!std::isfinite(b.value)) fail_input(who + " has a value that is no number.");
+  if (!std::isfinite(b.value)) fail_input(who + " has a value that is not finite.");
   for (std::size_t i = 0; i < b.history.size(); ++i) {
     if (!std::isfinite(b.history[i][0]) || !std::isfinite(b.history[i][1]))
-      fail_input(who + " has a table with a value that is no number.");
+      fail_input(who + " has a table with a value that is not finite.");
     if (i > 0 && b.history[i][0] < b.history[i - 1][0])
       fail_input("{} has a table whose times do not increase: {:g} s comes after {:g} s.", who, b.history[i][0],
                  b.history[i - 1][0]);

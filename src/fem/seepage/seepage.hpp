@@ -51,7 +51,7 @@ struct SeepageOptions {
 /// State of a node on a face (T13.4).
 enum class FaceState : char {
   none,  ///< the node is on no face
-  open,  ///< unsaturated; all water offered enters
+  open,  ///< unsaturated; all supplied water enters
   wet,   ///< zero pressure: water flows out, or part of the rain runs off
   dry    ///< at the suction limit: less than the potential evaporates
 };
@@ -62,7 +62,7 @@ struct Discharge {
   double inflow = 0;
   double outflow = 0;
   double runoff = 0;    ///< rain that did not infiltrate, here or where it ran to
-  double standing = 0;  ///< growth of the water standing on the ground
+  double standing = 0;  ///< increase of the water standing on the ground
 };
 
 /// Extent of the wet part of a face, in 2D and 3D.
@@ -85,7 +85,7 @@ struct SeepageResult {
   double inflow = 0, outflow = 0;               ///< their sums [m³/s]
   std::vector<Uptake> uptakes;                  ///< per sink
   double transpired = 0;                        ///< their sum [m³/s]
-  double storage_rate = 0;                      ///< growth of the stored water [m³/s]
+  double storage_rate = 0;                      ///< increase of the stored water [m³/s]
   double balance_error = 0;                     ///< inflow - outflow - transpired - storage_rate [m³/s]
   std::vector<FaceExtent<D>> exits;             ///< faces that are partly wet
   std::vector<std::vector<std::array<double, D>>> water_table;  ///< 2D: polylines p = 0 [m]; 3D: empty
@@ -114,7 +114,7 @@ struct SeepageHistory {
   std::vector<SeepageResult<D>> states;         ///< at the outputs
   std::vector<std::vector<Discharge>> volumes;  ///< through each boundary from the start to each output [m³]
   std::vector<std::vector<Uptake>> uptakes;     ///< by each sink from the start to each output [m³]
-  std::vector<double> stored;                   ///< growth of the stored water since the start [m³]
+  std::vector<double> stored;                   ///< increase of the stored water since the start [m³]
   double largest_error = 0;                     ///< largest estimated error of a step, but the first after a corner [m]
   int steps = 0, rejected = 0, iterations = 0;
 };

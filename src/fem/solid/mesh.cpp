@@ -30,7 +30,7 @@ QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     if (mesh.element_region[e] != mesh::empty_region) r.linear_element.push_back(static_cast<int>(e));
   if (r.linear_element.empty())
-    fail_input("the mesh has no element with soil ({} elements, all empty): finite elements need at least one",
+    fail_input("the mesh has no element with soil ({} elements, all empty): FEM needs at least one",
                mesh.elements.size());
   // Edges are numbered in the order in which the elements have them, so that neighbours get similar numbers.
   std::vector<std::pair<std::array<int, 2>, std::size_t>> uses;  // edge, its position in the elements

@@ -185,7 +185,7 @@ class SlipLines {
     return steps.back().motion;
   }
 
-  /// Returns the decrease of the displacement over an element on either side of a place.
+  /// Returns the decrease of the displacement over an element on either side of a point.
   double find_fall(const std::vector<Step>& steps, double along) const {
     return find_motion_at(steps, along - size_) - find_motion_at(steps, along + size_);
   }

@@ -94,7 +94,7 @@ class Reduction {
       factor *= 0.5;
     }
     fail_input(
-        "finite elements do not converge even with the strength multiplied by {:g}: check weights, supports and pore "
+        "FEM does not converge even with the strength multiplied by {:g}: check weights, supports and pore "
         "pressures",
         1 / options_.smallest);
   }
@@ -123,7 +123,8 @@ class Reduction {
       low_ = high_;
       width *= 2;
     }
-    fail_input("the soil still stands with its strength divided by {:g}: it has no factor of safety", options_.largest);
+    fail_input("the soil is still stable with its strength divided by {:g}: it has no factor of safety",
+               options_.largest);
   }
 
   bool try_factor(double factor) {

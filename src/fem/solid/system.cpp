@@ -302,8 +302,8 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
     for (std::size_t d = 0; d < D; ++d)
       if (!fixed[d]) node.unknown[d] = unknowns++;
   }
-  if (!supported) fail_input("no side of the soil is held: finite elements need a support to find equilibrium");
-  if (unknowns == 0) fail_input("every node of the soil is held: finite elements have nothing to find");
+  if (!supported) fail_input("no side of the soil is fixed: FEM needs a support for equilibrium");
+  if (unknowns == 0) fail_input("every node of the soil is fixed: FEM has no unknown displacement");
 
   gradients.resize(mesh.elements.size());
   pore.assign(mesh.elements.size(), {});

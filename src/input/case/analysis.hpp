@@ -62,10 +62,10 @@ inline constexpr auto choices<AnalysisKind> = std::array{
 
 template <>
 inline constexpr auto choices<Method> = std::array{
-    Choice{Method::lem, "lem", "limit equilibrium: slices, see [lem]"},
-    Choice{Method::fem, "fem", "finite elements with reduced strength, see [fem]"},
-    Choice{Method::bounds, "bounds", "proven bounds by limit analysis, see [bounds]"},
-    Choice{Method::mpm, "mpm", "material points: what `kind` says"},
+    Choice{Method::lem, "lem", "limit equilibrium (methods of slices), see [lem]"},
+    Choice{Method::fem, "fem", "strength reduction by finite elements, see [fem]"},
+    Choice{Method::bounds, "bounds", "lower and upper bound by limit analysis, see [bounds]"},
+    Choice{Method::mpm, "mpm", "material point method, for the `kind` of analysis"},
 };
 
 struct AnalysisBlock {
@@ -76,8 +76,8 @@ struct AnalysisBlock {
 void describe(auto& v, AnalysisBlock& a) {
   v.key("methods", a.methods, plain(),
         "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
-        "and, with slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
-  v.key("kind", a.kind, plain(), "What the material point method calculates.");
+        "and, with \"lem\" alone, no mesh and no stiffness; where such keys are given, they are not used.");
+  v.key("kind", a.kind, plain(), "Analysis by MPM.");
 }
 
 void describe(auto& v, DisplacementCurve& c) {
@@ -95,7 +95,7 @@ void describe(auto& v, DisplacementCurve& c) {
         "From and to which factor the second line is fitted; empty: chosen from the data.");
   v.key("displacement_ratio", c.displacement_ratio, plain().above(0),
         "Displacement over the relief of the ground that counts as failure in the second criterion.");
-  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials go on until rest.");
+  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials continue until rest.");
   v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
 }
 

@@ -124,7 +124,7 @@ class ParameterCheck : BlockFindings {
     const std::string start = "materials.";
     const auto dot = p_.key.find('.', start.size());
     if (p_.key.rfind(start, 0) != 0 || dot == std::string::npos) {
-      report("key", "'{}' is no number of a material, such as materials.{}.poisson_ratio", p_.key,
+      report("key", "'{}' is not a number of a material, such as materials.{}.poisson_ratio", p_.key,
              data_.materials.empty() ? "sand" : data_.materials.begin()->first);
       return std::nullopt;
     }

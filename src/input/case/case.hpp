@@ -84,11 +84,11 @@ inline bool uses(const Case& data, Method method) {
 /// whose condition refers to it.
 void describe(auto& v, Case& c) {
   v.key("format", c.format, plain().at_least(1),
-        "Which form of the case file this is. Programs that know only earlier forms say so and stop. Without it the "
+        "Which form of the case file this is. Programs for earlier forms only stop with a message. Without it the "
         "file has form 1.");
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
   v.key("unusual", c.unusual, plain().example(R"(["materials.peat.unit_weight"])"),
-        "Keys or blocks that are odd on purpose: what warnings name them for is not said again. The paths are those of "
+        "Keys or blocks that are unusual on purpose: their warnings are not repeated. The paths are those of "
         "the warnings.");
   v.table("project", c.project, "The title block of the report.");
   v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
@@ -113,14 +113,15 @@ void describe(auto& v, Case& c) {
   v.tables("stage", c.stages, 1, "A period of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
   v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");
-  v.table("strength_reduction", c.strength_reduction, "How the material point method finds the factor of safety.");
-  v.table("lem", c.lem, "Limit equilibrium: the methods of slices, and the search for the critical slip surface.");
+  v.table("strength_reduction", c.strength_reduction, "Factor of safety by MPM.");
+  v.table("lem", c.lem, "Limit equilibrium (LEM): methods of slices, and the search for the critical slip surface.");
   v.table("fem", c.fem,
-          "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
+          "FEM: strength reduction on quadratic elements at small strain. Where there is no [[boundary]] (and no "
           "\"mpm\" among the methods), the bottom of the section is fixed, and its other sides are on rollers.");
-  v.table("bounds", c.bounds,
-          "Proven bounds of the factor of safety for ψ = φ, by limit analysis of a plane section. Where there is no "
-          "[[boundary]], the section is held as for finite elements.");
+  v.table(
+      "bounds", c.bounds,
+      "Limit analysis: lower and upper bound of the factor of safety of a plane section for ψ = φ. Where there is no "
+      "[[boundary]], the section is fixed as for FEM.");
   v.tables("surcharge", c.surcharges, 0,
            "A vertical load on the ground. A vertical [[traction]] on a line of the ground does the same.");
   v.table("earthquake", c.earthquake, "A pseudo-static acceleration.");

@@ -32,9 +32,9 @@ void describe(auto& v, Compare& c) {
       "The result: `factor_of_safety`, `factor_of_safety.bilinear` (or another criterion), `curve.displacement[1.45]` "
       "(of the trial at that factor), `runout[1.75].moved_volume`, `stage[gravity].displacement`, "
       "`mesh.critical_time_step` and so on; `results` in `summary.json` lists all. Of element tests "
-      "`test[NAME].q[0.1]` (at axial strain 0.1), `test[NAME].void_ratio` (at the end), `test[NAME].peak_q`. Of slices "
+      "`test[NAME].q[0.1]` (at axial strain 0.1), `test[NAME].void_ratio` (at the end), `test[NAME].peak_q`. Of LEM "
       "`lem.spencer` (critical circle), `lem.noncircular.spencer`, `lem.surface[NAME].bishop`, "
-      "`lem.yield_acceleration.spencer`; of finite elements `fem.factor`, `fem.by_displacement`, "
+      "`lem.yield_acceleration.spencer`; of FEM `fem.factor`, `fem.by_displacement`, "
       "`fem.associated.factor`; of one on the surface of another `lem.handed[fem.band].spencer`.");
   v.key("value", c.value, plain().required().example("1.4"),
         "The published or measured value: a number in SI units, or a text with a unit.");

@@ -161,7 +161,7 @@ void replace_geometry(Case& data, std::vector<std::string>& sentences) {
   if (replaced.empty()) return;
   sentences.push_back(fmt::format(
       "{}: the pore pressures of a water table without [materials.NAME.water], and of r_u, are held where they are, so "
-      "material points calculate at frozen geometry instead. For large deformations give the soils their pore water.",
+      "MPM runs at frozen geometry instead. For large deformations give the soils their pore water.",
       fmt::join(replaced, ", ")));
 }
 

@@ -29,7 +29,7 @@ struct FiniteElements {
 template <>
 inline constexpr auto choices<FlowRule> = std::array{
     Choice{FlowRule::as_given, "as_given", "the dilatancy of the materials"},
-    Choice{FlowRule::associated, "associated", "ψ = φ, as limit analysis and slices assume"},
+    Choice{FlowRule::associated, "associated", "ψ = φ, as limit analysis and LEM assume"},
     Choice{FlowRule::both, "both", "one after the other"},
 };
 
@@ -75,12 +75,12 @@ struct ProvenBounds {
 template <>
 inline constexpr auto choices<BoundsTension> = std::array{
     Choice{BoundsTension::as_given, "as_given", "the tensile strength of the materials"},
-    Choice{BoundsTension::apex, "apex", "up to the apex, c/tan φ, as methods of slices assume"},
+    Choice{BoundsTension::apex, "apex", "up to the apex, c/tan φ, as LEM assumes"},
 };
 
 template <>
 inline constexpr auto choices<BoundsFlow> = std::array{
-    Choice{BoundsFlow::associated, "associated", "ψ = φ: the interval is proven"},
+    Choice{BoundsFlow::associated, "associated", "ψ = φ, for which the bound theorems hold"},
     Choice{BoundsFlow::davis, "davis",
            "the strength times cos ψ cos φ/(1 − sin ψ sin φ), which Davis (1968) proposes for ψ < φ: an interval for "
            "that weaker soil, and no bound for the given one"},

@@ -364,7 +364,7 @@ void check_cover(const Case& data, Findings& findings) {
       findings.add(fmt::format("{}.{}.points", polygons_path, misfit.polygons[1]), write_overlap(misfit, data.mesh));
     } else if (uses(data, Method::lem)) {
       findings.add(polygons_path, write_gap(misfit, data.mesh) +
-                                      "; slices need soil without gaps, overhangs and cavities from the ground down");
+                                      "; LEM needs soil without gaps, overhangs and cavities from the ground down");
     } else {
       findings.warn(polygons_path,
                     write_gap(misfit, data.mesh) +

@@ -38,7 +38,7 @@ void describe(auto& v, GeometryBlock& g) {
   v.key("box", box,
         quantity("m").needed_without("mesh.file", has_file).by_methods({"mpm"}).example("[[0, 0], [44, 17]]"),
         "The background box: the room in which the soil may move. Its sides are named left, right, bottom and top. "
-        "Where no material points move and it is not given, it just holds the polygons.");
+        "Without it, methods other than MPM use the bounding box of the polygons.");
   v.key("thickness", plan.thickness, quantity("m").above(0).needed_with("dimension", plan.dimension, 3).example("5"),
         "Length of the extrusion along z, from the side front (z = 0) to the side back (z = thickness).");
   v.tables("polygon", plan.polygons, 1,
@@ -75,9 +75,10 @@ void describe(auto& v, MeshBlock& m) {
         "A ready mesh in Gmsh's format (.msh, version 4) instead of polygons; its path is relative to the case file. "
         "Physical groups of elements are regions (\"empty\" is the empty one), groups of sides are sides.");
   const bool has_file = !plan.file.empty();
-  v.key("size", plan.size, quantity("m").above(0).needed_without("file", has_file).by_methods({"mpm"}).example("0.75"),
-        "General size of an element: the length of its sides. Finite elements and seepage without material points need "
-        "it as well, or `size` in [fem].");
+  v.key(
+      "size", plan.size, quantity("m").above(0).needed_without("file", has_file).by_methods({"mpm"}).example("0.75"),
+      "General size of an element: the length of its sides. FEM and seepage without MPM need it as well, or `size` in "
+      "[fem].");
   v.key("algorithm", plan.algorithm, plain().allowed_without("file", has_file), "Gmsh's algorithm for the triangles.");
   v.key("points_per_element", m.points_per_element, plain().at_least(1).at_most(12),
         "Material points in each element filled with soil: 1, 3, 6 or 12 in 2D; 1, 4, 8 or 10 in 3D (where the default "

@@ -62,10 +62,10 @@ void check_crack(const TensionCrack& crack, const ShownUnit& length, Findings& f
 
 void check_settings(const LimitEquilibrium& lem, Findings& findings) {
   if (lem.methods.empty() && findings.is_sound("lem.methods"))
-    findings.add("lem.methods", "'methods' of [lem] is empty; name at least one method of slices");
+    findings.add("lem.methods", "'methods' of [lem] is empty; name at least one method, such as \"spencer\"");
   for (std::size_t i = 1; i < lem.methods.size(); ++i)
     if (std::count(lem.methods.begin(), lem.methods.begin() + static_cast<std::ptrdiff_t>(i), lem.methods[i]) > 0)
-      findings.add(fmt::format("lem.methods.{}", i), "a method of slices is named twice");
+      findings.add(fmt::format("lem.methods.{}", i), "this method is named twice");
   if (lem.search == SurfaceSearch::none && lem.surfaces.empty() && findings.is_sound("lem.surface"))
     findings.add("lem.search", "there is nothing to calculate: search = \"none\" and no [[lem.surface]]");
 }
@@ -164,7 +164,7 @@ void check_others(const Case& data, Findings& findings) {
   const std::string path = "lem.drawdown";
   if (data.methods.size() != 1)
     findings.add(path,
-                 "rapid drawdown is calculated by slices alone, and other methods would answer for the slope before "
+                 "rapid drawdown is calculated by LEM only, and other methods would use the state before "
                  "it: write methods = [\"lem\"] in [analysis]");
   if (data.timeline)
     findings.add(path,

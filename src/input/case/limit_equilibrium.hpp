@@ -150,7 +150,7 @@ void describe(auto& v, TensionCrack& t) {
   v.key("limit", t.limit, plain(),
         "The crack ends where the soil would no longer be in tension beside it: Rankine's active stress, less the "
         "pressure of the water in the crack, is zero there (2c/γ·tan(45° + φ/2) where all is dry). With water in it "
-        "each surface has this depth or the given one, whichever is weaker. false: it is as deep as `depth` says, as a "
+        "each surface has this depth or the given one, whichever is weaker. false: it is as deep as `depth`, as a "
         "joint that was measured.");
 }
 
@@ -166,12 +166,12 @@ void describe(auto& v, LimitEquilibrium& l) {
   v.key("slices", l.slices, plain().at_least(5).at_most(2000), "Slices of a surface, about.");
   v.key("search", l.search, plain(), "How the critical circle is searched for.");
   v.key("composite", l.composite, plain(),
-        "Circles that reach the bottom of the section go on along it; otherwise they are refused.");
-  v.key("noncircular", l.noncircular, plain(), "Go on from the critical circle to the critical polyline.");
+        "Circles that reach the bottom of the section continue along it; otherwise they are rejected.");
+  v.key("noncircular", l.noncircular, plain(), "Continue from the critical circle to the critical polyline.");
   v.key("vertices", l.vertices, plain().at_least(3).at_most(100), "Corners of that polyline.");
-  v.key("minima", l.minima, plain().at_least(1).at_most(50), "Local minima that are told apart and shown.");
+  v.key("minima", l.minima, plain().at_least(1).at_most(50), "Distinct local minima that are shown.");
   v.key("seed", l.seed, plain().at_least(0),
-        "Another number begins the search elsewhere: entries, exits and blocks along layers move by random parts of "
+        "Another number starts the search elsewhere: entries, exits and blocks along layers move by random parts of "
         "the distance to their neighbours. A minimum that moves with it was not found; 0: they stand evenly.");
   v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0).example("1"),
         "Surfaces whose sliding mass is nowhere deeper than this are refused; if not given, the search refuses those "
@@ -179,23 +179,23 @@ void describe(auto& v, LimitEquilibrium& l) {
   v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),
         "A surface with a smaller m_α at one of its slices fails the checks.");
   v.key("most_tension", l.most_tension, plain().at_least(0).at_most(1),
-        "So does one with tensile effective normal forces on more than this share of its length.");
+        "A surface with tensile effective normal forces on more than this fraction of its length fails the checks.");
   v.key("most_thrust_outside", l.most_thrust_outside, plain().at_least(0).at_most(1),
-        "So does one on which more than this share of the interslice forces acts outside the sliding mass (Spencer and "
-        "Morgenstern–Price).");
+        "A surface with more than this fraction of its interslice forces outside the sliding mass fails the checks "
+        "(Spencer and Morgenstern–Price).");
   v.key("reject", l.reject, plain(),
         "Surfaces that fail these checks are refused and counted by their reason; false: they only bring a warning.");
-  v.key("largest_lambda", l.largest_lambda, plain().above(0),
-        "A solution of Spencer or Morgenstern–Price with a larger λ has no factor, whatever `reject` says: the forces "
-        "between its slices are steeper than soil can bear.");
+  v.key(
+      "largest_lambda", l.largest_lambda, plain().above(0),
+      "A solution of Spencer or Morgenstern–Price with a larger λ has no factor, whatever `reject` is: its interslice "
+      "forces are steeper than the strength of soil allows.");
   v.key("smallest_lambda", l.smallest_lambda, plain().at_most(0),
-        "Nor has one with a smaller λ: the upper part would hold up the lower, against the shear that a slide "
-        "mobilises.");
+        "Surfaces with a smaller λ have no factor either: the interslice shear would oppose sliding.");
   v.key("yield_acceleration", l.yield_acceleration, plain(),
         "Find the horizontal acceleration with factor 1 of the critical surfaces; not with [lem.drawdown].");
   v.key("referee", l.referee, plain(),
-        "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the proven lower "
-        "bound or above the proven upper bound never governs.");
+        "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the lower bound "
+        "or above the upper bound never governs.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
   v.table("tension_crack", l.crack, "A crack at the crest.");

@@ -58,14 +58,13 @@ void describe(auto& v, UndrainedEnvelope& e) {
 void describe_slice_soil(auto& v, SliceSoil& s) {
   v.key("saturated_unit_weight", s.saturated_unit_weight,
         quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
-        "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that "
+        "Weight of the soil with its water below the water table, for LEM and FEM; if not given, that "
         "of grains and water where `grain_density` is given, else `unit_weight`.");
   v.key("pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
-        "r_u, pore pressure over the weight of the soil above, in the place of a water table. Material points hold it, "
-        "at frozen geometry.");
+        "r_u, pore pressure over the weight of the soil above, instead of a water table. MPM keeps it, at frozen "
+        "geometry.");
   v.key("suction_strength", s.suction_strength, plain(),
-        "What suction s adds to the strength above the water table; slices and finite elements only. Material points "
-        "follow [materials.NAME.water].");
+        "Strength due to suction s above the water table, for LEM and FEM only. MPM uses [materials.NAME.water].");
   v.key("phi_b", s.phi_b,
         quantity("deg")
             .at_least(0)
@@ -121,7 +120,7 @@ void describe(auto& v, Material& m) {
   v.key("model", m.model, plain().required().example(R"("mohr_coulomb")"), "How stress follows strain.");
   v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "
-        "moves ([materials.NAME.water]) needs its porosity all the same, and with material points both.");
+        "moves ([materials.NAME.water]) needs its porosity all the same, and with MPM both.");
   const bool is_weighed = m.slices.unit_weight.has_value();
   v.key("grain_density", m.grain_density,
         quantity("kg/m3")

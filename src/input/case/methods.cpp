@@ -30,32 +30,31 @@ void check_list(const Case& data, Findings& findings) {
 void check_plain_start(const Case& data, Findings& findings) {
   if (!data.initial.result.empty() && findings.is_sound("initial.result"))
     findings.add("initial.result",
-                 "'result' is not possible with the methods \"lem\", \"fem\" and \"bounds\": only material points go "
-                 "on from another result");
+                 "'result' is not possible with the methods \"lem\", \"fem\" and \"bounds\": only MPM "
+                 "resumes from another result");
   if (data.gravity.acceleration == 0 && findings.is_sound("gravity.acceleration"))
     findings.add("gravity.acceleration", "'acceleration' is 0, but a factor of safety needs a weight");
   const std::array<double, 3>& down = data.gravity.direction;
   if (uses(data, Method::lem) && findings.is_sound("gravity.direction") &&
       !(down[0] == 0 && down[1] < 0 && down[2] == 0))
-    findings.add(
-        "gravity.direction",
-        "'direction' is inclined, but slices weigh along y; give a horizontal acceleration in [earthquake] instead");
+    findings.add("gravity.direction",
+                 "'direction' is inclined, but LEM needs gravity along y; give a horizontal acceleration in "
+                 "[earthquake] instead");
 }
 
 void check_slices_need(const Case& data, Findings& findings) {
   if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
-    findings.add(
-        "geometry.dimension",
-        "'dimension' is 3, but slices are those of a plane section; take \"lem\" out of 'methods' in [analysis]");
+    findings.add("geometry.dimension",
+                 "'dimension' is 3, but LEM analyses a plane section; take \"lem\" out of 'methods' in [analysis]");
   if (!data.mesh.file.empty() && findings.is_sound("mesh.file"))
     findings.add("mesh.file",
-                 "slices need the polygons of the section, which a ready mesh does not have; write them as "
+                 "LEM needs the polygons of the section, which a ready mesh does not have; write them as "
                  "[[geometry.polygon]], or take \"lem\" out of 'methods' in [analysis]");
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (findings.is_sound(path) && !material.traits().serves_slices)
       findings.add(path,
-                   "material '{}' has no cohesion and friction angle for slices; they take {} and, as rock that no "
+                   "material '{}' has no cohesion and friction angle for LEM, which takes {} and, as rock that no "
                    "surface passes through, {}",
                    name, material::list_sliceable(), material::list_words([](const material::Traits& t) {
                      return t.strength == material::Strength::none;
@@ -69,20 +68,22 @@ void check_reduces(const Case& data, const std::string& who, const std::string& 
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
-      findings.add(path,
-                   "{} reduce the strength, which is not possible with material '{}': which of the constants of an "
-                   "external model are its strength is not known",
-                   who, name);
+      findings.add(
+          path,
+          "strength reduction ({}) is not possible with material '{}': which of the constants of an external model "
+          "are its strength is not known",
+          who, name);
   }
   for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
     const Boundary& b = data.boundaries[i];
     const std::string path = fmt::format("boundary.{}.fix", i);
     if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
-      findings.add(path, "{} have no {}; take {} out of 'methods' in [analysis], or fix '{}' in another way", who,
-                   b.fix == Fix::friction ? "wall with friction" : "boundary that moves", words, b.on);
+      findings.add(
+          path, "a {1} is not possible with {0}; take {2} out of 'methods' in [analysis], or fix '{3}' in another way",
+          who, b.fix == Fix::friction ? "wall with friction" : "boundary that moves", words, b.on);
   }
   if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
-    findings.add("boundary", "there is no [[boundary]]: {} and material points need the soil held", who);
+    findings.add("boundary", "there is no [[boundary]]: {} and MPM need fixed sides", who);
 }
 
 void check_reduces(const Case& data, Findings& findings) {
@@ -99,7 +100,7 @@ void check_reduces(const Case& data, Findings& findings) {
 void check_elements_need(const Case& data, Findings& findings) {
   if (data.mesh.file.empty() && !data.fem.size && data.mesh.size == 0 && findings.is_sound("mesh.size") &&
       findings.is_sound("fem.size"))
-    findings.add("mesh", "finite elements need a size: give 'size' in [mesh], or in [fem]");
+    findings.add("mesh", "FEM needs a size: give 'size' in [mesh], or in [fem]");
   if (findings.is_sound("fem.from") && findings.is_sound("fem.to") && data.fem.from >= data.fem.to)
     findings.add(findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
                  "'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to);
@@ -108,17 +109,17 @@ void check_elements_need(const Case& data, Findings& findings) {
 void check_bounds_need(const Case& data, Findings& findings) {
   if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
     findings.add("geometry.dimension",
-                 "'dimension' is 3, but proven bounds are those of a plane section; take \"bounds\" out of 'methods' "
+                 "'dimension' is 3, but limit analysis needs a plane section; take \"bounds\" out of 'methods' "
                  "in [analysis]");
   if (!data.mesh.file.empty() && findings.is_sound("mesh.file"))
     findings.add("mesh.file",
-                 "proven bounds make their own meshes from the polygons of the section, which a ready mesh does not "
+                 "limit analysis makes its own meshes from the polygons of the section, which a ready mesh does not "
                  "have; write them as [[geometry.polygon]], or take \"bounds\" out of 'methods' in [analysis]");
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength != material::Strength::hidden && !material.traits().serves_slices &&
         findings.is_sound(path))
-      findings.add(path, "material '{}' has no cohesion and friction angle for proven bounds; they take {}", name,
+      findings.add(path, "material '{}' has no cohesion and friction angle for limit analysis, which takes {}", name,
                    material::list_sliceable());
   }
 }
@@ -135,8 +136,8 @@ void check_pressure_ratio(const Material& m, const std::string& name, Findings& 
   const std::string path = "materials." + name + ".pore_pressure_ratio";
   if (m.slices.pore_pressure_ratio != 0 && m.water.is_wet() && findings.is_sound(path))
     findings.add(path,
-                 "material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give one of them where "
-                 "material points calculate",
+                 "material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give one of them "
+                 "for MPM",
                  name, name);
 }
 

@@ -104,7 +104,7 @@ double TextTable::number(std::size_t row, std::size_t column) const {
   double value = 0;
   const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
   if (parse_number(begin, text.data() + text.size(), value) != text.data() + text.size() || !std::isfinite(value))
-    fail_input("{}: '{}' is no number", place(row), text);
+    fail_input("{}: '{}' is not a number", place(row), text);
   return value;
 }
 

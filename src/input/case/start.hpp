@@ -77,8 +77,7 @@ template <>
 inline constexpr auto choices<InitialStress> = std::array{
     Choice{InitialStress::none, "none", "no stress: the first stage brings the weight on"},
     Choice{InitialStress::k0, "k0", "the weight of the column above, and K0 times it to the sides"},
-    Choice{InitialStress::elements, "elements",
-           "that of finite elements in equilibrium, which begin with the stress of \"k0\""},
+    Choice{InitialStress::elements, "elements", "equilibrium by FEM, which starts from the stress of \"k0\""},
 };
 
 void describe(auto& v, Gravity& g) {
@@ -116,7 +115,7 @@ void describe(auto& v, Initial& i) {
         "Weather before the run: seepage is calculated in soil at rest from this long before time 0, where the pore "
         "pressure named above holds, with the [[hydraulic]] series at negative times and the roots' transpiration.");
   v.key("date", i.date, plain().example("2023-07-01"),
-        "The date of time 0: tables of dates begin there, and the times of [timeline] are told as dates as well.");
+        "The date of time 0: tables of dates begin there, and the times of [timeline] are printed as dates as well.");
   v.key("equilibrium", i.equilibrium, plain().example(R"("gravity")"),
         "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
   v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),

@@ -54,9 +54,9 @@ inline constexpr auto choices<Distribution> = std::array{
 };
 template <>
 inline constexpr auto choices<SampledMethod> = std::array{
-    Choice{SampledMethod::lem, "lem", "slices on the surfaces of the case as the file has it"},
-    Choice{SampledMethod::fem, "fem", "finite elements"},
-    Choice{SampledMethod::mpm, "mpm", "material points, for the runout"},
+    Choice{SampledMethod::lem, "lem", "LEM on the surfaces of the case as the file has it"},
+    Choice{SampledMethod::fem, "fem", "FEM"},
+    Choice{SampledMethod::mpm, "mpm", "MPM, for the runout"},
 };
 template <>
 inline constexpr auto choices<SamplePlan> = std::array{
@@ -128,7 +128,7 @@ void describe_sampling(auto& v, Study& s) {
   v.key("confidence", a.confidence, plain().above(0).below(1).allowed_with("mode", s.mode, sample),
         "Confidence level of the interval of the probability of failure.");
   v.key("runout", a.runout, quantity("m").at_least(0).allowed_with("mode", s.mode, sample).example("[2, 5, 10]"),
-        "With material points: distances whose probability of being exceeded is told; empty: chosen from the samples.");
+        "For MPM: distances whose probability of exceedance is computed; empty: chosen from the samples.");
 }
 
 void describe(auto& v, Vary& w) {

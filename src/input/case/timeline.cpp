@@ -24,11 +24,10 @@ void check_release(const Case& data, Findings& findings) {
   if (!timeline.release) return;
   // In a sampling study LEM analyses the samples.
   if (!uses(data, Method::mpm) && data.study.mode != StudyMode::sample)
-    findings.add("timeline.release", "material points take over from the timeline: add \"mpm\" to [analysis] methods");
+    findings.add("timeline.release", "MPM starts from the timeline: add \"mpm\" to [analysis] methods");
   else if (uses(data, Method::mpm) && data.analysis != AnalysisKind::run)
-    findings.add(
-        "timeline.release",
-        "the points follow the slide from there: that is [analysis] kind = \"run\", not a reduction of strength");
+    findings.add("timeline.release",
+                 "MPM computes the slide from there: that is [analysis] kind = \"run\", not a reduction of strength");
   const std::string path = find_path(findings, "release.time", "release.date");
   if (!timeline.release->time || !findings.is_sound(path)) return;
   if (findings.places.is_given("timeline.release.criterion") &&
@@ -48,7 +47,7 @@ void check_element_times(const Case& data, Findings& findings) {
   const std::string path = find_path(findings, "element_times", "element_dates");
   if (!timeline.element_times || !findings.is_sound(path)) return;
   if (!uses(data, Method::fem) && data.study.mode != StudyMode::sample)
-    findings.add(path, "finite elements reduce strength: add \"fem\" to [analysis] methods");
+    findings.add(path, "strength is reduced by FEM: add \"fem\" to [analysis] methods");
   if (!std::is_sorted(timeline.element_times->begin(), timeline.element_times->end(), std::less_equal<>()))
     findings.add(path, "the times must increase");
   for (const double t : *timeline.element_times) {
@@ -67,7 +66,7 @@ void check_timeline(const Case& data, Findings& findings) {
   if (!data.timeline) return;
   const Timeline& timeline = *data.timeline;
   if (!uses(data, Method::lem))
-    findings.add("timeline", "the factor of safety in time is found by slices: add \"lem\" to [analysis] methods");
+    findings.add("timeline", "the factor of safety in time is computed by LEM: add \"lem\" to [analysis] methods");
   if (uses(data, Method::lem) && data.lem.search == SurfaceSearch::none && data.lem.surfaces.empty())
     findings.add("timeline", "[lem] search = \"none\" needs a [[lem.surface]], whose factor is followed");
   if (data.mesh.dimension != 2) findings.add("timeline", "the factor of safety in time needs a plane section");
@@ -75,7 +74,7 @@ void check_timeline(const Case& data, Findings& findings) {
     findings.add("timeline",
                  "without pore water nothing changes in time: a soil with [materials.NAME.water] is missing");
   if (!data.initial.result.empty())
-    findings.add("timeline", "not with [initial] result: a timeline begins with the water that [initial] names");
+    findings.add("timeline", "not with [initial] result: a timeline starts from the water that [initial] names");
   if (timeline.pool_loading && findings.is_sound("materials") &&
       std::none_of(data.materials.begin(), data.materials.end(),
                    [](const auto& m) { return m.second.water.compressibility > 0; }))

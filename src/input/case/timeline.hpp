@@ -15,9 +15,8 @@ enum class ReleaseCriterion { target, equilibrium };
 
 template <>
 inline constexpr auto choices<ReleaseCriterion> = std::array{
-    Choice{ReleaseCriterion::target, "target", "the factor of the slices is below `target`"},
-    Choice{ReleaseCriterion::equilibrium, "equilibrium",
-           "finite elements with the strength as given find no equilibrium"},
+    Choice{ReleaseCriterion::target, "target", "the factor of safety by LEM is below `target`"},
+    Choice{ReleaseCriterion::equilibrium, "equilibrium", "FEM with the strength as given does not converge"},
 };
 
 /// [timeline.release]: transition to MPM.
@@ -46,9 +45,9 @@ struct Timeline {
 };
 
 void describe(auto& v, Release& r) {
-  v.key("criterion", r.criterion, plain(), "What lets material points take over, where no time is given.");
+  v.key("criterion", r.criterion, plain(), "Criterion for the start of MPM, where no time is given.");
   v.key("time", r.time, quantity("day").at_least(0).example(R"("17 h")"),
-        "When material points take over; if not given, at the first time at which the criterion holds.");
+        "Start of MPM; if not given, at the first time at which the criterion holds.");
   v.key("date", r.date, plain().allowed_without("time", r.time.has_value()).example("2023-07-14"),
         "The same as a date, in place of `time`; [initial] date says when time 0 is.");
   v.key("apart", r.apart, quantity("day").at_least(0).example(R"("30 min")"),
@@ -73,8 +72,8 @@ void describe(auto& v, Timeline& t) {
         "Times are chosen until the straight lines between them are this near to the factor, over the factor.");
   v.key("most_times", t.most_times, plain().at_least(3).at_most(1000), "Most times that are chosen.");
   v.key("element_times", t.element_times, quantity("day").example(R"(["1 day", 3])"),
-        "When finite elements reduce the strength as well, beside time 0, where they are among the methods. If not "
-        "given, at the time at which slices find the least factor.");
+        "Times of strength reduction by FEM besides time 0, if \"fem\" is among the methods. If not given, the time of "
+        "the least factor by LEM.");
   v.key("element_dates", t.element_dates,
         plain().allowed_without("element_times", t.element_times.has_value()).example("[2023-07-04]"),
         "The same as dates, in place of `element_times`.");
@@ -83,9 +82,9 @@ void describe(auto& v, Timeline& t) {
         "follows at once (vertical compression; B̄ = m_v / (m_v + n / K_w)). Without it the total stress is taken as "
         "constant, as seepage programs do.");
   v.optional_table("release", t.release,
-                   "Material points take over at a time: the stages of the case, which begin with the pore water of "
-                   "that time and go on with the rain and the pools that follow. Let the first of them hold the slope "
-                   "until it rests, and the next one let it go.");
+                   "Start of MPM at a time of the timeline: the stages of the case start from the pore water of that "
+                   "time and continue with the rain and the pools that follow. Let the first stage hold the slope "
+                   "until it rests, and the next one release it.");
 }
 
 }  // namespace talus::input

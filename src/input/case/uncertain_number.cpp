@@ -93,7 +93,7 @@ using nlohmann::json;
 double read_value(const std::string& text, const std::string& unit, const std::string& key, const char* what) {
   const json value = json::parse(text, nullptr, false);
   if (value.is_number()) return value.get<double>();
-  if (!value.is_string()) fail_input("'{}' of '{}' is no number: {}", what, key, text);
+  if (!value.is_string()) fail_input("'{}' of '{}' is not a number: {}", what, key, text);
   const double si = units::parse_as_si(value.get<std::string>(), unit, what);
   return si / (unit.empty() ? 1.0 : units::get_si_factor(unit));
 }

@@ -187,7 +187,7 @@ void warn(const Slope& slope, CutSurface& cut) {
   const double arc = yc - std::sqrt(cut.radius * cut.radius - (x - xc) * (x - xc));
   cut.cut_at_toe = arc < slope.ground(x) - 1e-3 * step;
   if (cut.cut_at_toe)
-    cut.warnings.push_back("the arc is cut at its lower end: the circle would go on below the ground");
+    cut.warnings.push_back("the arc is cut at its lower end: the circle would continue below the ground");
 }
 
 /// Makes the slices over the base, with the loads on vertical steps of the ground.

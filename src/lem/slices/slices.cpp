@@ -205,7 +205,7 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
 
 namespace {
 
-/// A vertical step of the ground at one side of a slice; the slice on its higher side bears the load.
+/// A vertical step of the ground at one side of a slice; the slice on its higher side carries the load.
 struct Step {
   double x = 0, low = 0, high = 0;
   double facing = 1;  ///< the soil is at larger x (1) or smaller x (-1)

@@ -179,7 +179,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     judge_thrust(cut, s, solution);
   }
   if (keep_forces) write_forces(cut, s, complete);
-  // Also with `reject` off: interslice forces that soil cannot bear give no factor of safety.
+  // Also with `reject` off: interslice forces beyond the strength of soil give no factor of safety.
   if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);

@@ -27,7 +27,7 @@ struct Slice {
   double weight = 0;                   ///< W of soil and pore water, without ponded water
   double surface_load = 0;             ///< Q, vertical: loads on the ground and ponded water, positive downwards
   double surface_thrust = 0;           ///< H, their horizontal part, positive against the direction of sliding
-  double surface_moment = 0;           ///< of both about the middle of the base, positive clockwise [N m]
+  double surface_moment = 0;           ///< moment of Q and H about the middle of the base, positive clockwise [N m]
   double earthquake = 0;               ///< k_h W, positive in the direction of sliding
   double centroid = 0;                 ///< elevation of the centre of the weight at the slice's middle [m]
   double pore_pressure = 0;            ///< u at the middle of the base; suction is negative [Pa]
@@ -66,8 +66,8 @@ struct Checks {
   double smallest_m_alpha = 0.2;
   double most_tension = 0.2;         ///< limit of the fraction of the length with N' < 0 [-]
   double most_thrust_outside = 0.3;  ///< limit of the fraction of Σ|E| outside the mass; Spencer, Morgenstern–Price [-]
-  /// Limits of λ. Beyond them the interslice forces are steeper than soil can bear, or the upper part supports the
-  /// lower [-].
+  /// Limits of λ. Beyond them the interslice forces are steeper than the strength of soil allows, or the upper part
+  /// supports the lower [-].
   double smallest_lambda = -0.1, largest_lambda = 1.5;
   bool has_sensible_lambda(double lambda) const { return lambda >= smallest_lambda && lambda <= largest_lambda; }
   /// Limit of the relative difference by which the factor of a polyline may lie below the upper bound of wedges on its

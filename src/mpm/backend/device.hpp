@@ -139,9 +139,9 @@ class Device {
 
 /// Ends the run as an interruption does, after a failure of the device.
 [[noreturn]] inline void throw_lost(const std::string& why) {
-  throw Error(
-      ExitCode::interrupted,
-      "the device failed (" + why + "); --resume goes on from the last checkpoint, without --device on the processor");
+  throw Error(ExitCode::interrupted,
+              "the device failed (" + why +
+                  "); --resume continues from the last checkpoint, without --device on the processor");
 }
 
 /// Factory of devices, implemented by a GPU module.

@@ -48,8 +48,8 @@ TALUS_PORTABLE material::Gaps know_gaps(bool moving) {
   return !moving ? Gaps::ignored : Apart ? Gaps::kept : Gaps::none;
 }
 
-/// Which elements of block `b` are full, and the V_p-weighted means of stress and state of their points (2.93).
-/// `Apart`: a point of the block keeps a gap.
+/// Computes which elements of block `b` are full, and the V_p-weighted means of stress and state of their points
+/// (2.93). `Apart`: a point of the block keeps a gap.
 template <bool Apart, class B, class Law, class T = typename B::Lanes>
 TALUS_PORTABLE FullElement<B, Law> gather_full_elements(const B& body, const Law& law, int b, T count) {
   using P = PointFields<B::dimension>;

@@ -65,7 +65,7 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
           for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
           // In its fixed directions the node moves with its support: the difference to the velocity that its points
-          // bring is removed there. Damping does not act on what supports bear.
+          // bring is removed there. Damping does not act on support reactions.
           Vec<D> f, v;
           for (int d = 0; d < D; ++d) {
             f[d] = t[1 + D + d] + f_ext[d];

@@ -34,7 +34,7 @@ struct LargestDisplacement {
 template <int D>
 struct Totals {
   double mass = 0, water = 0;                      ///< of grains and of pore water [kg]
-  double kinetic = 0, potential = 0, elastic = 0;  ///< of both phases; potential: -Σ m g·x
+  double kinetic = 0, potential = 0, elastic = 0;  ///< energies of both phases; potential: -Σ m g·x
   Vec<D> momentum{}, centre{};                     ///< [kg m/s], centre of mass [m]
   int points = 0;
 

@@ -26,7 +26,7 @@ struct SurfaceWater {
   bool may_pond = false;  ///< ponding or outflow at zero pressure is possible
   bool is_rain = false;
   double pressure = 0;  ///< [Pa]
-  double inflow = 0;    ///< offered [m³/s]
+  double inflow = 0;    ///< supplied [m³/s]
 };
 
 /// Coupling of node i to the pressure or the displacement of node j.

@@ -133,8 +133,8 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
   return s;
 }
 
-/// If more water would enter than is offered, an impulse along the normal, opposite on the two phases, corrects the
-/// relative velocity (T14.11). Fixed directions take no impulse; supports bear it. Updates `v` and `w` [m/s] and
+/// If more water would enter than is supplied, an impulse along the normal, opposite on the two phases, corrects the
+/// relative velocity (T14.11). Fixed directions take no impulse; the supports take it. Updates `v` and `w` [m/s] and
 /// returns whether they changed.
 template <int D>
 // NOLINTNEXTLINE(readability-function-size): two phases, each with its mass and velocity

@@ -328,7 +328,7 @@ void visit_members(Visit&& visit, L& load) {
 
 namespace {
 
-/// Which optional fields a body has.
+/// Optional fields that a body has.
 struct Extent {
   int points = 0;
   bool softens_over_length = false, holds_saturation = false;

@@ -94,9 +94,10 @@ auto run_there(const auto& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    throw Error(ExitCode::no_memory,
-                "the device ran out of memory in the run; --resume goes on from the last checkpoint, without --device "
-                "on the processor. Larger elements need less");
+    throw Error(
+        ExitCode::no_memory,
+        "the device ran out of memory in the run; --resume continues from the last checkpoint, without --device "
+        "on the processor. Larger elements need less");
   }
 }
 

@@ -23,7 +23,7 @@ void use_no_device();
 /// "NVIDIA H100", "emulated"; empty where no device is used.
 const std::string& get_device_name();
 
-/// A new device of the selected kind; nullptr for the CPU.
+/// Returns a new device of the selected kind; nullptr for the CPU.
 template <int D>
 std::unique_ptr<Device<D>> make_device();
 

@@ -41,7 +41,7 @@ TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D
   return f;
 }
 
-/// Component of a force that neither the fixed directions nor a pressed wall, friction included, can bear: a block that
+/// Component of a force that neither the fixed directions nor a pressed wall, friction included, can take: a block that
 /// sticks to a frictional wall is at rest.
 template <int D>
 TALUS_PORTABLE Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity_t<Vec<D>> f) {

@@ -168,7 +168,7 @@ History History::resume(const fs::path& path, const std::vector<Column>& columns
   if (!fs::exists(path)) return start(path, columns);
   const std::string text = read_text_file(path), header = make_header(columns);
   if (!text.starts_with(header))
-    fail_input("cannot go on with '{}': its columns are '{}' where '{}' was expected", path.string(),
+    fail_input("cannot continue '{}': its columns are '{}' where '{}' was expected", path.string(),
                text.substr(0, text.find('\n')), header.substr(0, header.size() - 1));
   // The next row must not be appended to an incomplete row of a killed run.
   const std::size_t whole = text.rfind('\n') + 1;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "output/files/frame.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 
 namespace talus::report {
 

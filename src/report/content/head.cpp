@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/content/sequence.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/named.hpp"
 
 namespace talus::report {

@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 #include "results/runout.hpp"
 
 namespace talus::report {

@@ -12,7 +12,7 @@
 #include "input/case/point_test.hpp"
 #include "output/files/history.hpp"
 #include "report/content/sequence.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 
 namespace talus::report {
 

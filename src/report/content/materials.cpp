@@ -9,7 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "report/content/water.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "site/roots.hpp"
 
 namespace talus::report {

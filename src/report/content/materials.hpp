@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/report.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
 

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/user_file.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 
@@ -159,7 +159,7 @@ json pack_finite_elements(const ResultFolder& folder, Packer& packer, json& warn
     for (const results::ElementRun& run : fem.runs) fields.push_back(pack_fields(file->mesh, run.flow, packer));
     return {{"mesh", std::move(mesh)}, {"fields", std::move(fields)}};
   } catch (const Error& error) {
-    warnings.push_back(fmt::format("The finite elements are not drawn: {}", error.what()));
+    warnings.push_back(fmt::format("The fields of FEM are not drawn: {}", error.what()));
     return {};
   }
 }
@@ -241,7 +241,7 @@ json pack_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnin
     if (json field = pack_holding(file->holds, packer); !field.is_null()) block["holds"] = std::move(field);
     if (json field = pack_moving(file->moves, packer); !field.is_null()) block["moves"] = std::move(field);
   } catch (const Error& error) {
-    warnings.push_back(fmt::format("The fields of the proven bounds are not drawn: {}", error.what()));
+    warnings.push_back(fmt::format("The fields of limit analysis are not drawn: {}", error.what()));
   }
   return block;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Arrays of LEM, FEM and limit analysis in a report: trial circles, the fields at failure, the fields of proven bounds.
+// Arrays of LEM, FEM and limit analysis in a report: trial circles, the fields at failure, the fields of limit
+// analysis.
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
 
 namespace talus::report {
 

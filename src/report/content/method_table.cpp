@@ -11,7 +11,7 @@
 
 #include "base/units.hpp"
 #include "report/content/choices.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/governing.hpp"
 
 namespace talus::report {
@@ -114,16 +114,24 @@ std::string format_closeness(double difference) {
   return percent < 0.05 ? "to three digits" : fmt::format("to {:.1f} %", percent);
 }
 
-const char* name_topic(Topic topic) {
+/// Returns the title of a method as a heading: "Limit analysis".
+std::string make_heading(Method method) {
+  std::string title = get_title(method);
+  char& first = title.front();
+  if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  return title;
+}
+
+std::string name_topic(Topic topic) {
   switch (topic) {
     case Topic::slices:
-      return "Slices";
+      return make_heading(Method::lem);
     case Topic::elements:
-      return "Finite elements";
+      return make_heading(Method::fem);
     case Topic::bounds:
-      return "Proven bounds";
+      return make_heading(Method::bounds);
     case Topic::points:
-      return "Material points";
+      return make_heading(Method::mpm);
     case Topic::mechanism:
       return "Mechanism";
     case Topic::seconds:
@@ -184,6 +192,13 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
 }
 
 }  // namespace
+
+json list_method_titles() {
+  json titles;
+  for (const Method method : {Method::lem, Method::fem, Method::bounds, Method::mpm})
+    titles[to_word(method)] = make_heading(method);
+  return titles;
+}
 
 json read_methods(const ResultFolder& folder) {
   if (!folder.run.methods || !asks_for_others(folder)) return {};
@@ -252,17 +267,17 @@ std::string format_referee(const results::RunResult& run) {
   const double lower = results::show_lower(*run.slices->referee->lower),
                upper = results::show_upper(*run.slices->referee->upper);
   if (run.slices->referee->upper_only)
-    return fmt::format("For ψ = φ limit analysis proves that {} is at most {:.3f}; it has no lower bound: {}.",
+    return fmt::format("For ψ = φ {} is at most {:.3f} by limit analysis; it has no lower bound: {}.",
                        run.timeline ? "the factor at time 0" : "it", upper, *run.slices->referee->upper_only);
   // Separate bounds in the answer may be based on another tensile strength.
   if (run.timeline || (run.bounds && !run.bounds->error))
-    return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) proves {:.3f} to {:.3f}.",
+    return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) gives {:.3f} to {:.3f}.",
                        run.timeline ? "At time 0 limit analysis" : "Limit analysis", lower, upper);
   if (results::find_governing_surface(run))
-    return fmt::format("For ψ = φ limit analysis proves that it lies between {:.3f} and {:.3f}.", lower, upper);
+    return fmt::format("For ψ = φ it lies between {:.3f} and {:.3f} by limit analysis.", lower, upper);
   return fmt::format(
-      "For ψ = φ limit analysis proves that the factor of safety lies between {:.3f} and {:.3f}. No factor by limit "
-      "equilibrium does, so that the interval is the answer.",
+      "For ψ = φ the factor of safety lies between {:.3f} and {:.3f} by limit analysis. No factor by LEM does, so that "
+      "the interval is the answer.",
       lower, upper);
 }
 
@@ -274,10 +289,11 @@ std::string format_proven(const results::RunResult& run) {
                                : std::string(run.timeline ? "At time 0, for" : "For") + " ψ = φ the factor of safety";
   const double lower = results::show_lower(bounds.lower.value_or(0)),
                upper = results::show_upper(bounds.upper.value_or(0));
-  if (bounds.is_interval()) return fmt::format("{} is proven to lie between {:.3f} and {:.3f}.", soil, lower, upper);
-  if (bounds.lower) return fmt::format("{} is proven to be at least {:.3f}.", soil, lower);
-  if (bounds.upper) return fmt::format("{} is proven to be at most {:.3f}.", soil, upper);
-  return fmt::format("No bound of the factor of safety was proven: {}.", bounds.no_upper);
+  if (bounds.is_interval())
+    return fmt::format("{} lies between {:.3f} and {:.3f} by limit analysis.", soil, lower, upper);
+  if (bounds.lower) return fmt::format("{} is at least {:.3f} by limit analysis.", soil, lower);
+  if (bounds.upper) return fmt::format("{} is at most {:.3f} by limit analysis.", soil, upper);
+  return fmt::format("Limit analysis found no bound of the factor of safety: {}.", bounds.no_upper);
 }
 
 std::string format_agreement(const std::vector<Factor>& factors) {
@@ -302,12 +318,12 @@ std::string format_agreement(const std::vector<Factor>& factors) {
     const double a = *given->value, b = *associated->value;
     if (std::abs(a / b - 1) > close / 2)
       reasons.push_back(
-          fmt::format("the flow rule alone makes {:.1f} % in the finite elements ({:.3f} as given, {:.3f} with ψ = φ), "
-                      "and slices know none",
+          fmt::format("the flow rule alone makes {:.1f} % in FEM ({:.3f} as given, {:.3f} with ψ = φ), "
+                      "and LEM has none",
                       100 * std::abs(a / b - 1), a, b));
   }
   if (points != nullptr && !points->is_extrapolated)
-    reasons.push_back("material points are those of one mesh, not extrapolated");
+    reasons.push_back("the factor by MPM is that of one mesh, not extrapolated");
   const std::string apart = spread < far ? fmt::format("The methods lie within {:.1f} % of each other", 100 * spread)
                                          : fmt::format("The methods lie {:.0f} % apart", 100 * spread);
   return fmt::format("{}{}{}.", apart, reasons.empty() ? "" : "; ", fmt::join(reasons, "; "));

@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
+
+/// Returns the titles of all methods by their words: {"lem": "LEM", …}.
+nlohmann::json list_method_titles();
 
 /// Returns `MethodsRead` of web/src/contract/; null for a run of MPM only.
 nlohmann::json read_methods(const ResultFolder& folder);
@@ -38,15 +41,16 @@ nlohmann::json to_json(const Factor& factor);
 /// the first. The main factor precedes the others of its method.
 std::vector<Factor> list_other_factors(const results::RunResult& run);
 
-/// Returns a sentence such as "The factor of safety is 1.441 by slices (Spencer, critical circle) and 1.398 by finite
-/// elements (…)."; empty if no method found a factor. `factors` are those of all methods.
+/// Returns a sentence such as "The factor of safety is 1.441 by LEM (Spencer, critical circle) and 1.398 by FEM
+/// (…)."; empty if no method found a factor. `factors` are those of all methods.
 std::string format_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
 
-/// Returns the sentence on the interval that limit analysis proves for the factors of LEM, with tension up to the apex;
+/// Returns the sentence on the interval of limit analysis for the factors of LEM, with tension up to the apex;
 /// empty if no interval was computed.
 std::string format_referee(const results::RunResult& run);
 
-/// Returns a sentence such as "It is proven to lie between 1.432 and 1.446 for ψ = φ."; empty without proven bounds.
+/// Returns a sentence such as "For ψ = φ the factor of safety lies between 1.432 and 1.446 by limit analysis."; empty
+/// without limit analysis.
 std::string format_proven(const results::RunResult& run);
 
 /// Returns the sentence on the differences between the main factors and the part of them that is due to the flow rule

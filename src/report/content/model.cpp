@@ -19,7 +19,7 @@
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::report {
@@ -159,7 +159,7 @@ void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json&
 /// Describes the tension crack. It shortens each surface; water in it presses on its side.
 json describe_crack(const input::TensionCrack& crack, const ShownUnits& units) {
   return {{"name", "tension crack"},
-          {"text", fmt::format("slip surfaces of slices end in a vertical crack, {} deep at most{}",
+          {"text", fmt::format("slip surfaces of LEM end in a vertical crack, {} deep at most{}",
                                show(crack.depth, units.length),
                                crack.water > 0 ? ", in which water stands " + show(crack.water, units.length) +
                                                      " deep and presses on its side"

@@ -10,8 +10,8 @@
 
 #include "mesh/mesh.hpp"
 #include "mesh/plan.hpp"
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
 
 namespace talus::report {
 

@@ -11,7 +11,7 @@
 
 #include "base/user_file.hpp"
 #include "report/content/fields.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/bounds.hpp"
 #include "results/json.hpp"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "output/files/frames_reader.hpp"
+#include "report/folder/numbers.hpp"
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
-#include "report/words/numbers.hpp"
 
 namespace talus::report {
 

@@ -16,7 +16,7 @@
 #include "report/content/head.hpp"
 #include "report/content/sequence.hpp"
 #include "report/content/tables.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {

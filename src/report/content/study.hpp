@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/json_tree.hpp"
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
 #include "results/sampling.hpp"
 
 namespace talus::report {

@@ -17,7 +17,7 @@
 #include "report/content/fields.hpp"
 #include "report/content/head.hpp"
 #include "report/content/sequence.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "run/mpm/record/motion.hpp"
 
 namespace talus::report {

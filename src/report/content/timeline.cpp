@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "report/content/water_states.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
@@ -35,7 +35,7 @@ void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& w
 /// Returns the clause on the initial stress of MPM and on rest before the release.
 std::string format_start(const results::Release& r) {
   if (!r.start_factor) return r.rests ? "came to rest" : "did not rest";
-  std::string text = "stress of finite elements";
+  std::string text = "initial stress by FEM";
   if (*r.start_factor < 1) text += fmt::format(", with {:.3g} times the strength", 1 / *r.start_factor);
   return text;
 }

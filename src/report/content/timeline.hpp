@@ -4,8 +4,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
 
 namespace talus::report {
 

@@ -11,7 +11,7 @@
 #include "input/case/hydraulic.hpp"
 #include "input/case/soil_water_law.hpp"
 #include "report/content/model.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::report {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mesh/mesh.hpp"
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
 

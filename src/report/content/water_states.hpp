@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "report/folder/result_folder.hpp"
 #include "report/pack/pack.hpp"
-#include "report/report.hpp"
 
 namespace talus::report {
 

@@ -11,7 +11,7 @@
 #include "report/content/choices.hpp"
 #include "report/content/method_table.hpp"
 #include "report/content/water.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "report/words/water_words.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"
@@ -140,8 +140,8 @@ void format_factor(const results::RunResult& run, const std::vector<Factor>& fac
   const auto found = std::find_if(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main; });
   if (found == factors.end()) {
     if (!factors.empty())
-      sentences.push_back(fmt::format("No criterion {}found a factor of safety in the range that was tried.",
-                                      lone ? "" : "of the material points "));
+      sentences.push_back(
+          fmt::format("No criterion {}found a factor of safety in the range that was tried.", lone ? "" : "of MPM "));
     return;
   }
   if (!lone) return;
@@ -308,7 +308,7 @@ void format_state(const results::RunResult& run, json& sentences) {
   if (run.status == Status::finished) return;
   if (run.status == Status::unfinished) {
     sentences.push_back(
-        "This run has not finished: it still goes on or was ended from outside. The report shows what is in its "
+        "This run has not finished: it is still active or was ended from outside. The report shows what is in its "
         "folder.");
     return;
   }

@@ -10,7 +10,7 @@
 #include "report/content/choices.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "report/words/water_words.hpp"
 
 namespace talus::report {
@@ -145,7 +145,7 @@ class Assumptions {
   }
 
   void add_slices() {
-    add("Slices: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
+    add("LEM: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
         "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part. The "
         "resistance at the sides of a slide is neglected.");
     if (run_.slices && run_.slices->search)
@@ -164,26 +164,27 @@ class Assumptions {
   }
 
   void add_elements() {
-    add("Finite elements: small strains on the undeformed geometry. A shear band is as wide as an element, so that a "
+    add("FEM: small strains on the undeformed geometry. A shear band is as wide as an element, so that a "
         "finer mesh gives a slightly lower factor.");
     if (!run_.elements) return;
     const auto& runs = run_.elements->runs;
     if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.interval.has_value(); }))
-      add("The factor by finite elements is extrapolated from two meshes to element size zero. Its interval holds the "
+      add("The factor by FEM is extrapolated from two meshes to element size zero. Its interval holds the "
           "error of the mesh for orders of convergence of 0.6 and more, and the brackets of the search.");
     else if (!runs.empty())
-      add("The factor by finite elements is that of one mesh, and the mesh error is not known.");
+      add("The factor by FEM is that of one mesh, and the mesh error is not known.");
     for (const results::ElementRun& run : runs)
       if (run.flow == results::Flow::associated)
-        add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
-            "it should agree with that of material points.");
+        add("With associated flow (ψ = φ) the factor can be compared with LEM and limit analysis; with ψ as given it "
+            "should agree with that of MPM.");
   }
 
   void add_bounds() {
-    add("Proven bounds: rigid, perfectly plastic soil in plane strain with ψ = φ, strength and pore pressures linear "
+    add("Limit analysis: rigid, perfectly plastic soil in plane strain with ψ = φ, strength and pore pressures linear "
         "in "
         "the triangles of the first mesh, and the undeformed geometry. A stress field in equilibrium that nowhere "
-        "exceeds the strength proves the lower one, a mechanism that obeys the flow rule the upper one. Both fields "
+        "exceeds the strength proves the lower bound, a mechanism that obeys the flow rule the upper bound. Both "
+        "fields "
         "were checked by themselves. Soil with less cohesion or tensile strength than a millionth of the largest load "
         "is "
         "taken to have as much.");
@@ -209,8 +210,7 @@ class Assumptions {
     if (!initial.result.empty())
       add("The initial state is the end of the results in '{}'.", initial.result);
     else if (initial.stress == input::InitialStress::elements)
-      add("The initial stress is that of finite elements in equilibrium with weight, water and loads; they begin with "
-          "K0 = {}.",
+      add("The initial stress is in equilibrium with weight, water and loads by FEM, which starts from K0 = {}.",
           initial.k0 ? show_number(*initial.k0) : "ν/(1−ν) of each soil");
     else if (initial.stress == input::InitialStress::none)
       add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
@@ -285,16 +285,15 @@ class Assumptions {
     const bool compares = choices_.is_reduction;
     if (psi <= 0)
       add("{}: the plastic flow keeps its volume (ψ = 0, φ = {:.3g}°).{}", name, phi / degree,
-          compares ? " Methods of slices assume ψ = φ in effect and give a higher factor, by about 3 to 5 % on the "
-                     "slopes that were compared."
+          compares ? " LEM assumes ψ = φ in effect and gives a higher factor, by about 3 to 5 % on the slopes that "
+                     "were compared."
                    : "");
     else if (psi < phi - 1e-9)
       add("{}: the plastic flow dilates with ψ = {:.3g}° below φ = {:.3g}°{}.", name, psi / degree, phi / degree,
           compares ? "; the factor lies between those of ψ = 0 and ψ = φ" : "");
     else
       add("{}: associated flow (ψ = φ = {:.3g}°){}; real soil dilates less{}.", name, phi / degree,
-          compares ? ", comparable with methods of slices and limit analysis" : "",
-          compares ? ", which gives a lower factor" : "");
+          compares ? ", comparable with LEM and limit analysis" : "", compares ? ", which gives a lower factor" : "");
   }
 
   void add_mesh() {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
 

@@ -10,7 +10,7 @@
 #include "report/content/choices.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 #include "results/water.hpp"
 
 namespace talus::report {

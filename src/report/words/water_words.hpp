@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/report.hpp"
+#include "report/folder/result_folder.hpp"
 
 namespace talus::report {
 

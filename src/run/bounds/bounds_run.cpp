@@ -177,7 +177,7 @@ bool has_tension_limit(const bounds::Problem& problem) {
 }  // namespace
 
 BoundsRun::BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : MethodRun("proven bounds", bounds_file, alone, options, std::move(input_hash)), data_(data) {}
+    : MethodRun("limit analysis", bounds_file, alone, options, std::move(input_hash)), data_(data) {}
 
 void BoundsRun::prepare() {
   const bool is_made = try_part([&] {

@@ -140,7 +140,7 @@ class ProblemBuilder {
       const auto side = border.find(find_key(load.sides[i]));
       if (side == border.end())
         throw Error(ExitCode::wrong_input,
-                    fmt::format("the traction on '{}' is not on the surface of the soil: proven bounds take loads "
+                    fmt::format("the traction on '{}' is not on the surface of the soil: limit analysis takes loads "
                                 "there only",
                                 load.name));
       for (std::size_t k = 0; k < 2; ++k) {
@@ -185,7 +185,7 @@ class ProblemBuilder {
     if (across < along_axis && along < along_axis)
       throw Error(
           ExitCode::wrong_input,
-          fmt::format("proven bounds can hold '{}' across or along itself only, not along ({:g}, {:g}); use fix "
+          fmt::format("limit analysis can fix '{}' across or along itself only, not along ({:g}, {:g}); use fix "
                       "= \"normal\"",
                       b.on, b.normal[0], b.normal[1]));
     (across > along ? side.holds_normal : side.holds_along) = true;
@@ -227,7 +227,7 @@ namespace {
 /// Differences up to this fraction of the largest load, or of the pressure of water as deep as the ground is wide, are
 /// rounding errors. The second one applies to a water table along the ground, whose load consists of rounding errors.
 constexpr double rounding_of_loads = 1e-6, rounding_of_water = 1e-12;
-/// Number of places at which a side is checked.
+/// Number of points at which a side is checked.
 constexpr int side_samples = 9;
 
 /// Interpolates a polyline at x, level beyond its ends; `ys` has the length of `xs`.

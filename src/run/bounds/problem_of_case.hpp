@@ -45,7 +45,7 @@ struct LoadedSide {
   std::array<Vec<2>, 2> traction{};  ///< at both ends, linear in between [Pa]
 };
 
-/// Evaluates surcharges and water of the case at places of each side, independently of the mesh. Returns a sentence
+/// Evaluates surcharges and water of the case at points of each side, independently of the mesh. Returns a sentence
 /// with the place of the largest difference in traction; nullopt if the differences are rounding errors.
 std::optional<std::string> find_wrong_load(const site::Site& site, const std::vector<LoadedSide>& sides);
 

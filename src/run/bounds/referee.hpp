@@ -8,9 +8,9 @@
 
 namespace talus::run {
 
-/// Computes the proven interval under the assumptions of LEM: ψ = φ, tension up to the apex, base and ends of the
-/// section fixed. An earthquake is applied in both directions, and the smaller factor counts. `start`: a factor near
-/// the interval, if known. `why_not` has the reason if limit analysis does not support the case. Throws Error
+/// Computes the interval of limit analysis under the assumptions of LEM: ψ = φ, tension up to the apex, base and ends
+/// of the section fixed. An earthquake is applied in both directions, and the smaller factor counts. `start`: a factor
+/// near the interval, if known. `why_not` has the reason if limit analysis does not support the case. Throws Error
 /// (interrupted).
 results::Referee search_referee_interval(const input::Case& data, std::optional<double> start,
                                          const RunOptions& options);

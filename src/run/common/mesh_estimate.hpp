@@ -11,7 +11,7 @@ struct ElementCount {
 };
 
 /// Estimates the number of elements of a plan in its box and in its polygons, from the area or volume of elements of
-/// the requested size. Refinements are integrated over a grid of 200 by 200 places. Zero for a mesh from a file.
+/// the requested size. Refinements are integrated over a grid of 200 by 200 points. Zero for a mesh from a file.
 ElementCount count_elements(const mesh::Plan& plan);
 
 /// Smallest element size of the plan [m].

@@ -112,7 +112,7 @@ void check_empty(const input::LoadedCase& loaded, const RunOptions& options) {
   if (options.resume) return require_list(options.folder);
   throw Error(ExitCode::folder_exists,
               fmt::format("the folder '{}' is not empty; give another one with -o, replace it with --overwrite, "
-                          "or go on with --resume",
+                          "or continue with --resume",
                           options.folder.string()));
 }
 

@@ -46,7 +46,7 @@ std::string judge_handed(std::optional<double> factor, std::optional<double> of_
   const double ratio = *factor / *of_giver;
   if (ratio <= largest_ratio && ratio >= 1 / largest_ratio) return "";
   return fmt::format(
-      "slices find {:.3g} times the factor of the method that the line is from: it does not follow one "
+      "LEM gives {:.3g} times the factor of the method that the line is from: it does not follow one "
       "mechanism",
       ratio);
 }
@@ -86,8 +86,8 @@ class Comparison {
     if (c.lambda) row.note = fmt::format("λ = {:.3g}", *c.lambda);
     if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
     if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
-    if (c.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound";
-    if (c.verdict == results::Verdict::too_high) row.note = "impossible: above the proven upper bound";
+    if (c.verdict == results::Verdict::too_low) row.note = "impossible: below the lower bound";
+    if (c.verdict == results::Verdict::too_high) row.note = "impossible: above the upper bound";
     results_.table.push_back(std::move(row));
     results_.surfaces.push_back(
         {name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}, {}, {}});
@@ -115,7 +115,7 @@ class Comparison {
     for (const results::ElementRun& run : fem.runs) {
       const std::string words = describe_flow(run), band = name_band(run.flow);
       results::MethodRow row =
-          begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words, "non-convergence",
+          begin_row(Method::fem, results::to_word(run.flow), "FEM, " + words, "non-convergence",
                     run.slip_line.empty() ? "" : band, run.slip_line.empty() ? Source::none : Source::band);
       row.label = words;
       row.measure = results::FactorMeasure::equilibrium;
@@ -130,8 +130,8 @@ class Comparison {
                       ? fmt::format(", extrapolated with those of {}", format_length(run_, run.meshes->front().size))
                       : "; one mesh: the mesh error is not known";
       if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake, results::stable_on_mesh);
-      if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound; " + row.note;
-      if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
+      if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the lower bound; " + row.note;
+      if (run.verdict == results::Verdict::too_high) row.note = "above the upper bound; " + row.note;
       results_.table.push_back(row);
       if (run.by_displacement) {
         row.criterion = "sharp rise of displacement";
@@ -141,7 +141,7 @@ class Comparison {
         results_.table.push_back(row);
       }
       if (!run.slip_line.empty())
-        add_lines({band, "Band of the finite elements, " + words, Method::fem, run.factor, run.slip_line, {}, {}, {}},
+        add_lines({band, "Shear band of FEM, " + words, Method::fem, run.factor, run.slip_line, {}, {}, {}},
                   run.sides.value_or(std::vector<results::SideLine>{}));
     }
   }
@@ -150,8 +150,8 @@ class Comparison {
   void add_bounds(const results::BoundsResult& bounds) {
     if (bounds.error) return;
     results::MethodRow row =
-        begin_row(Method::bounds, "bounds", "Proven bounds", "ψ = φ", bounds.sides ? results::mechanism_name : "",
-                  bounds.sides ? Source::mechanism : Source::none);
+        begin_row(Method::bounds, "bounds", "Lower and upper bound", "ψ = φ",
+                  bounds.sides ? results::mechanism_name : "", bounds.sides ? Source::mechanism : Source::none);
     row.label = "limit analysis";
     row.lower = bounds.lower;
     row.upper = bounds.upper;
@@ -208,23 +208,23 @@ class Comparison {
       results_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
     }
     if (line.line.empty()) return;
-    add_lines({results::slip_line_name,
-               line.factor > 1 ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
-                               : std::string("Slip line of the material points"),
-               Method::mpm,
-               line.factor,
-               line.line,
-               line.source,
-               {},
-               {}},
-              line.sides);
+    add_lines(
+        {results::slip_line_name,
+         line.factor > 1 ? fmt::format("Slip line of MPM at SRF {:.4g}", line.factor) : std::string("Slip line of MPM"),
+         Method::mpm,
+         line.factor,
+         line.line,
+         line.source,
+         {},
+         {}},
+        line.sides);
   }
 
   void add_point_factors(const results::PointFactors& factors, const std::string& surface) {
     const Source source = surface.empty() ? Source::none : Source::slip_line;
     if (const auto& frozen = factors.frozen) {
       results::MethodRow row =
-          begin_row(Method::mpm, "frozen", "Material points", "rest or run-away at frozen geometry", surface, source);
+          begin_row(Method::mpm, "frozen", "MPM", "rest or run-away at frozen geometry", surface, source);
       row.factor = frozen->factor;
       row.lower = frozen->lower();
       row.upper = frozen->upper();
@@ -239,8 +239,8 @@ class Comparison {
     if (!factors.criteria) return;
     for (const results::Criterion& c : *factors.criteria) {
       const std::string word = results::to_word(c.kind);
-      results::MethodRow row = begin_row(Method::mpm, word, "Material points",
-                                         word + " criterion on the displacement curve", surface, source);
+      results::MethodRow row =
+          begin_row(Method::mpm, word, "MPM", word + " criterion on the displacement curve", surface, source);
       row.factor = c.factor;
       row.lower = c.lower;
       row.upper = c.upper;

@@ -106,7 +106,7 @@ class Warnings {
                                  followed->soil, 100 * followed->share)
                    : "The weaker surface is no circle.",
           followed ? fmt::format("check the strength and the extent of '{}'.", followed->soil)
-                   : "compare it with finite elements, and check that such a surface is possible on your slope."));
+                   : "compare it with FEM, and check that such a surface is possible on your slope."));
       return;
     }
     const results::CriticalSurface* polyline = find(run_.slices->noncircular, method);
@@ -140,12 +140,12 @@ class Warnings {
   void warn_of_methods() {
     std::vector<Part> parts;
     if (governing_)
-      parts.push_back({fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
+      parts.push_back({fmt::format("LEM ({}, {})", get_title(governing_->found->surface.method),
                                    results::name_surface(*governing_, data_.units())),
                        *governing_->found->surface.factor});
     if (const results::ElementRun* elements = results::find_governing_elements(run_))
-      parts.push_back({fmt::format("finite elements ({})", describe_flow(*elements)), elements->factor});
-    if (const auto f = results::find_points_factor(run_)) parts.push_back({"material points", *f});
+      parts.push_back({fmt::format("FEM ({})", describe_flow(*elements)), elements->factor});
+    if (const auto f = results::find_points_factor(run_)) parts.push_back({"MPM", *f});
     if (parts.size() < 2) return;
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.factor < b.factor; });
     const Part &low = parts.front(), &high = parts.back();
@@ -156,7 +156,7 @@ class Warnings {
     const std::vector<std::string> causes = list_causes(high.factor / low.factor - 1);
     warnings_.push_back(fmt::format(
         "The methods {}: {}. {} Until that is settled, the smallest factor counts.",
-        both_sides ? "disagree on whether the slope stands"
+        both_sides ? "disagree on whether the slope is stable"
                    : fmt::format("lie {:.0f} % apart", 100 * (high.factor / low.factor - 1)),
         fmt::join(list, ", "),
         causes.empty()
@@ -164,17 +164,17 @@ class Warnings {
             : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
   }
 
-  /// Warns of a factor outside the proven interval. FEM and MPM with ψ < φ may be below it.
+  /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it.
   void warn_of_bounds() {
     if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis) return;
     const bool flows_less = is_nonassociated(data_);
     const results::BoundsResult& bounds = *run_.bounds;
     const std::string tension =
-        bounds.takes_tension ? " The bounds let the soil bear no more tension than its tensile strength; methods of "
-                               "slices do not ([bounds] tension = \"apex\" is theirs)."
+        bounds.takes_tension ? " Limit analysis limits tension to the tensile strength of the soil; LEM does not "
+                               "([bounds] tension = \"apex\" corresponds to it)."
                              : "";
     if (governing_ && !run_.slices->referee) {
-      const std::string words = fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
+      const std::string words = fmt::format("LEM ({}, {})", get_title(governing_->found->surface.method),
                                             results::name_surface(*governing_, data_.units()));
       warn_outside(words, *governing_->found->surface.factor, {}, tension,
                    "The surface that was found may not be admissible: look at its forces.");
@@ -182,15 +182,15 @@ class Warnings {
     if (run_.elements)
       for (const results::ElementRun& r : run_.elements->runs)
         warn_outside(
-            fmt::format("finite elements ({})", describe_flow(r)), r.factor,
+            fmt::format("FEM ({})", describe_flow(r)), r.factor,
             r.interval.value_or(results::ElementInterval{r.stable, r.failed}),
-            " A mesh of finite elements is too stiff: refine [fem] size.",
+            " The FEM mesh is too stiff: refine [fem] size.",
             r.flow == results::Flow::associated || !flows_less ? "Trials may have run out of iterations." : "");
     if (const auto f = results::find_points_factor(run_)) {
       const auto& frozen = run_.factor_of_safety->frozen;
       const double uncertainty = frozen ? frozen->uncertainty.value_or(frozen->bracket) : 0;
-      warn_outside("material points", *f, results::ElementInterval{*f - uncertainty, *f + uncertainty},
-                   " Their mesh is too coarse, or their trials end too early.",
+      warn_outside("MPM", *f, results::ElementInterval{*f - uncertainty, *f + uncertainty},
+                   " Its mesh is too coarse, or its trials end too early.",
                    flows_less ? "" : "A trial may have failed at one place only: look at its slip line.");
     }
   }
@@ -203,12 +203,11 @@ class Warnings {
     const double least = interval ? interval->lower : factor, greatest = interval ? interval->upper : factor;
     if (upper && least > *upper)
       warnings_.push_back(fmt::format(
-          "The factor {:.3f} by {} is above the proven upper bound, {:.3f}: it is too high by {:.1f} % at least.{}",
-          factor, words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
+          "The factor {:.3f} by {} is above the upper bound, {:.3f}: it is too high by {:.1f} % at least.{}", factor,
+          words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
     if (lower && greatest < *lower && !below.empty())
-      warnings_.push_back(
-          fmt::format("The factor {:.3f} by {} is below the lower bound that is proven for ψ = φ, {:.3f}. {}", factor,
-                      words, results::show_lower(*lower), below));
+      warnings_.push_back(fmt::format("The factor {:.3f} by {} is below the lower bound for ψ = φ, {:.3f}. {}", factor,
+                                      words, results::show_lower(*lower), below));
   }
 
   /// Lists known causes of a difference of this order.
@@ -219,13 +218,11 @@ class Warnings {
       for (const results::ElementRun& r : run_.elements->runs)
         (r.flow == results::Flow::associated ? associated : given) = &r;
     if (given && associated && differ(given->factor, associated->factor) > difference / 3)
-      causes.push_back(
-          fmt::format("the flow rule, which makes {:.0f} % in the finite elements and which slices do not "
-                      "have",
-                      100 * differ(given->factor, associated->factor)));
+      causes.push_back(fmt::format("the flow rule, which makes {:.0f} % in FEM and which LEM does not have",
+                                   100 * differ(given->factor, associated->factor)));
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)
       causes.push_back(
-          "the mesh of the material points, which is one and not extrapolated ([strength_reduction.frozen] meshes = 2 "
+          "the mesh of MPM, which is one and not extrapolated ([strength_reduction.frozen] meshes = 2 "
           "extrapolates)");
     for (const std::string& layer : list_thin_layers())
       causes.push_back(
@@ -234,8 +231,8 @@ class Warnings {
                       layer, fewest_rows));
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && has_flowing_water())
       causes.push_back(
-          "pore water that moves in the trials of the material points, whose pressures change while the soil moves "
-          "([strength_reduction.frozen] water = \"held\" keeps them, as slices do)");
+          "pore water that moves in the trials of MPM, whose pressures change while the soil moves "
+          "([strength_reduction.frozen] water = \"held\" keeps them, as LEM does)");
     return causes;
   }
 
@@ -279,7 +276,7 @@ class Warnings {
         return !t.converged && t.factor < *r.by_displacement && t.iterations >= data_.fem.iterations;
       });
       warnings_.push_back(fmt::format(
-          "Finite elements ({}): the last equilibrium is at {:.3f}, but displacements run away at {:.3f}, {:.0f} % "
+          "FEM ({}): the last equilibrium is at {:.3f}, but displacements rise sharply at {:.3f}, {:.0f} % "
           "apart. {}",
           describe_flow(r), r.factor, *r.by_displacement, 100 * differ(*r.by_displacement, r.factor),
           ran_out ? fmt::format("Trials ran out of iterations: raise [fem] iterations above {}.", data_.fem.iterations)

@@ -17,8 +17,8 @@ namespace talus::run {
 std::vector<std::string> warn_of_disagreement(const input::Case& data, const results::RunResult& run,
                                               const results::MethodComparison& methods);
 
-/// Returns sentences on the proven interval and on LEM factors outside it; empty without LEM. `governing`: the factor
-/// of the governing surface.
+/// Returns sentences on the interval of limit analysis and on LEM factors outside it; empty without LEM. `governing`:
+/// the factor of the governing surface.
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing);
 

@@ -98,18 +98,19 @@ class Reading {
     remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
   }
 
-  /// Describes the proven interval and the factors inside it.
+  /// Describes the interval of limit analysis and the factors inside it.
   void read_bounds() {
     if (!run_.bounds || !run_.bounds->is_interval()) return;
     const double low = *run_.bounds->lower, high = *run_.bounds->upper;
     if (run_.bounds->is_davis)
       return say(
-          "With the strength of Davis, which is smaller where ψ < φ, the factor lies between {:.3f} and {:.3f}. "
-          "That is proven of this weaker soil. Of the soil as given it is an estimate.",
+          "With the strength of Davis, which is smaller where ψ < φ, limit analysis bounds the factor between {:.3f} "
+          "and "
+          "{:.3f}. The bounds hold for this weaker soil; for the soil as given they are an estimate.",
           low, high);
-    say("Limit analysis proves that the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
+    say("By limit analysis the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
         results::show_lower(low), results::show_upper(high), 200 * (high - low) / (high + low),
-        run_.bounds->takes_tension ? " and soil that bears no more tension than given" : "");
+        run_.bounds->takes_tension ? " and the tensile strength as given" : "");
     if (run_.bounds->earthquake)
       say("Limit analysis: {}.", results::describe_side(*run_.bounds->earthquake, results::proven_stable));
     std::vector<std::string> inside;
@@ -117,23 +118,22 @@ class Reading {
       if (factor && *factor >= low && *factor <= high) inside.push_back(fmt::format("{:.3f} by {}", *factor, name));
     };
     add(slices_, name_);
-    if (given_ != nullptr) add(given_->factor, "finite elements with " + describe_flow(*given_));
-    if (associated_ != nullptr) add(associated_->factor, "finite elements with ψ = φ");
-    add(frozen_, "material points");
+    if (given_ != nullptr) add(given_->factor, "FEM with " + describe_flow(*given_));
+    if (associated_ != nullptr) add(associated_->factor, "FEM with ψ = φ");
+    add(frozen_, "MPM");
     if (!inside.empty()) say("The interval holds {}.", fmt::join(inside, ", "));
     for (const results::ElementRun* run : {given_, associated_})
       if (run != nullptr && run->verdict == results::Verdict::too_low)
-        say("The factor of finite elements with {} ({:.3f}) lies below the lower bound and is impossible.",
-            describe_flow(*run), run->factor);
+        say("The factor by FEM with {} ({:.3f}) lies below the lower bound and is impossible.", describe_flow(*run),
+            run->factor);
     // LEM has no dilatancy, and its cases may leave it out.
     const bool has_flow = input::uses(data_, Method::fem) || input::uses(data_, Method::mpm);
     if (!has_flow || !is_nonassociated(data_)) return;
     std::vector<std::string> below;
-    if (given_ != nullptr && given_->factor < low)
-      below.push_back(fmt::format("{:.3f} by finite elements", given_->factor));
-    if (frozen_ && *frozen_ < low) below.push_back(fmt::format("{:.3f} by material points", *frozen_));
-    say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier, and what it bears depends "
-        "on its history.{}",
+    if (given_ != nullptr && given_->factor < low) below.push_back(fmt::format("{:.3f} by FEM", given_->factor));
+    if (frozen_ && *frozen_ < low) below.push_back(fmt::format("{:.3f} by MPM", *frozen_));
+    say("Soil of the case has ψ < φ, for which the bound theorems do not hold: it may fail earlier, and its limit load "
+        "depends on its history.{}",
         below.empty() ? "" : fmt::format(" Below the interval: {}.", fmt::join(below, ", ")));
   }
 
@@ -148,12 +148,12 @@ class Reading {
   /// Describes the range of one factor of each kind of method: Spencer's circle, FEM, MPM.
   void read_range() {
     std::vector<std::pair<std::string, double>> parts;
-    if (slices_) parts.emplace_back(fmt::format("slices ({}) {:.3f}", name_, *slices_), *slices_);
+    if (slices_) parts.emplace_back(fmt::format("LEM ({}) {:.3f}", name_, *slices_), *slices_);
     if (const results::ElementRun* run = given_ ? given_ : associated_) {
       const double f = run->factor;
-      parts.emplace_back(fmt::format("finite elements ({}) {:.3f}", describe_flow(*run), f), f);
+      parts.emplace_back(fmt::format("FEM ({}) {:.3f}", describe_flow(*run), f), f);
     }
-    if (frozen_) parts.emplace_back(fmt::format("material points (frozen geometry) {:.3f}", *frozen_), *frozen_);
+    if (frozen_) parts.emplace_back(fmt::format("MPM (frozen geometry) {:.3f}", *frozen_), *frozen_);
     if (parts.size() < 2) return;
     std::vector<std::string> words;
     double low = parts.front().second, high = low;
@@ -177,7 +177,7 @@ class Reading {
         known->second.push_back(hit.method);
     }
     for (const auto& [what, methods] : limits)
-      say("The search of the slices ended at a limit ({}): {}.", fmt::join(methods, ", "), what);
+      say("The search of LEM ended at a limit ({}): {}.", fmt::join(methods, ", "), what);
   }
 
   void read_slices() {
@@ -196,7 +196,7 @@ class Reading {
     if (janbu && spencer && *janbu / *spencer < 1 - noticeable) {
       const double f0 = find_circle(SliceMethod::janbu)->correction;
       const auto corrected = find_circle_factor(SliceMethod::janbu_corrected);
-      say("Simplified Janbu ({:.3f}) lies {} Spencer, as it leaves the shear between slices out{}.", *janbu,
+      say("Simplified Janbu ({:.3f}) lies {} Spencer, as it neglects the interslice shear{}.", *janbu,
           compare(*janbu, *spencer),
           corrected ? fmt::format("; with its correction it is {:.3f}", *corrected)
                     : (f0 != 1 ? fmt::format("; its correction would be {:.3f}", f0) : ""));
@@ -240,7 +240,7 @@ class Reading {
           by_saturation || how == input::SuctionStrength::from_water || how == input::SuctionStrength::saturation;
     }
     say("Suction gives {} of the resistance on {}{}.", format_share(suction / all), place_,
-        by_angle && given_ ? "; the finite elements cannot take φ_b and leave it out"
+        by_angle && given_ ? "; FEM has no φ_b and neglects it"
         : by_saturation && (given_ != nullptr || associated_ != nullptr || frozen_)
             ? "; every method takes it as χ s with the same χ"
             : "");
@@ -250,17 +250,16 @@ class Reading {
     if (given_ && associated_) {
       const double a = given_->factor, b = associated_->factor;
       if (std::abs(a / b - 1) < same / 2)
-        say("The flow rule hardly matters: finite elements give {:.3f} with {} and {:.3f} with ψ = φ.", a,
-            describe_flow(*given_), b);
+        say("The flow rule hardly matters: FEM gives {:.3f} with {} and {:.3f} with ψ = φ.", a, describe_flow(*given_),
+            b);
       else
-        say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices have no "
-            "flow rule; compare them with ψ = φ.",
+        say("The flow rule matters: FEM gives {:.3f} with ψ = φ and {:.3f}, {} it, with {}. LEM has no flow rule; "
+            "compare it with ψ = φ.",
             b, a, compare(a, b), describe_flow(*given_));
     } else if (given_ && slices_ && is_nonassociated(data_)) {
       const double f = given_->factor;
       if (f / *slices_ < 1 - same)
-        say("The finite elements flow with {} < φ, slices have no flow rule: [fem] flow = \"both\" shows its share of "
-            "the difference ({} {}).",
+        say("FEM uses {} < φ, LEM has no flow rule: [fem] flow = \"both\" shows its part of the difference ({} {}).",
             describe_flow(*given_), compare(f, *slices_), name_);
     }
   }
@@ -271,8 +270,8 @@ class Reading {
       const auto other = run->by_displacement;
       const double f = run->factor;
       if (!other || std::abs(*other / f - 1) < same) continue;
-      say("With {} the criteria of the finite elements differ: displacements run away at {:.3f}, {} the factor without "
-          "equilibrium ({:.3f}).",
+      say("With {} the criteria of FEM differ: displacements rise sharply at {:.3f}, {} the factor by non-convergence "
+          "({:.3f}).",
           describe_flow(*run), *other, compare(*other, f), f);
     }
   }
@@ -283,15 +282,15 @@ class Reading {
       if (run == nullptr) continue;
       const std::string flow = describe_flow(*run);
       if (run->interval && run->meshes)
-        say("Finite elements ({}): {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the "
+        say("FEM ({}): {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the "
             "interval of mesh and search is {:.3f} to {:.3f}.",
             flow, run->meshes->front().factor, format_length(run_, run->meshes->front().size),
             run->meshes->back().factor, format_length(run_, run->meshes->back().size), run->factor,
             results::show_lower(run->interval->lower), results::show_upper(run->interval->upper));
       else
-        say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
+        say("FEM ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
       if (run->earthquake)
-        say("Finite elements ({}): {}.", flow, results::describe_side(*run->earthquake, results::stable_on_mesh));
+        say("FEM ({}): {}.", flow, results::describe_side(*run->earthquake, results::stable_on_mesh));
     }
   }
 
@@ -302,11 +301,11 @@ class Reading {
     const double f = run->factor, margin = same * *slices_;
     const results::ElementInterval known = run->interval.value_or(results::ElementInterval{run->stable, run->failed});
     if (*slices_ >= known.lower - margin && *slices_ <= known.upper + margin)
-      say("Finite elements ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, name_, *slices_,
+      say("FEM ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, name_, *slices_,
           format_share(f / *slices_ - 1));
     else
-      say("Finite elements ({}, {:.3f}) lie {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_,
-          *slices_, f > *slices_ ? "; a finer mesh ([fem] size) shows whether the elements are too stiff" : "");
+      say("FEM ({}, {:.3f}) lies {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_, *slices_,
+          f > *slices_ ? "; a finer mesh ([fem] size) shows whether the elements are too stiff" : "");
   }
 
   void read_points_mesh() {
@@ -316,11 +315,11 @@ class Reading {
     if (meshes.size() < 2) return;
     const double coarse = *meshes[0].factor(), fine = *meshes[1].factor(), bracket = frozen.bracket;
     if (std::abs(coarse - fine) <= bracket)
-      say("Material points: halving the elements changes the factor by less than the width of the bracket ({:.3f} and "
+      say("MPM: halving the elements changes the factor by less than the width of the bracket ({:.3f} and "
           "{:.3f}).",
           coarse, fine);
     else
-      say("Material points: {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the mesh "
+      say("MPM: {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the mesh "
           "contributes {} to the factor on the coarse mesh.",
           coarse, format_length(run_, meshes[0].size, 6), fine, format_length(run_, meshes[1].size, 6), *frozen_,
           format_share(coarse / *frozen_ - 1));
@@ -333,7 +332,7 @@ class Reading {
       if (c.kind != results::CriterionKind::bilinear || !f) continue;
       if (!frozen_) {
         if (slices_ && std::abs(*f / *slices_ - 1) > noticeable)
-          say("The bilinear construction on the displacement curve of the material points gives {:.3f}, {} {}: it "
+          say("The bilinear construction on the displacement curve of MPM gives {:.3f}, {} {}: it "
               "derives failure from the growth of displacements, not from equilibrium.",
               *f, compare(*f, *slices_), name_);
         return;
@@ -352,15 +351,14 @@ class Reading {
     const results::ElementRun* run = given_ ? given_ : associated_;
     if (run == nullptr && !slices_) return;
     const double other = run ? run->factor : *slices_;
-    const std::string words = run ? fmt::format("finite elements ({})", describe_flow(*run)) : name_;
+    const std::string words = run ? fmt::format("FEM ({})", describe_flow(*run)) : name_;
     if (std::abs(*frozen_ / other - 1) < noticeable)
-      say("Material points at frozen geometry ({:.3f}) confirm {} ({:.3f}).", *frozen_, words, other);
+      say("MPM at frozen geometry ({:.3f}) confirms {} ({:.3f}).", *frozen_, words, other);
     else
-      say("Material points at frozen geometry ({:.3f}) lie {} {} ({:.3f}){}.", *frozen_, compare(*frozen_, other),
-          words, other,
+      say("MPM at frozen geometry ({:.3f}) lies {} {} ({:.3f}){}.", *frozen_, compare(*frozen_, other), words, other,
           is_extrapolated()
               ? ""
-              : "; they are those of one mesh, and [strength_reduction.frozen] meshes = 2 shows its share");
+              : "; it is from one mesh, and [strength_reduction.frozen] meshes = 2 shows the part of the mesh");
   }
 
   bool is_extrapolated() const { return run_.factor_of_safety->frozen->extrapolated.has_value(); }
@@ -370,8 +368,8 @@ class Reading {
     for (const results::MethodSurface& s : methods_.surfaces) {
       if (!s.beside || !s.direction) continue;
       const std::string of = s.method == Method::bounds ? "mechanism of the upper bound"
-                             : s.method == Method::fem  ? "finite elements" + name_rule(s)
-                                                        : "material points";
+                             : s.method == Method::fem  ? "shear band of FEM" + name_rule(s)
+                                                        : "slip line of MPM";
       say("In the {} the soil moves to both sides, along a line of its own on each.{}", of,
           run_.slices ? fmt::format(" Spencer's method was run on the slip surface of the soil that moves {}, the "
                                     "nearer one to its own.",
@@ -390,8 +388,8 @@ class Reading {
       const double mean = find_mean_distance(own, s.points);
       const bool by_elements = s.method == Method::fem;
       const std::string of = s.method == Method::bounds ? "line of the upper bound's mechanism"
-                             : by_elements              ? "band of the finite elements" + name_rule(s)
-                                                        : "slip line of the material points";
+                             : by_elements              ? "shear band of FEM" + name_rule(s)
+                                                        : "slip line of MPM";
       const std::string handed = describe_handed(s.name);
       const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))
@@ -443,10 +441,10 @@ class Reading {
     const auto add = [&](const char* words, double seconds) {
       if (seconds > 0) parts.push_back(fmt::format("{} {:.3g} s", words, seconds));
     };
-    add("slices", run_.slices ? run_.slices->seconds : 0);
-    add("finite elements", run_.elements ? run_.elements->seconds.value_or(0) : 0);
+    add("LEM", run_.slices ? run_.slices->seconds : 0);
+    add("FEM", run_.elements ? run_.elements->seconds.value_or(0) : 0);
     for (const results::MethodRow& row : methods_.table)
-      if (row.method == Method::mpm && row.seconds) add("material points", *row.seconds);
+      if (row.method == Method::mpm && row.seconds) add("MPM", *row.seconds);
     if (parts.size() > 1) say("Computing time: {}.", fmt::join(parts, ", "));
   }
 

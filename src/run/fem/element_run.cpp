@@ -160,7 +160,7 @@ bool has_run(const results::ElementResult& result, results::Flow flow) {
 
 template <int D>
 ElementRun<D>::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : MethodRun("finite elements", element_file, alone, options, std::move(input_hash)),
+    : MethodRun("FEM", element_file, alone, options, std::move(input_hash)),
       data_(data),
       tries_both_directions_(data.earthquake.list_directions().size() > 1) {}
 
@@ -236,7 +236,7 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
   return fem::reduce_strength<D>(model.solid.model, make_options(data_.fem, options_.threads),
                                  [&](const fem::ReductionTrial& t) {
                                    show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words,
-                                                    t.factor, t.converged ? "stands" : "fails", t.iterations));
+                                                    t.factor, t.converged ? "converges" : "fails", t.iterations));
                                  });
 }
 

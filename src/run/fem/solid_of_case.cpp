@@ -33,7 +33,7 @@ RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
   RegionSoil soil{site.get_soil(region)};
   if (!soil.material.traits().serves_slices)
     throw Error(ExitCode::wrong_input,
-                fmt::format("finite elements cannot reduce the strength of material '{}': they take the models {}",
+                fmt::format("FEM cannot reduce the strength of material '{}': it takes the models {}",
                             site.data().regions.at(region),
                             material::list_words([](const material::Traits& t) { return t.serves_slices; }, " and ")));
   if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
@@ -54,17 +54,15 @@ std::vector<RegionSoil> list_soils(const site::Site& site, const mesh::Mesh<D>& 
 void check_boundary(const input::Boundary& b) {
   if (b.fix == input::Fix::plane &&
       std::none_of(b.normal.begin(), b.normal.end(), [](double n) { return std::abs(n) > along_axis; }))
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("finite elements can hold '{}' along x, y or z only, not along ({:g}, {:g}, {:g}); use fix = "
-                    "\"normal\" on an inclined side",
-                    b.on, b.normal[0], b.normal[1], b.normal[2]));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("FEM can fix '{}' along x, y or z only, not along ({:g}, {:g}, {:g}); use fix = "
+                            "\"normal\" on an inclined side",
+                            b.on, b.normal[0], b.normal[1], b.normal[2]));
   if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
-  throw Error(
-      ExitCode::wrong_input,
-      fmt::format("finite elements have no {}: take \"fem\" out of [analysis] methods, or let fix of the boundary "
-                  "'{}' be full or normal",
-                  b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+  throw Error(ExitCode::wrong_input,
+              fmt::format("FEM has no {}: take \"fem\" out of [analysis] methods, or let fix of the boundary "
+                          "'{}' be full or normal",
+                          b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
 }
 
 template <int D>

@@ -46,7 +46,7 @@ mesh::Plan make_fem_plan(const site::Site& site, double share = 1);
 /// of the factor.
 inline constexpr double fewest_element_rows = 4;
 /// Largest relative error of the factor with fewer rows: a weak seam under a toe was 2.7 to 4.5 % too high with one
-/// row and 2.0 to 3.8 % with two, by the ends of the proven interval [-].
+/// row and 2.0 to 3.8 % with two, by the ends of the interval of limit analysis [-].
 inline constexpr double thin_layer_error = 0.05;
 
 /// Lists the regions of the section with fewer rows that are part of the mechanism: the strain of one of their

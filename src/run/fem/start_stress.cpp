@@ -45,7 +45,7 @@ fem::SolidResult<2> find_weakest(const SolidOfCase<2>& solid, const fem::SolidOp
     return found;
   }
   throw Error(ExitCode::wrong_input,
-              fmt::format("[initial] stress = \"elements\": finite elements do not converge even with the strength "
+              fmt::format("[initial] stress = \"elements\": FEM does not converge even with the strength "
                           "multiplied by {:g}; check weights, supports and pore pressures",
                           1 / smallest_factor));
 }

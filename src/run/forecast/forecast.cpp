@@ -363,9 +363,10 @@ void refuse_above_memory(const input::LoadedCase& loaded) {
     if (f.bytes <= *free) continue;
     if (f.method == input::Method::bounds) {
       const input::Place place = loaded.places.find("bounds.triangles");
-      faults.push_back({place.file, place.line, place.column,
-                        fmt::format("proven bounds with {} triangles need {}, and {} are free: give fewer 'triangles'",
-                                    loaded.data.bounds.triangles, write_need(f), write_bytes(*free))});
+      faults.push_back(
+          {place.file, place.line, place.column,
+           fmt::format("limit analysis with {} triangles needs {}, and {} are free: give fewer 'triangles'",
+                       loaded.data.bounds.triangles, write_need(f), write_bytes(*free))});
       continue;
     }
     const ShownUnit& length = loaded.data.units().length;
@@ -374,7 +375,7 @@ void refuse_above_memory(const input::LoadedCase& loaded) {
     const input::Place place = loaded.places.find(key);
     const auto fitting = find_size_that_fits(loaded.data, f.method, *free);
     faults.push_back({place.file, place.line, place.column,
-                      fmt::format("{} with elements of {} need {}, and {} are free: {}", get_title(f.method),
+                      fmt::format("{} with elements of {} needs {}, and {} are free: {}", get_title(f.method),
                                   format_value(f.size, length), write_need(f), write_bytes(*free),
                                   fitting ? fmt::format("'{}' of {} would fit", key, format_value(*fitting, length, 2))
                                           : std::string("make [[mesh.refine]] coarser"))});

@@ -199,7 +199,7 @@ void add_tractions(const input::Case& data, lem::Section& section, std::vector<s
       }
     }
     if (!lies_on_ground)
-      notes.push_back(fmt::format("the traction on '{}' is not on the ground: slices leave it out", t.on));
+      notes.push_back(fmt::format("the traction on '{}' is not on the ground: LEM neglects it", t.on));
   }
 }
 
@@ -243,7 +243,7 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
     if (!has_blocks)
       soil.cohesion += m.root_cohesion;
     else
-      notes.push_back(fmt::format("slices take the root cohesion of material '{}' from [[roots]] alone", soil.name));
+      notes.push_back(fmt::format("LEM takes the root cohesion of material '{}' from [[roots]] alone", soil.name));
   }
 }
 

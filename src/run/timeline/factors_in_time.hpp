@@ -24,8 +24,8 @@ class FactorsInTime {
   /// Searches at some times, exchanges the surfaces between all times, and updates the factors. Returns false if all of
   /// them were tried before.
   bool search_at(const std::vector<std::size_t>& numbers);
-  /// Compares the least factor, and those between which the slope fails, with the proven interval. If limit analysis
-  /// rejects a factor, another time may govern, which is compared next.
+  /// Compares the least factor, and those between which the slope fails, with the interval of limit analysis. If limit
+  /// analysis rejects a factor, another time may govern, which is compared next.
   void judge_governing_times();
 
   /// Indices of the tried times, and the moments in the order of time.

@@ -209,7 +209,7 @@ results::TimedFactor make_moment_result(const lem::SearchOptions& options, const
   } else if (const auto proven = results::find_slices_factor(slices, nullptr)) {
     result.factor = proven;
     result.surface.title = "Limit analysis";
-    result.source = proven == moment.referee->upper ? "proven upper bound" : "proven lower bound";
+    result.source = proven == moment.referee->upper ? "upper bound" : "lower bound";
   }
   return result;
 }

@@ -70,8 +70,8 @@ void TimelineRun::search_loss() {
     (found.stands ? loss.from : loss.to) = times_[number];
     if (found.undecided)
       note(
-          fmt::format("at {} finite elements ran out of iterations before their soil flowed: with more "
-                      "`iterations` under [fem] they may find equilibrium later than that",
+          fmt::format("at {} FEM ran out of iterations before its soil flowed: with more `iterations` under [fem] it "
+                      "may find equilibrium later than that",
                       units::format_time(times_[number])));
     return found.stands;
   };
@@ -126,9 +126,9 @@ ReleaseCase TimelineRun::make_release(std::size_t number) const {
 std::vector<ReleaseCase> TimelineRun::list_releases() {
   const auto at = find_release();
   if (!at) {
-    note(fmt::format("material points do not take over: {}; [timeline.release] time lets them go all the same",
+    note(fmt::format("MPM does not start: {}; [timeline.release] time starts it all the same",
                      summary_.equilibrium
-                         ? "finite elements find equilibrium at every time that was tried"
+                         ? "FEM converges at every time that was tried"
                          : fmt::format("the factor is not below {:g} at any time that was tried", summary_.target)));
     return {};
   }
@@ -168,7 +168,7 @@ void TimelineRun::add_notes() {
   if (summary_.distance && *summary_.distance > data_.timeline->tolerance)
     note(
         fmt::format("after {} times straight lines between them may still be off by {:.2g} % of the "
-                    "factor; a larger most_times or times of your own tell more",
+                    "factor; a larger most_times or times of your own show more",
                     moments.size(), 100 * *summary_.distance));
 }
 

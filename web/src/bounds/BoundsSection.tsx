@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Proven bounds: the interval, the fields that prove both ends, and how the meshes closed it. */
+/** Limit analysis: the interval, the fields that prove both ends, and how the meshes closed it. */
 import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
@@ -103,7 +103,7 @@ function Figure({ bounds, drawn }: { bounds: BoundsResult; drawn: BoundsDrawn })
 function Meshes({ bounds }: { bounds: BoundsResult }) {
   return (
     <ChartTable
-      label="Meshes of the proven bounds"
+      label="Meshes of limit analysis"
       class="bounds-meshes"
       rows={bounds.meshes}
       columns={[
@@ -118,20 +118,20 @@ function Meshes({ bounds }: { bounds: BoundsResult }) {
   );
 }
 
-/** The proven interval in one sentence. */
+/** The interval of limit analysis in one sentence. */
 function describeInterval({ no_lower, no_upper, is_davis, takes_tension, ...bounds }: BoundsResult): string {
   const [lower, upper] = [roundDown(bounds.lower), roundUp(bounds.upper)];
   const soil =
     (is_davis ? "for soil with the strength of Davis, which is an estimate for ψ < φ" : "for ψ = φ") +
-    (takes_tension ? ", and soil that bears no more tension than given" : "");
+    (takes_tension ? ", and the tensile strength as given" : "");
   if (lower !== null && upper !== null)
     return (
       `The factor of safety lies between ${formatFactor(lower)} and ${formatFactor(upper)}, ` +
-      `${formatNumber((200 * (upper - lower)) / (upper + lower), 2)} % of the middle. This is proven ${soil}.`
+      `${formatNumber((200 * (upper - lower)) / (upper + lower), 2)} % of the middle, ${soil}.`
     );
-  if (lower !== null) return `The factor of safety is at least ${formatFactor(lower)}, proven ${soil}. There is no upper bound: ${no_upper}.`;
-  if (upper !== null) return `The factor of safety is at most ${formatFactor(upper)}, proven ${soil}. There is no lower bound: ${no_lower}.`;
-  return `No bound was proven: ${no_lower}; ${no_upper}.`;
+  if (lower !== null) return `The factor of safety is at least ${formatFactor(lower)} ${soil}. There is no upper bound: ${no_upper}.`;
+  if (upper !== null) return `The factor of safety is at most ${formatFactor(upper)} ${soil}. There is no lower bound: ${no_lower}.`;
+  return `No bound was found: ${no_lower}; ${no_upper}.`;
 }
 
 export function BoundsSection() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The marks and meshes of the proven bounds.
+// The marks and meshes of limit analysis.
 import { describe, expect, it } from "vitest";
 
 import { findPrincipal, repeat, separate, thinOut } from "./fields";

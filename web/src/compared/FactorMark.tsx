@@ -14,7 +14,7 @@ export interface Marked {
   factor: number | null;
   lower: number | null;
   upper: number | null;
-  /** True for a state of the slope without proven bounds: a later time. */
+  /** True for a state of the slope without limit analysis: a later time. */
   isElsewhere?: boolean;
   main?: boolean;
 }
@@ -46,11 +46,11 @@ const border = 4;
 const readInterval = ({ lower, upper }: Marked): Interval | null =>
   lower !== null && upper !== null ? [lower, upper] : null;
 
-/** The proven interval that a factor is drawn on. */
+/** The interval of limit analysis that a factor is drawn on. */
 export const findProven = ({ proven }: FactorScale, row: Marked): Interval | null =>
   row.isElsewhere ? null : row.method === "lem" ? proven.lem : proven.others;
 
-/** A scale that holds the proven intervals, the factors near them, and 1 where it is near; null without any. */
+/** A scale that holds the intervals of limit analysis, the factors near them, and 1 where it is near; null without any. */
 export function makeFactorScale(rows: Marked[]): FactorScale | null {
   const find = (method: string) =>
     rows.filter((row) => row.method === method).reduce<Interval | null>((best, row) => best ?? readInterval(row), null);
@@ -82,7 +82,7 @@ function Band({ scale, interval, name }: { scale: FactorScale; interval: Interva
   );
 }
 
-/** True where the proven interval rules a factor out. It holds for ψ = φ alone, so that factors of soil that flows
+/** True where limit analysis rules a factor out. It holds for ψ = φ alone, so that factors of soil that flows
  * otherwise are never ruled out. */
 export function isRuledOut(scale: FactorScale, row: Marked): boolean {
   const proven = findProven(scale, row);

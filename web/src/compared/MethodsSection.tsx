@@ -4,7 +4,7 @@ import { CsvButton } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { DesignStatement, MethodComparison, MethodRow } from "../contract";
 import { ChartTable, Scroller, SymbolText } from "../page/DataTable";
-import { methodNames } from "../page/FactorTable";
+import { getMethodTitle } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatInterval, formatSentence } from "../page/format";
 import { report } from "../state";
 import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
@@ -69,7 +69,7 @@ function PartialFactors({ partial }: { partial: DesignStatement }) {
   );
 }
 
-/** Others are compared with the surface of the slices that governs, else with the first factor there is. */
+/** Others are compared with the governing surface of LEM, else with the first factor there is. */
 function chooseReference(rows: MethodRow[]): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
   return found.find((row) => row.method === "lem" && row.surface === report.value.methods_read?.governing) ?? found[0];
@@ -95,7 +95,7 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
           (row) => (
             <>
               {/* The titles of the other methods begin with the method. */}
-              {row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>}
+              {row.method === "lem" && <span class="chart-missing">{getMethodTitle("lem")}: </span>}
               {row.title}
             </>
           ),
@@ -125,7 +125,7 @@ function FactorRows({ rows }: { rows: MethodRow[] }) {
   const compare = (row: MethodRow) =>
     row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
   const columns = () => [
-    { name: "method", values: rows.map((r) => methodNames[r.method]) },
+    { name: "method", values: rows.map((r) => getMethodTitle(r.method)) },
     { name: "title", values: rows.map((r) => r.title) },
     { name: "criterion", values: rows.map((r) => r.criterion) },
     { name: "factor of safety", unit: "-", values: rows.map((r) => r.factor) },
@@ -169,8 +169,8 @@ function Handed({ methods: { table, handed } }: { methods: MethodComparison }) {
   const inTable = table.some((row) => row.source === "handed");
   if (handed.length === 0 || inTable) return null;
   return (
-    <figure class="chart-figure" aria-label="Surfaces handed to slices">
-      <h4>Slices on the surfaces of the other methods</h4>
+    <figure class="chart-figure" aria-label="Surfaces evaluated by LEM">
+      <h4>LEM on the slip surfaces of the other methods</h4>
       <ul class="compared-list">
         {handed.map((h) => (
           <li key={`${h.from} ${h.to}`}>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/** The slip surfaces of all methods over one section, for a run without material points: on the strains of the finite
- * elements where there are any, else on the soils. */
+/** The slip surfaces of all methods over one section, for a run without MPM: on the strains of FEM where there
+ * are any, else on the soils. */
 import { useMemo, useState } from "preact/hooks";
 
 import { Choice, useSwitches } from "../charts/base/Legend";
@@ -119,7 +119,7 @@ export function Overview() {
       )}
       {layer.note && <p class="chart-note">{layer.note}</p>}
       {fields && run && shows === "strain" && (
-        <p class="chart-note">Colours: shear strain of the finite elements at failure ({run.title}).</p>
+        <p class="chart-note">Colours: shear strain of FEM at failure ({run.title}).</p>
       )}
     </div>
   );

@@ -81,7 +81,7 @@ const bare = {
 } as unknown as Report;
 
 describe("surfaces over each other", () => {
-  it("begin with those that are shown at first: what governs of slices, all of other methods", () => {
+  it("begin with those that are shown at first: the governing surface of LEM, all of other methods", () => {
     report.value = {
       ...bare,
       methods_read: { governing: "lem.spencer" },
@@ -97,7 +97,7 @@ describe("surfaces over each other", () => {
   });
 });
 
-describe("a run without material points", () => {
+describe("a run without MPM", () => {
   const lem = { ...bare, methods_read: {}, result: { ...bare.result, methods: { asked: ["lem"], surfaces }, lem: {} } } as unknown as Report;
 
   it("has a section, and no part of points", () => {

@@ -4,11 +4,11 @@ import type { Method, MethodComparison, MethodRow, MethodSurface, Report } from 
 import { roundDown, roundUp } from "../page/format";
 import { report } from "../state";
 
-/** Undefined for material points alone. */
+/** Undefined for MPM alone. */
 export const findMethods = (given: Report): MethodComparison | undefined =>
   given.methods_read && given.result.methods;
 
-/** Intervals of limit analysis and finite elements are rounded outward. */
+/** Intervals of limit analysis and FEM are rounded outward. */
 export function listRows({ table }: MethodComparison): MethodRow[] {
   const isOutward = ({ method }: MethodRow) => method === "bounds" || method === "fem";
   return table.map((row) =>

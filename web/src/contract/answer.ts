@@ -12,11 +12,11 @@ export interface Answer {
 /** A factor of safety by one method and criterion. */
 export interface Factor {
   method: Method;
-  /** The method of slices, flow rule or criterion; empty where slices changed a surface that they were given. */
+  /** The method of slices, flow rule or criterion; empty for a surface that LEM optimised. */
   by: SliceMethod | Flow | CriterionKind | "";
-  /** Where its surface comes from: of slices and finite elements. */
+  /** Where its surface comes from: of LEM and FEM. */
   source?: SurfaceSource;
-  /** Of finite elements. */
+  /** Of FEM. */
   measure?: FactorMeasure;
   /** As in results: "factor_of_safety.frozen". */
   name: string;
@@ -27,7 +27,7 @@ export interface Factor {
   lower: number | null;
   upper: number | null;
   note: string;
-  /** The one that the first sentence names; of proven bounds: whether an end of theirs governs. */
+  /** The one that the first sentence names; of limit analysis: whether one of its bounds governs. */
   main: boolean;
   /** What pore water did in the trials: absent where the ground is dry. */
   water?: "seeps" | "flows" | "held";
@@ -54,15 +54,15 @@ export interface ShownResult {
     | "other";
   /** "moved_volume", "largest_suction". */
   quantity: string;
-  /** Of slices; empty for other results. */
+  /** Of LEM; empty for other results. */
   by: SliceMethod | "";
 }
 
-/** Of a case that asks for several methods, or for others than material points. */
+/** Of a case that asks for several methods, or for others than MPM. */
 export interface MethodsRead {
-  /** Name of the slip surface of the slices that governs; absent where they have no factor. */
+  /** Name of the governing slip surface of LEM; absent where LEM has no factor. */
   governing?: string;
-  /** The remarks by topic: "Slices", "Mechanism". */
+  /** The remarks by topic: "LEM", "Mechanism". */
   reading: { topic: string; sentences: string[] }[];
 }
 

@@ -10,7 +10,7 @@
 import type { Answer, InputTable, MethodsRead } from "./answer";
 import type { BoundsDrawn, ElementsDrawn, Slices } from "./drawn";
 import type { Model, Water } from "./model";
-import type { Calibration, PointTests, RunResult, StudyResult, Unit } from "./results";
+import type { Calibration, Method, PointTests, RunResult, StudyResult, Unit } from "./results";
 import type { Section, Sequence, StudyShown, Table, TimelineShown } from "./run";
 import type { Column } from "./units";
 
@@ -41,6 +41,8 @@ export interface ReportDocument {
     flow: Unit;
     speed: Unit;
   };
+  /** Titles of the methods as headings: "LEM", "Limit analysis". */
+  method_titles: Record<Method, string>;
   answer: Answer;
   warnings: string[];
   model: Model;

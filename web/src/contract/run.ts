@@ -97,7 +97,7 @@ export interface TimelineShown {
   unit: Unit;
   /** When it fails, and when the factor is least, in words. */
   sentence: string;
-  /** Times of the factors and of the finite elements: "6 h". */
+  /** Times of the factors and of FEM: "6 h". */
   factors: string[];
   elements: string[];
   /** Of the states of the water, at the times of the factors. */

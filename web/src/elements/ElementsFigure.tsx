@@ -76,7 +76,7 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
   );
   const values = quantity === "displacement" ? lengths : fields?.strain;
   return (
-    <figure class="chart-figure" aria-label="Finite elements at failure">
+    <figure class="chart-figure" aria-label="FEM at failure">
       <h4>
         At F = {run.failed.toFixed(3)}, without equilibrium ({run.title})
       </h4>
@@ -100,7 +100,7 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
         {run.slip_lines.length > 0 && toggle("slip", run.slip_lines.length > 1 ? "Slip surfaces" : "Slip surface")}
       </div>
       <SectionCanvas
-        label={`Finite elements, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]} at failure, ${run.title}`}
+        label={`FEM, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]} at failure, ${run.title}`}
         file={`finite_elements_${run.flow}_${quantity}`}
         box={box}
         bar={ofSolid ? bar : layer.bar}

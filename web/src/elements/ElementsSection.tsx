@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
+/** Strength reduction by FEM: factors by both criteria, the picture at failure, the trials. */
 import { useState } from "preact/hooks";
 
 import { Choice, CsvButton } from "../charts/base/Legend";
@@ -36,7 +36,7 @@ function TrialTable({ runs }: { runs: FlowRun[] }) {
           {rows.length} trials, {rows.filter(({ trial }) => trial.converged).length} of them in equilibrium
         </summary>
         <ChartTable
-          label="Trials of the strength reduction by finite elements"
+          label="Trials of the strength reduction by FEM"
           rows={rows}
           columns={[
             runs.length > 1 && ["Flow", ({ run }) => run.title],
@@ -71,7 +71,7 @@ function describeAngles(psi: number[]): string {
 function FactorRows({ runs }: { runs: FlowRun[] }) {
   return (
     <ChartTable
-      label="Factors of safety by finite elements"
+      label="Factors of safety by FEM"
       class="elements-factors"
       rows={runs}
       columns={[
@@ -89,7 +89,7 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
 function NotDrawn({ element }: { element: string }) {
   return (
     <p>
-      {element === "T10" ? "Finite elements in three dimensions are" : "The finite elements of this run are"} not drawn
+      {element === "T10" ? "Elements in three dimensions are" : "The elements of this run are"} not drawn
       here; ParaView shows them from <code>fem.vtu</code> in the results folder.
     </p>
   );
@@ -105,7 +105,7 @@ export function ElementsSection() {
   const warnings = [...new Set(runs.flatMap((r) => r.warnings))];
   return (
     <section class="chart-section" aria-labelledby="chart-elements-title">
-      <h3 id="chart-elements-title">Finite elements</h3>
+      <h3 id="chart-elements-title">Finite elements (FEM)</h3>
       {elements.elements > 0 && (
         <p>
           {formatNumber(elements.elements, 6)}{" "}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Displacement over strength reduction factor of the finite elements: where equilibrium ends. */
+/** Displacement over strength reduction factor of FEM: where equilibrium ends. */
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
@@ -72,7 +72,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
       }),
     });
   return (
-    <figure class="chart-figure" aria-label="Displacement over strength reduction factor, finite elements">
+    <figure class="chart-figure" aria-label="Displacement over strength reduction factor, FEM">
       <div class="chart-head">
         <h4>Displacement over strength reduction factor</h4>
         <AxisChoice label="Axis of the displacement" value={axis} onChange={setAxis} />
@@ -83,7 +83,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         items={runs.map((run, k) => ({ id: run.flow, title: run.title, style: styleOf(k) }))}
       />
       <Chart
-        label="Largest displacement over strength reduction factor of the finite elements"
+        label="Largest displacement over strength reduction factor by FEM"
         draw={draw}
         depends={[axis, hidden, runs]}
         stops={stops}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The strength reductions of the finite elements with their mesh and fields, decoded, and how a field on quadratic triangles is painted. */
+/** The strength reductions by FEM with their mesh and fields, decoded, and how a field on quadratic triangles is painted. */
 import { computed } from "@preact/signals";
 
 import type { ElementsDrawn, PackedElementFields } from "../contract";

@@ -4,7 +4,7 @@ import { formatNumber } from "../charts/base/numbers";
 import { findMethods } from "../compared/methodTable";
 import type { DesignStatement, Factor, ShownResult } from "../contract";
 import { report } from "../state";
-import { FactorTable, methodNames } from "./FactorTable";
+import { FactorTable, getMethodTitle } from "./FactorTable";
 import { WarningLink, Warnings } from "./Warnings";
 import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
 
@@ -46,9 +46,9 @@ const nameFactor = () =>
 const describeFailure = () =>
   hasDesignValues() ? "the slope is not verified"
   : report.value.timeline ? "the slope fails in this time"
-  : "the slope fails as it stands";
+  : "the slope fails in its present state";
 
-/** Proven interval of a factor. */
+/** Interval of limit analysis. */
 function Interval({ factor }: { factor: Factor }) {
   const { lower, upper } = checkInterval(factor);
   return (
@@ -78,7 +78,7 @@ function Label({ fails, factor }: { fails: boolean; factor?: Factor }) {
 function MethodValue({ factor }: { factor: Factor }) {
   return (
     <div>
-      <dt>{methodNames[factor.method]}</dt>
+      <dt>{getMethodTitle(factor.method)}</dt>
       <dd>
         {factor.value === null ? (
           <Interval factor={factor} />
@@ -96,10 +96,10 @@ function MethodValue({ factor }: { factor: Factor }) {
 function Referee({ factor }: { factor: Factor }) {
   const { method, lower, upper } = factor;
   if (method !== "lem" || (lower ?? upper) === null) return null;
-  return <span class="criterion">proven: {formatInterval(checkInterval(factor))}</span>;
+  return <span class="criterion">limit analysis: {formatInterval(checkInterval(factor))}</span>;
 }
 
-/** Factors side by side with several methods. The proven interval comes last, unless it governs. */
+/** Factors side by side with several methods. The interval of limit analysis comes last, unless it governs. */
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
@@ -130,7 +130,7 @@ function MainFactor({ factor }: { factor: Factor }) {
         )}
         {!isProven && (factor.lower ?? factor.upper) !== null && (
           <span class="bracket">
-            {factor.method === "lem" && "proven: "}
+            {factor.method === "lem" && "limit analysis: "}
             {formatInterval(checkInterval(factor))}
           </span>
         )}

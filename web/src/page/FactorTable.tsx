@@ -2,14 +2,11 @@
 /** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
 import { FactorMark, makeFactorScale, markFactor } from "../compared/FactorMark";
 import type { Factor, Method } from "../contract";
+import { report } from "../state";
 import { formatFactor, formatInterval } from "./format";
 
-export const methodNames: Record<Method, string> = {
-  mpm: "MPM",
-  lem: "LEM",
-  fem: "FEM",
-  bounds: "Lower and upper bound",
-};
+/** The title of a method, as the program names it. */
+export const getMethodTitle = (method: Method) => report.value.method_titles[method];
 
 /** The pore water in the trials of a factor. */
 export function describeDrainage(water: NonNullable<Factor["water"]>): string {
@@ -49,7 +46,7 @@ export function FactorTable({ factors, among, caption }: Props) {
         {factors.map((factor) => (
           <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
             <th scope="row" title={factor.note || undefined}>
-              {methods.size > 1 && <span class="method">{methodNames[factor.method]}: </span>}
+              {methods.size > 1 && <span class="method">{getMethodTitle(factor.method)}: </span>}
               {factor.title}
               {factor.water && <span class="note">; {describeDrainage(factor.water)}</span>}
               {factor.value === null && factor.lower === null && factor.note && <span class="note"> – {factor.note}</span>}

@@ -14,8 +14,8 @@ import { TopBar } from "./TopBar";
 import { listSections, type Section } from "./sections";
 
 /**
- * The trial of the displacement curve that shows the mechanism: of those above the main factor of the material points
- * the first that does not come to rest, else the first. Null for material points alone, and without such a trial.
+ * The trial of the displacement curve that shows the mechanism: of those above the main factor of MPM
+ * the first that does not come to rest, else the first. Null for MPM alone, and without such a trial.
  */
 export function findMechanism(given: Report): { sequence: number; frame: number } | null {
   if (!findMethods(given)?.surfaces.some((s) => s.method !== "mpm")) return null;

@@ -11,7 +11,7 @@ import {
 } from "./format";
 import { findMechanism } from "./Page";
 
-describe("ends of proven intervals", () => {
+describe("ends of the intervals of limit analysis", () => {
   it("are rounded outward", () => {
     expect([1.2349, 1.235, null].map(roundDown)).toEqual([1.234, 1.235, null]);
     expect([1.2341, 1.235, null].map(roundUp)).toEqual([1.235, 1.235, null]);
@@ -142,7 +142,7 @@ describe("the short table", () => {
     expect(shown.length + folded.length).toBe(factors.length);
   });
 
-  it("has all of material points alone", () => {
+  it("has all of MPM alone", () => {
     const own = factors.filter((f) => f.method === "mpm");
     expect(splitFactors(own)).toEqual({ shown: own, folded: [] });
   });

@@ -41,7 +41,7 @@ export interface Section {
   chart?: { title: string; height: number };
 }
 
-/** The first figure: the history of a timeline, the motion of material points, or the section. */
+/** The first figure: the history of a timeline, the motion by MPM, or the section. */
 function drawFirstFigure() {
   if (report.value.timeline) return <TimelinePane />;
   return report.value.sequences.length > 0 ? <Viewer /> : <Overview />;
@@ -138,7 +138,7 @@ const sections: Section[] = [
   {
     id: "pore-water",
     label: "Pore water",
-    // Without material points the section itself shows it.
+    // Without MPM the section itself shows it.
     has: ({ model, sequences }) => model.water_mesh !== undefined && sequences.length > 0,
     draw: () => <WaterSection />,
     chart: { title: "Pore water at the start", height: 620 },

@@ -130,7 +130,7 @@ export function SlicesSection() {
   const hasMap = slices.maps.length > 0 || slices.trials !== undefined;
   return (
     <section class="chart-section" aria-labelledby="chart-slices-title">
-      <h3 id="chart-slices-title">Slices</h3>
+      <h3 id="chart-slices-title">Limit equilibrium (LEM)</h3>
       {lem.error && (
         <p>
           <span class="chart-bad">No answer:</span> {formatSentence(lem.error)}

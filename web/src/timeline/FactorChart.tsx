@@ -106,7 +106,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         The factor was found at every dot. Dashed: {formatFactor(target)}, below which the slope fails.
         {failure &&
           " The line is the first time below it; the band holds the time of failure with what searches scatter."}
-        {elements.length > 0 && " Diamonds: finite elements."}
+        {elements.length > 0 && " Diamonds: FEM."}
         {most > 0 && " Bars from above: rain, with its axis at the right."}
       </p>
       {levels.map((line) => (

@@ -76,7 +76,7 @@ function MomentFigure({ timeline, chosen }: { timeline: ShownTimeline; chosen: n
   );
 }
 
-const titles: Record<FirstFigure, string> = { motion: "material points", time: "factor in time" };
+const titles: Record<FirstFigure, string> = { motion: "MPM", time: "factor in time" };
 
 export function TimelinePane() {
   const { sequences } = report.value;

@@ -12,11 +12,11 @@ function Releases({ releases }: { releases: ShownRelease[] }) {
   const length = (x: number) => formatQuantity(x, units.displacement);
   return (
     <ChartTable
-      label="Material points take over"
+      label="Start of MPM"
       class="timeline-releases"
       rows={releases}
       columns={[
-        ["Material points take over", (r) => r.title, "name"],
+        ["Start of MPM", (r) => r.title, "name"],
         ["F", (r) => formatFactor(r.factor, "none"), "number"],
         ["Start", (r) => r.start],
         [
@@ -89,7 +89,7 @@ export function TimelineSection() {
             <th scope="row">{e.title}</th>
             <td class="number">{e.runs.length > 0 ? e.runs.map((r) => formatFactor(r.factor)).join("; ") : "none"}</td>
             <td>
-              Finite elements
+              FEM
               {e.runs.length > 0 && `, ${e.runs.map((r) => (r.flow === "associated" ? "ψ = φ" : "ψ as given")).join("; ")}`}
               {e.error && `: ${e.error}`} ({e.folder})
             </td>

@@ -187,7 +187,7 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
     write_checkpoint(b, s, leg_, settings_.checkpoint_name);
     write_frame(b);
     if (results_) results_->finish();
-    return settings_.folder.string() + ", from where --resume goes on";
+    return settings_.folder.string() + ", from where --resume continues";
   };
   return hooks;
 }
@@ -357,7 +357,7 @@ void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
   if (!is_interrupted()) return;
   if (results_ && results_->frame_count() > 0) results_->finish();
   throw Error(ExitCode::interrupted,
-              fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there",
+              fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume continues from there",
                           plan_->name, body.time));
 }
 

@@ -285,7 +285,7 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
           100 * std::abs(f / finer - 1)));
   }
   results::FrozenFactor frozen = join_meshes(std::move(found), std::move(coarser), std::move(other), D);
-  if (!frozen.factor) warnings.push_back("Material points, rest or run-away at frozen geometry: " + frozen.note);
+  if (!frozen.factor) warnings.push_back("MPM, rest or run-away at frozen geometry: " + frozen.note);
   return frozen;
 }
 

@@ -111,7 +111,7 @@ struct SoftElements {
   std::vector<double> volume, strain, void_ratio;
 };
 
-/// Zero for laws without a void ratio.
+/// Returns 0 for laws without a void ratio.
 double find_void_ratio(const material::Law& law, const double* state) {
   return std::visit(
       [&](const auto& l) -> double {

@@ -15,7 +15,7 @@ namespace talus::run {
 template <int D>
 site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 
-/// Surcharge and standing water above each place [Pa]. Water above a [[hydraulic]] is left out, as the engine applies
+/// Surcharge and standing water above each point [Pa]. Water above a [[hydraulic]] is left out, as the engine applies
 /// it.
 template <int D>
 std::vector<double> find_ground_load(const site::Site& site, const std::vector<Vec<D>>& places);

@@ -14,7 +14,7 @@ export const elements = {
       solved by Newton's method with the consistent tangent of the soil models, a sparse direct solver and line search;
       weight and loads come on in steps. Total stress is effective stress less pore pressure.`;
   }],
-  finite_element_reduction: ["Strength reduction by finite elements", ({ result: { input, fem } }) => {
+  finite_element_reduction: ["Strength reduction by FEM", ({ result: { input, fem } }) => {
     const both = (fem?.runs.length ?? 0) > 1;
     return prose`
       From the equilibrium at full strength, strength was divided by $F$ [@griffiths1999]. A trial is in equilibrium
@@ -27,7 +27,7 @@ export const elements = {
 
       ${
         both
-          ? "This was done with the dilatancy angle as given and with $\\psi=\\varphi$, which slices and limit analysis " +
+          ? "This was done with the dilatancy angle as given and with $\\psi=\\varphi$, which LEM and limit analysis " +
             "assume in effect. "
           : ""
       }The slip surface is the ridge of the shear strain between the moving mass and the rest, at the smallest factor without

@@ -86,7 +86,7 @@ export function isOnAnywhere(input: InputTable, key: string): boolean | undefine
   return known.length === 0 ? undefined : known.some(Boolean);
 }
 
-/** A report that names none is one of material points. */
+/** A report that names none is one of MPM. */
 export function selectsMethod(report: Report, method: Method): boolean {
   const given = findSetting(report.result.input, "analysis.methods");
   const asked = findMethods(report)?.asked ?? (Array.isArray(given) ? given : []);

@@ -3,7 +3,7 @@
 import type { Factor } from "../../contract";
 import { report } from "../../state";
 import { DataTable } from "../DataTable";
-import { describeDrainage, methodNames } from "../FactorTable";
+import { describeDrainage, getMethodTitle } from "../FactorTable";
 import { formatDuration, formatFactor, formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
 import { selectsMethod } from "../methods/settings";
 
@@ -103,7 +103,7 @@ export function ResultTables() {
           rows={factors}
           rowClass={(factor) => factor.main && "main"}
           columns={[
-            ["Method", (factor) => methodNames[factor.method]],
+            ["Method", (factor) => getMethodTitle(factor.method)],
             [
               "Criterion",
               (factor) => (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/words/numbers.hpp"
+#include "report/folder/numbers.hpp"
 
 #include <fmt/format.h>
 
