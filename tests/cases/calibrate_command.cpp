@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::laboratory {
@@ -83,14 +84,9 @@ x_unit = "%"
 class CalibrateCommand : public testing::Test {
  protected:
   void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::temp_directory_path() / ("talus_calibrate_" + name + "_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     file_ = write("sand.toml", soil);
     write("cell_50.csv", "axial_strain [%],q [kPa]\n4,113.856\n5,113.856\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
@@ -104,7 +100,7 @@ class CalibrateCommand : public testing::Test {
   }
   static nlohmann::json read_json(const fs::path& path) { return nlohmann::json::parse(read(path)); }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("calibrate");
   std::string file_;
 };
 

@@ -3,7 +3,6 @@
 // LEM and FEM at reduced size. The full results are in docs/verification.md.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "run/mpm/reduction/trial.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -27,14 +27,13 @@ std::string read_text(const fs::path& path) {
 }
 
 json run_example(const std::string& file, const std::vector<input::Override>& overrides) {
-  const fs::path folder = fs::temp_directory_path() / ("talus_dry_slope_" + std::to_string(getpid()));
+  const fs::path folder = support::name_scratch("dry_slope");
   run::RunOptions options;
   options.folder = folder;
   options.threads = default_threads();
   options.overwrite = true;
   json summary =
       support::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
-  fs::remove_all(folder);
   return summary;
 }
 

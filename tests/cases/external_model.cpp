@@ -20,6 +20,7 @@
 #include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/external_model.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -165,11 +166,7 @@ Outcome run_program(const std::string& arguments) {
 }
 
 std::filesystem::path make_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "talus_external" / test->name();
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
+  return support::make_scratch("external");
 }
 
 void expect_words(const std::string& text, const std::vector<std::string>& words) {

@@ -12,6 +12,7 @@
 
 #include "output/files/archive.hpp"
 #include "output/files/frames_reader.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -39,7 +40,7 @@ int run_with_limit(const fs::path& folder, rlim_t limit) {
 }
 
 TEST(FullDisk, IsOneSentenceAndLeavesWholeFilesOnly) {
-  const fs::path folder = fs::temp_directory_path() / ("talus_full_disk_" + std::to_string(getpid()));
+  const fs::path folder = support::name_scratch("full_disk");
   for (const rlim_t limit : {3000, 20000, 60000, 200000}) {
     fs::remove_all(folder);
     fs::create_directories(folder);

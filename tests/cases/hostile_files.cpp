@@ -15,6 +15,8 @@
 #include <fstream>
 #include <string>
 
+#include "support/scratch.hpp"
+
 namespace talus {
 namespace {
 
@@ -149,14 +151,7 @@ Answer run_program(const std::string& folder, const std::string& arguments) {
 
 class HostileFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-hostile-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("hostile");
 };
 
 TEST_F(HostileFiles, EveryKeyThatNamesAFileAnswersWithASentence) {

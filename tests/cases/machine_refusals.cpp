@@ -14,6 +14,7 @@
 
 #include "base/folder_lock.hpp"
 #include "support/external_model.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -41,13 +42,9 @@ porosity = 0.37
 class Machine : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-machine-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     case_ = (folder_ / "block.toml").string();
     std::ofstream(case_) << block << clay;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   /// Runs the shell command, in which $T is the program and $F the folder; what it prints on standard error is `said_`.
   int run(const std::string& command) {
@@ -71,7 +68,7 @@ class Machine : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("machine");
   std::string case_, message_;
   static constexpr const char* start = "\\$T run block.toml -q --no-report --threads 1 ";
 };

@@ -3,7 +3,6 @@
 // A small slope for LEM and FEM, with runs in a folder of their own.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/file_list.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -41,8 +41,6 @@ depths = 8
 /// Runs cases in a folder that goes when the test ends.
 class MethodsTest : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   nlohmann::json run(const std::string& text, const std::vector<input::Override>& overrides = {}, bool resume = false) {
     run::RunOptions options;
     options.folder = folder_;
@@ -76,10 +74,7 @@ class MethodsTest : public ::testing::Test {
   }
 
   Progress* progress_ = nullptr;  ///< nowhere
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      (std::string("talus_methods_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-       std::to_string(getpid()));
+  const std::filesystem::path folder_ = support::make_scratch("methods") / "run";
 };
 
 }  // namespace talus

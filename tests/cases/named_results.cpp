@@ -2,7 +2,6 @@
 // Results under the names of [[compare]]: values from the summary, tolerances, and the time of failure.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "run/mpm/record/motion.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::run {
 namespace {
@@ -68,7 +68,7 @@ TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
 }
 
 TEST(FailureTime, IsTheLastCrossingOfTheLimit) {
-  const fs::path file = fs::temp_directory_path() / ("talus_onset_" + std::to_string(getpid()) + ".csv");
+  const fs::path file = support::name_scratch("onset.csv");
   // A stage settles by 40 mm, displacements start from zero, and the slope fails between 3 s and 4 s.
   std::ofstream(file) << "time [s],largest_displacement [mm]\n0,0\n1,40\n2,0\n3,10\n4,50\n5,900\n";
   const auto time = find_failure_time(file, 0.03);

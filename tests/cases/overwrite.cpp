@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include <set>
 
 #include "cases/sampling_slope.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -80,12 +80,6 @@ const std::string samples =
 
 class Overwrite : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string write_case(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / (name + ".toml")) << text;
     return (folder_ / (name + ".toml")).string();
@@ -134,7 +128,7 @@ class Overwrite : public testing::Test {
     return names;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("talus_overwrite_" + std::to_string(getpid()));
+  const fs::path folder_ = support::make_scratch("overwrite");
 };
 
 /// One kind of calculation after the other in the same folder, among files of the user.

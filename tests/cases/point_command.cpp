@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "output/files/history.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::laboratory {
@@ -72,14 +73,7 @@ source = "(N - 1) times the cell pressure, N = 3"
 
 class PointCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::temp_directory_path() / ("talus_point_" + name + "_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    file_ = write("soil.toml", soil);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { file_ = write("soil.toml", soil); }
 
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
@@ -92,7 +86,7 @@ class PointCommand : public testing::Test {
     return text.str();
   }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("point");
   std::string file_;
 };
 

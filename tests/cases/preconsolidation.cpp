@@ -16,6 +16,7 @@
 #include "output/files/frames_reader.hpp"
 #include "support/child.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -59,11 +60,7 @@ frame_interval = 1000
 
 class PreconsolidationOfARun : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override {
-    request_interrupt(false);
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { request_interrupt(false); }
   json run(const std::string& text, const std::string& name, bool resume = false) const {
     run::RunOptions options;
     options.folder = folder_ / name;
@@ -71,7 +68,7 @@ class PreconsolidationOfARun : public testing::Test {
     options.resume = resume;
     return support::run_case(input::read_case_text(text, (folder_ / "case.toml").string(), {}), options);
   }
-  const fs::path folder_ = fs::temp_directory_path() / ("talus_preconsolidation_" + std::to_string(getpid()));
+  const fs::path folder_ = support::make_scratch("preconsolidation");
 };
 
 TEST_F(PreconsolidationOfARun, IsSetAtTheEndOfTheStageAndSoOnlyOnceWhenTheRunIsResumed) {

@@ -3,13 +3,13 @@
 // layer gives a factor between that and the factor without roots.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 
 #include "base/parallel.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -39,8 +39,7 @@ class RootedBank : public testing::Test {
     EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
     return summary.at("factor_of_safety").at("frozen").at("factor");
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  const fs::path folder_ = fs::temp_directory_path() / ("talus_rooted_bank_" + std::to_string(getpid()));
+  const fs::path folder_ = support::name_scratch("bank");
 };
 
 const input::Override rooted{"materials.silt.model", "rooted_mohr_coulomb"};

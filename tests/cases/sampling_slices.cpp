@@ -12,6 +12,7 @@
 #include "results/json.hpp"
 #include "study/distributions.hpp"
 #include "study/sampling.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::study {
 namespace {
@@ -91,7 +92,7 @@ TEST(SamplingSlices, IndicesAgreeAndTheQuickFactorsAreThoseOfSearches) {
 
 TEST(SamplingSlices, IdenticalForAnyThreadsAndOnlyForTheSameSeed) {
   const auto read = [](const std::string& name) {
-    std::ifstream file(std::filesystem::temp_directory_path() / ("talus_sampling_" + name) / "samples.csv");
+    std::ifstream file(support::name_scratch(name) / "samples.csv");
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   const std::string study = sample + "samples = 120\n" + deviations;

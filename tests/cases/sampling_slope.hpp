@@ -6,6 +6,7 @@
 #include <string>
 
 #include "input/read.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::sampling_slope {
 
@@ -58,7 +59,7 @@ inline input::LoadedCase read(const std::string& study, const std::vector<input:
 }
 
 inline std::filesystem::path make_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("talus_sampling_" + name);
+  const std::filesystem::path folder = support::name_scratch(name);
   std::filesystem::remove_all(folder);
   return folder;
 }

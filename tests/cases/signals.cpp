@@ -9,6 +9,7 @@
 
 #include "base/progress.hpp"
 #include "methods_slope.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -57,10 +58,7 @@ void PrintTo(const Calculation& calculation, std::ostream* out) {
 
 class Signals : public testing::TestWithParam<Calculation> {
  protected:
-  void TearDown() override {
-    Looks::end();
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { Looks::end(); }
 
   /// Nothing where it was interrupted.
   std::optional<json> run(bool resume, long last) {
@@ -82,8 +80,7 @@ class Signals : public testing::TestWithParam<Calculation> {
     }
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("talus_signals_" + GetParam().name + std::to_string(getpid()));
+  const std::filesystem::path folder_ = support::make_scratch("signals") / GetParam().name;
 };
 
 TEST_P(Signals, EndItWithinASecondAndItResumes) {

@@ -13,6 +13,7 @@
 
 #include "study/study.hpp"
 #include "study/study_table.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::study {
@@ -40,13 +41,9 @@ inline StudyPlan plan_text(const std::string& text, const std::vector<input::Ove
   return plan_study(input::read_case_text(text, "slope.toml", overrides), overrides);
 }
 
-/// An empty folder of this test.
+/// A folder of this test that is not there yet.
 inline std::filesystem::path make_test_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "talus_study" / test->name();
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder.parent_path());
-  return folder;
+  return support::make_scratch("study") / "results";
 }
 
 inline StudyOptions write_to(const std::filesystem::path& folder, bool resume = false) {

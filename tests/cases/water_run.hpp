@@ -17,6 +17,7 @@
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 
@@ -24,7 +25,7 @@ namespace talus {
 class WaterRun {
  public:
   WaterRun(const std::string& file, const std::vector<input::Override>& overrides)
-      : folder_(std::filesystem::temp_directory_path() / ("talus_water_" + std::to_string(getpid()))) {
+      : folder_(support::name_scratch("water")) {
     run::RunOptions options;
     options.folder = folder_;
     options.threads = 1;

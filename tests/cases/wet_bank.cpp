@@ -14,6 +14,7 @@
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -25,15 +26,13 @@ using nlohmann::json;
 class WetBank : public testing::Test {
  protected:
   json run(const std::vector<input::Override>& overrides) {
-    folder_ = fs::temp_directory_path() / ("talus_wet_bank_" + std::to_string(getpid()));
     run::RunOptions options;
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
     return support::run_case(input::read_case_text(support::write_slope("wet_bank"), "bank.toml", overrides), options);
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const fs::path folder_ = support::name_scratch("wet_bank");
 };
 
 double get(const json& summary, const std::string& name) {

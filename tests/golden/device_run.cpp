@@ -22,6 +22,7 @@
 #include "output/files/frames_reader.hpp"
 #include "run/run_case.hpp"
 #include "support/child.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -106,13 +107,7 @@ checkpoint_interval = 0.02
 
 class DeviceRun : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("talus_device_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "case.toml") << bank;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::ofstream(folder_ / "case.toml") << bank; }
 
   pid_t start(const std::string& result, const std::vector<std::string>& more) {
     std::vector<std::string> words{"talus", "run", (folder_ / "case.toml").string(), "-o", (folder_ / result).string(),
@@ -164,7 +159,7 @@ class DeviceRun : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("device");
 };
 
 /// Returns the program's output and its exit code.

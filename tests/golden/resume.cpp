@@ -12,6 +12,7 @@
 
 #include "output/files/frames_reader.hpp"
 #include "support/child.hpp"
+#include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -48,13 +49,7 @@ checkpoint_interval = 0.05
 
 class Resume : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("talus_resume_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "case.toml") << slope;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::ofstream(folder_ / "case.toml") << slope; }
 
   /// Starts `talus run` on the case; returns the process.
   pid_t start(const std::string& result, const std::string& flag) {
@@ -120,7 +115,7 @@ class Resume : public testing::Test {
     return ended;
   }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("resume");
 };
 
 TEST_F(Resume, AfterSignalsEqualsContinuousBitForBit) {

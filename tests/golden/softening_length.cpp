@@ -13,6 +13,7 @@
 #include "reference/plain_softening.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "support/clay_block.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -109,13 +110,12 @@ TEST(SofteningLength, ResumesBitwiseIdentical) {
   o.moving = true;
   support::run_steps(body, o, 2000);
   ASSERT_GT(std::accumulate(body.elements.softened.begin(), body.elements.softened.end(), 0.0), 0);
-  const auto file = std::filesystem::temp_directory_path() / ("talus_softening_" + std::to_string(getpid()) + ".h5");
+  const std::filesystem::path file = support::name_scratch("body.h5");
   output::ArchiveWriter archive;
   run::put_body(archive, body);
   archive.write(file);
   mpm::Body<2> resumed = support::make_clay_block<2>(8, length);
   run::get_body(output::ArchiveReader(file), resumed);
-  std::filesystem::remove(file);
   mpm::gather_loads(resumed);
   support::run_steps(body, o, 50);
   support::run_steps(resumed, o, 50);

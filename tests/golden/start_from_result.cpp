@@ -21,6 +21,7 @@
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -31,13 +32,6 @@ using nlohmann::json;
 
 class StartFromResult : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("talus_start_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   input::LoadedCase read(const Bank& bank, const std::vector<input::Override>& changes = {}) const {
     return input::read_case_text(golden::write_bank(bank), (folder_ / "case.toml").string(), changes);
   }
@@ -108,7 +102,7 @@ class StartFromResult : public testing::Test {
                 started.material_names[started.points.material[id]] == "silt");
   }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("start");
 };
 
 TEST_F(StartFromResult, IsBitForBitTheNextStage) {

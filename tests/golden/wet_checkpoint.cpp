@@ -9,6 +9,7 @@
 
 #include "output/files/archive.hpp"
 #include "run/mpm/record/checkpoint.hpp"
+#include "support/scratch.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -42,7 +43,7 @@ void compare(input::StepSettings step, double duration) {
   const run::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
   run_plan(whole, plan);
   struct Interruption {};
-  const auto file = std::filesystem::temp_directory_path() / ("talus_wet_" + std::to_string(getpid()) + ".h5");
+  const std::filesystem::path file = support::name_scratch("body.h5");
   {
     mpm::Body<D> body = run::prepare<D>(data, mesh);
     run::StageState state;
@@ -62,7 +63,6 @@ void compare(input::StepSettings step, double duration) {
   run::get_body(archive, resumed);
   run::StageState state = run::get_stage(archive);
   run::run_stage(resumed, plan, state);
-  std::filesystem::remove(file);
 
   EXPECT_EQ(whole.step_count, resumed.step_count);
   ASSERT_EQ(whole.points.data.size(), resumed.points.data.size());

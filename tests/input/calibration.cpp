@@ -9,6 +9,7 @@
 #include "slope.hpp"
 
 #include "input/case/uncertain_number.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
@@ -66,12 +67,6 @@ std::string list_faults(const std::string& text) {
 
 class CalibrationTable : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("talus_calibration_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// The points of a curve whose table is `text`; the fault when there is one.
   std::vector<std::array<double, 2>> read(const std::string& text, std::string* fault = nullptr) {
     std::ofstream(folder_ / "curve.csv") << text;
@@ -91,7 +86,7 @@ class CalibrationTable : public testing::Test {
     return fault;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = support::make_scratch("table");
 };
 
 TEST(CalibrationInput, NumbersComeInTheUnitsOfTheirKeysAndQuantities) {

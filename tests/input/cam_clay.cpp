@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cam-clay and external models: rejected input and its messages.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "rooted_slope.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
@@ -107,7 +106,6 @@ TEST(StrengthReduction, DividesTheStrengthOfEveryBuiltInModel) {
 class ExternalSoil : public testing::Test {
  protected:
   void SetUp() override { std::ofstream(library_) << "x"; }
-  void TearDown() override { fs::remove(library_); }
 
   std::string with(const std::string& keys) const {
     const auto from = slope.find("[materials.sand]"), to = slope.find("[regions]");
@@ -118,15 +116,14 @@ class ExternalSoil : public testing::Test {
     return with("library = \"" + library_.string() + "\"\nconstrained_modulus = \"60 MPa\"\n" + more);
   }
 
-  // Tests run side by side.
-  fs::path library_ = fs::path(testing::TempDir()) / ("talus_umat_test" + std::to_string(getpid()) + ".so");
+  const fs::path library_ = support::make_scratch("umat") / "soil.so";
 };
 
 TEST_F(ExternalSoil, IsFoundBesideTheCase) {
   const std::string text = with("library = \"" + library_.filename().string() +
                                 "\"\nconstrained_modulus = 6e4\nconstants = [45e6, 0.3]\nstates = 2\n"
                                 "initial_states = [1e5]\n");
-  const std::string file = (fs::path(testing::TempDir()) / "case.toml").string();
+  const std::string file = (library_.parent_path() / "case.toml").string();
   const material::ExternalParameters external = read_case_text(text, file).data.materials.at("sand");
   EXPECT_EQ(external.library_file, library_.string());
   EXPECT_EQ(external.library, library_.filename().string());

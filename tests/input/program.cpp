@@ -15,6 +15,7 @@
 
 #include "methods_slope.hpp"
 #include "support/child.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
@@ -35,7 +36,7 @@ Outcome run_program(const std::string& arguments, const std::string& environment
 }
 
 std::string write_file(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = support::name_scratch(name).string();
   std::ofstream(path) << text;
   return path;
 }
@@ -85,7 +86,8 @@ TEST(Program, ReportsEveryFaultAndExitsWithTwo) {
 
 TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
   const std::string path = write_file("talus_fine.toml", slope);
-  for (const std::string& command : {std::string("check "), "run -o '" + testing::TempDir() + "talus_fine' "}) {
+  const std::string folder = support::name_scratch("talus_fine").string();
+  for (const std::string& command : {std::string("check "), "run -o '" + folder + "' "}) {
     const Outcome refused = run_program(command + "--set mesh.size=0.0003 " + path);
     EXPECT_EQ(refused.code, 2) << refused.text;
     EXPECT_NE(refused.text.find("--set mesh.size: error: MPM with elements of 0.0003 m needs about "),
@@ -93,14 +95,15 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
         << refused.text;
     EXPECT_NE(refused.text.find(" m would fit"), std::string::npos) << refused.text;
   }
-  EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_fine"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
   const Outcome hopeless = run_program("check --set mesh.size=1e-300 " + path);
   EXPECT_EQ(hopeless.code, 2) << hopeless.text;
   EXPECT_NE(hopeless.text.find("needs more memory than any machine has"), std::string::npos) << hopeless.text;
 }
 
 TEST(Program, PrintsItsWarningsBeforeARunAndKeepsThem) {
-  const std::string path = write_file("talus_warned.toml", slices_alone), folder = testing::TempDir() + "talus_warned";
+  const std::string path = write_file("talus_warned.toml", slices_alone),
+                    folder = support::name_scratch("talus_warned").string();
   std::filesystem::remove_all(folder);
   const std::string sentence = "'materials.soil.friction_angle' is 0.44 deg; the usual range is 5 to 50 deg, or 0";
   const Outcome ran = run_program(
@@ -141,8 +144,9 @@ void expect_end_by_signal(pid_t child, double most, const std::string& message, 
 
 TEST(Program, EndsMeshingSoonAfterASignal) {
   // This mesh takes half a minute and more; it is ended after four seconds of work.
-  const std::string path = write_file("talus_signal.toml", slope), folder = testing::TempDir() + "talus_signal",
-                    message = testing::TempDir() + "talus_signal.txt";
+  const std::string path = write_file("talus_signal.toml", slope),
+                    folder = support::name_scratch("talus_signal").string(),
+                    message = support::name_scratch("talus_signal.txt").string();
   const pid_t child =
       start_program({"run", "-q", "--set", "mesh.size=0.04", "-o", folder.c_str(), path.c_str()}, message);
   // Gmsh works in a process of its own, which the program waits for.
@@ -155,7 +159,8 @@ TEST(Program, EndsMeshingSoonAfterASignal) {
 
 TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
   // So many circles take half a minute and more on a fast machine.
-  const std::string folder = testing::TempDir() + "talus_search", message = testing::TempDir() + "talus_search.txt";
+  const std::string folder = support::name_scratch("talus_search").string(),
+                    message = support::name_scratch("talus_search.txt").string();
   std::filesystem::remove_all(folder);
   const pid_t child = start_program({"run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "--set",
                                      "lem.entry_exit={ exits = 200, entries = 200, depths = 20 }", "-o", folder.c_str(),
@@ -238,13 +243,13 @@ TEST(Program, RunsAJobUnderALauncherAndNoStudy) {
   const Outcome study = run_program("study " + path, "PMI_SIZE=4");
   EXPECT_EQ(study.code, 2);
   EXPECT_NE(study.text.find("a study does not run on 4 ranks"), std::string::npos) << study.text;
-  const Outcome job = run_program("study " + testing::TempDir() + " --job 0", "PMI_SIZE=4");
+  const Outcome job = run_program("study '" + support::make_scratch("study").string() + "' --job 0", "PMI_SIZE=4");
   EXPECT_EQ(job.text.find("ranks"), std::string::npos) << job.text;
 }
 
 /// ACADS 1(a) has 0.99 to 1.00 with characteristic values.
 TEST(Program, PrintsTheCheckOfADesignSetFirst) {
-  const std::string folder = testing::TempDir() + "talus_design";
+  const std::string folder = support::name_scratch("talus_design").string();
   std::filesystem::remove_all(folder);
   for (const auto& [cohesion, part] :
        {std::pair{"3", "below 1: the slope is NOT verified"}, {"30", "at least 1: verified"}}) {

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/units.hpp"
+#include "support/scratch.hpp"
 #include "wet_slope.hpp"
 
 namespace talus::input {
@@ -19,14 +20,6 @@ constexpr double day = 86400, mm = 1e-3;
 /// A case beside a table, in a folder of its own.
 class SeriesFromFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("talus_series_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// The wet slope with rain from the columns of `table`.
   Case read(const std::string& table, const std::string& keys, const std::string& initial = "date = 2023-03-01") {
     std::ofstream(folder_ / "station.csv") << table;
@@ -46,7 +39,7 @@ class SeriesFromFile : public ::testing::Test {
   }
 
  private:
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = support::make_scratch("table");
 };
 
 TEST_F(SeriesFromFile, DailyRainIsARateForADay) {

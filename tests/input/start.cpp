@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // [initial] result: input that is rejected before the calculation.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "slope.hpp"
+#include "support/scratch.hpp"
 #include "wet_slope.hpp"
 
 namespace talus::input {
@@ -22,13 +21,11 @@ class StartFromAResult : public testing::Test {
     std::ofstream(folder_ / "old" / "end_state.h5") << "x";
     fs::create_directories(folder_ / "unfinished");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string start(const std::string& keys) const { return slope + "\n[initial]\n" + keys; }
   std::string good() const { return "result = \"" + (folder_ / "old").string() + "\"\n"; }
 
-  // Tests run side by side.
-  fs::path folder_ = fs::path(testing::TempDir()) / ("talus_start_test" + std::to_string(getpid()));
+  const fs::path folder_ = support::make_scratch("start");
 };
 
 TEST_F(StartFromAResult, IsTakenWithItsPathRelativeToTheCase) {

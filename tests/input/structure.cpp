@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "slope.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
@@ -85,7 +86,7 @@ TEST(File, ThatCannotBeOpenedIsOneSentence) {
     EXPECT_STREQ(error.what(), "no/such/case.toml: error: the case file cannot be opened: No such file or directory");
     EXPECT_EQ(error.code(), ExitCode::wrong_input);
   }
-  EXPECT_THROW(read_case(testing::TempDir()), InputError);
+  EXPECT_THROW(read_case(support::make_scratch("folder").string()), InputError);
 }
 
 TEST(File, ThatIsEmptyLacksEverything) {

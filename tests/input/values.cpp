@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "slope.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
@@ -71,8 +72,7 @@ TEST(CaseFile, TakesFourPointsPerElementIn3D) {
 }
 
 TEST(CaseFile, FindsItsMeshBesideItself) {
-  const std::string folder = testing::TempDir() + "talus_case_folder";
-  std::filesystem::create_directories(folder);
+  const std::string folder = support::make_scratch("case_folder").string();
   std::ofstream(folder + "/ready.msh") << "a mesh";
   const auto begin = slope.find("box ="), end = slope.find("[mesh]");
   const std::string text = change(std::string(slope).erase(begin, end - begin), "size = 0.75", "file = \"ready.msh\"");

@@ -3,7 +3,6 @@
 // discarded part are removed.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -13,6 +12,7 @@
 #include "run/mpm/record/recorder.hpp"
 #include "run/mpm/stage/stage.hpp"
 #include "support/box_case.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -66,8 +66,7 @@ TEST(Retry, TheSmoothingThatMayBeTheCauseIsLeftOut) {
 }
 
 TEST(Retry, HistoriesHoldNothingOfWhatWasLost) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("talus_setback_" + std::to_string(getpid()));
-  fs::remove_all(folder);
+  const fs::path folder = support::make_scratch("setback") / "run";
   input::Case data = support::make_box_case<2>(support::make_elastic(10e6));
   data.output.history_interval = 0.002;
   mpm::Body<2> body = make_column(data);
@@ -99,7 +98,6 @@ TEST(Retry, HistoriesHoldNothingOfWhatWasLost) {
   EXPECT_NEAR(step.back(), state.dt, 1e-3 * state.dt) << "the smaller step, not the one that was asked for";
   const output::ResultsReader frames(folder);
   for (int i = 1; i < frames.size(); ++i) EXPECT_GT(frames.times()[i], frames.times()[i - 1]);
-  fs::remove_all(folder);
 }
 
 }  // namespace

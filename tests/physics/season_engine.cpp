@@ -13,6 +13,7 @@
 #include "run/mpm/record/water_record.hpp"
 #include "site/initial_water.hpp"
 #include "site/roots.hpp"
+#include "support/scratch.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -171,13 +172,12 @@ TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
     mpm::gather_nodal_sums(body, options);
     for (int i = 0; i < 202; ++i) {
       if (interrupted && i == 101) {
-        const auto path = std::filesystem::temp_directory_path() / ("talus_season_" + std::to_string(getpid()) + ".h5");
+        const std::filesystem::path path = support::name_scratch("body.h5");
         output::ArchiveWriter writer;
         run::put_body(writer, body);
         writer.write(path);
         mpm::Body<2> fresh = start;
         run::get_body(output::ArchiveReader(path), fresh);
-        std::filesystem::remove(path);
         body = std::move(fresh);
       }
       mpm::step(body, options);

@@ -11,6 +11,7 @@
 
 #include "physics/srivastava_yeh.hpp"
 #include "support/run_json.hpp"
+#include "support/scratch.hpp"
 #include "support/water_in_time.hpp"
 
 namespace talus {
@@ -21,8 +22,6 @@ constexpr double gamma_w = 9810, band = 0.01;
 /// Runs cases in a folder that goes when the test ends.
 class TimelineSlope : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::vector<double> find_factors(const std::string& text) {
     run::RunOptions options;
     options.folder = folder_;
@@ -34,10 +33,7 @@ class TimelineSlope : public ::testing::Test {
     return factors;
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      (std::string("talus_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-       std::to_string(getpid()));
+  const std::filesystem::path folder_ = support::make_scratch("timeline") / "run";
 };
 
 /// Rain on a slab of silt, 100 m long and 2 m thick, on ground that takes the water away at zero pressure. At its ends

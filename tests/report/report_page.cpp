@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/report_page.hpp"
+#include "support/scratch.hpp"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <cmath>
@@ -20,11 +20,7 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 std::filesystem::path make_test_folder(const std::string& name) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("talus_report_" + name + "_" + std::to_string(getpid()));
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
+  return support::make_scratch(name);
 }
 
 std::map<std::string, std::string> cut_scripts(const std::string& html) {

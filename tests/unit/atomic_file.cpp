@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -34,7 +35,7 @@ class ReplacedFile : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / ("talus_replaced_file_" + std::to_string(getpid()));
+  const fs::path folder = support::make_scratch("replaced_file");
   const fs::path other = folder / "precious.txt", file = folder / "summary.json";
 };
 

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "output/files/history.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -27,7 +28,6 @@ class ListOfFiles : public testing::Test {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void put(const std::string& name, const std::string& text) const {
     fs::create_directories((folder_ / name).parent_path());
@@ -53,7 +53,7 @@ class ListOfFiles : public testing::Test {
   }
 
   using Names = std::vector<std::string>;
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("talus_list_" + std::to_string(getpid()));
+  const fs::path folder_ = support::name_scratch("list");
 };
 
 TEST_F(ListOfFiles, HoldsWhatIsWrittenAndNothingElse) {

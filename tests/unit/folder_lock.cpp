@@ -13,6 +13,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "support/scratch.hpp"
 
 namespace talus {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string make_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("talus_lock_" + name);
+  const fs::path folder = support::name_scratch(name);
   fs::remove_all(folder);
   return folder.string();
 }

@@ -12,12 +12,13 @@
 #include "mesh/generate.hpp"
 #include "mesh/gmsh_mesh.hpp"
 #include "mesh/quality.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::mesh {
 namespace {
 
 std::string get_path(const std::string& name) {
-  return (std::filesystem::temp_directory_path() / ("talus_mesh_file_" + name)).string();
+  return support::name_scratch(name).string();
 }
 
 template <int D>

@@ -2,7 +2,6 @@
 // Onset of movement: crossing of the threshold, order of the monitors, and the sentence on it.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "results/run.hpp"
 #include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
+#include "support/scratch.hpp"
 
 namespace talus::run {
 namespace {
@@ -53,8 +53,6 @@ results::Stage make_stage(const char* name, double start, double end) {
 class Motion : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("talus_motion_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
     data_.stages.resize(2);
     data_.stages[0].name = "weight";
     data_.stages[1].name = "rain";
@@ -66,11 +64,10 @@ class Motion : public testing::Test {
            "crest.displacement_y [mm],crest.displacement [mm]\n"
            "0,0,0,0,0,0,0\n5,30,40,50,300,400,500\n6,30,-40,50,0,0,0\n7,60,-80,100,6,8,10\n";
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::optional<results::Motion> find() const { return find_motion(data_, stages_, 4, folder_); }
 
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("motion");
   input::Case data_;
   std::vector<results::Stage> stages_{make_stage("weight", 0, 5), make_stage("rain", 5, 7)};
 };

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "output/files/archive.hpp"
+#include "support/scratch.hpp"
 
 namespace {
 
@@ -22,14 +23,6 @@ using output::ArchiveWriter;
 
 class Archive : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-archive-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    path_ = folder_ / "checkpoint.h5";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string read_sentence() const {
     try {
       ArchiveReader reader(path_);
@@ -39,7 +32,7 @@ class Archive : public testing::Test {
     }
     return "no error";
   }
-  fs::path folder_, path_;
+  const fs::path folder_ = support::make_scratch("archive"), path_ = folder_ / "checkpoint.h5";
 };
 
 std::vector<std::uint64_t> to_bits(const std::vector<double>& values) {

@@ -18,6 +18,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "output/files/history.hpp"
+#include "support/scratch.hpp"
 
 namespace {
 
@@ -29,20 +30,13 @@ const std::vector<output::Column> columns{{"time", "s"}, {"kinetic_energy", "J"}
 
 class HistoryFile : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-history-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    path_ = folder_ / "history.csv";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string read() const {
     std::ifstream file(path_, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
   }
-  fs::path folder_, path_;
+  const fs::path folder_ = support::make_scratch("history"), path_ = folder_ / "history.csv";
 };
 
 TEST_F(HistoryFile, HasEachRowAtOnceInTheShortestDigits) {

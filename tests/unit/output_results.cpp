@@ -15,6 +15,7 @@
 
 #include "base/error.hpp"
 #include "output/files/frames_reader.hpp"
+#include "support/scratch.hpp"
 
 namespace {
 
@@ -26,16 +27,8 @@ using output::ResultsWriter;
 
 class Results : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-results-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
-  fs::path folder_;
+  void TearDown() override { fs::permissions(folder_, fs::perms::owner_all); }
+  const fs::path folder_ = support::make_scratch("results");
 };
 
 /// Frame k has 10 - k points (points leave), and every value encodes its frame, point and component.

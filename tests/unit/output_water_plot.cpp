@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "output/plots/water_plot.hpp"
+#include "support/scratch.hpp"
 
 namespace {
 
@@ -128,20 +129,16 @@ TEST(SoilWaterCurves, AreTabledInEngineeringUnits) {
 class WaterPictures : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "talus-water-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
       GTEST_SKIP() << "gnuplot is not installed: no picture was drawn";
   }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string read(const std::string& name) const {
     std::ifstream file(folder_ / name, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
   }
-  fs::path folder_;
+  const fs::path folder_ = support::make_scratch("water");
 };
 
 TEST_F(WaterPictures, ShowEverySoilWithItsLaws) {

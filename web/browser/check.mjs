@@ -7,10 +7,10 @@ import { checkAccessibility } from "./accessibility.mjs";
 import { Checklist } from "./checklist.mjs";
 import { checkCurve } from "./curve.mjs";
 import { checkFirstScreen, checkStudy } from "./firstScreen.mjs";
-import { checkColours, checkPhone, checkPrint, checkWidth, takeWholePage } from "./layout.mjs";
+import { checkColours, checkPhone, checkPrint, checkWidth } from "./layout.mjs";
 import { checkMethods } from "./methods.mjs";
 import { readSummary } from "./results.mjs";
-import { measureInteractive, openReport, readDocument, scrollThrough, startBrowser } from "./session.mjs";
+import { measureInteractive, openReport, readDocument, startBrowser } from "./session.mjs";
 import { checkFields, checkPicking, checkPlaying, checkSequences, takeSpace } from "./viewer.mjs";
 import { checkWords } from "./words.mjs";
 
@@ -46,8 +46,6 @@ try {
   });
   await list.group("First screen", () => checkFirstScreen(list, page, report, summary));
   if (report.study) await list.group("Study", () => checkStudy(list, page, report));
-  for (const colorScheme of ["light", "dark"])
-    await list.group(`Colours, ${colorScheme}`, () => checkColours(list, open, colorScheme, out));
   if (sequence) {
     await list.group("Playing", () => checkPlaying(list, page, report, sequence));
     await list.group("Fields", () => checkFields(list, page, sequence));
@@ -61,14 +59,12 @@ try {
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await list.group("Phone", async () => checkPhone(list, await open(phone), out));
-  await list.group("Whole page", async () => takeWholePage(await open(), out));
   await list.group("Print", async () => checkPrint(list, await open(), out));
-  for (const colorScheme of ["light", "dark"])
-    await list.group(`Accessibility, ${colorScheme}`, async () => {
-      const coloured = await open({ colorScheme });
-      await scrollThrough(coloured);
-      await checkAccessibility(list, coloured, colorScheme);
-    });
+  for (const colorScheme of ["light", "dark"]) {
+    const coloured = await open({ colorScheme });
+    await list.group(`Colours, ${colorScheme}`, () => checkColours(list, coloured, colorScheme, out));
+    await list.group(`Accessibility, ${colorScheme}`, () => checkAccessibility(list, coloured, colorScheme));
+  }
   await list.group("Words", async () => {
     // Last: every part of these pages has been drawn, used and scrolled through.
     for (const [i, session] of opened.entries()) await checkWords(list, session.page, report, `page ${i + 1}`);

@@ -59,9 +59,11 @@ export async function checkFirstScreen(list, page, report, summary) {
   }
 }
 
-/** A study: every variant has a row with its values as the document shows them, and a reason where it failed. */
+/**
+ * A study: every variant has a row with its values as the document shows them, and a reason where it failed.
+ * checkFirstScreen has scrolled through the page before.
+ */
 export async function checkStudy(list, page, report) {
-  await scrollThrough(page);
   const rows = await page.locator("tr").allInnerTexts();
   for (const [i, variant] of report.study_result.variants.entries()) {
     const values = report.study.columns.map((column) => column.shown[i]).filter(Boolean);

@@ -18,14 +18,18 @@ function measureLightness(page) {
   });
 }
 
-/** Opens the page in the system's colours, light or dark, and takes its first screen. */
-export async function checkColours(list, open, colorScheme, out) {
-  const page = await open({ colorScheme });
+/**
+ * Checks that a page opened in the system's colours, light or dark, has them, and scrolls through it. Takes its first
+ * screen, and the whole page once.
+ */
+export async function checkColours(list, page, colorScheme, out) {
   await page.waitForTimeout(1500);
   const lightness = await measureLightness(page);
   const holds = colorScheme === "dark" ? lightness < 0.25 : lightness > 0.8;
   list.expect(holds, `the page is ${colorScheme} where the system is`, `lightness ${lightness.toFixed(2)}`);
   await page.screenshot({ path: join(out, `first-${colorScheme}.png`) });
+  await scrollThrough(page);
+  if (colorScheme === "light") await page.screenshot({ path: join(out, "whole-page.png"), fullPage: true });
 }
 
 /** No part may be wider than the window: the body would scroll sideways. */
@@ -51,11 +55,6 @@ export async function checkPhone(list, page, out) {
   await checkWidth(list, page, "at a width of 390");
   await page.screenshot({ path: join(out, "phone.png") });
   await page.screenshot({ path: join(out, "phone-whole.png"), fullPage: true });
-}
-
-export async function takeWholePage(page, out) {
-  await scrollThrough(page);
-  await page.screenshot({ path: join(out, "whole-page.png"), fullPage: true });
 }
 
 /** Prints as A4. Returns the number of pages. */

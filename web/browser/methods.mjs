@@ -2,8 +2,6 @@
 // LEM and FEM: the pictures are drawn, the pointer reads them, surfaces can be chosen and switched.
 import { join } from "node:path";
 
-import { scrollThrough } from "./session.mjs";
-
 /** How many colours the lower canvas of a drawing shows, in steps of 32 of each channel. */
 function countColours(page, part) {
   return page
@@ -92,8 +90,8 @@ async function checkElements(list, page, report, out) {
   await page.locator("#elements").screenshot({ path: join(out, "elements.png") });
 }
 
+/** All parts of the methods; checkFirstScreen has scrolled through the page before. */
 export async function checkMethods(list, page, report, out) {
-  await scrollThrough(page);
   await page.locator("#compared details").evaluateAll((folds) => folds.forEach((fold) => (fold.open = true)));
   const table = await page.locator("#compared tbody tr").allInnerTexts();
   for (const row of (report.methods_read && report.result.methods.table) ?? []) {
