@@ -99,7 +99,7 @@ struct BlockFindings {
   template <class First, class... Rest>
   void report(const std::string& key, fmt::format_string<First, Rest...> sentence, First&& first,
               Rest&&... rest) const {
-    report(key, sentence, std::forward<First>(first), std::forward<Rest>(rest)...);
+    report(key, fmt::format(sentence, std::forward<First>(first), std::forward<Rest>(rest)...));
   }
 };
 

@@ -46,16 +46,16 @@ site::Polyline resample(const site::Polyline& line, int count) {
   std::vector<double> along(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
     along[i] = along[i - 1] + std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
-  site::Polyline places;
+  site::Polyline points;
   std::size_t i = 1;
   for (int k = 0; k < count; ++k) {
     const double s = along.back() * (k + 0.5) / count;
     while (i + 1 < line.size() && along[i] < s) ++i;
     const double share = along[i] > along[i - 1] ? (s - along[i - 1]) / (along[i] - along[i - 1]) : 0;
-    places.push_back({line[i - 1][0] + share * (line[i][0] - line[i - 1][0]),
+    points.push_back({line[i - 1][0] + share * (line[i][0] - line[i - 1][0]),
                       line[i - 1][1] + share * (line[i][1] - line[i - 1][1])});
   }
-  return places;
+  return points;
 }
 
 std::vector<double> list_distances(const site::Polyline& a, const site::Polyline& b) {
