@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
@@ -20,20 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string text;  ///< both output streams
-};
-
-Outcome run_program(const std::string& arguments) {
-  Outcome outcome;
-  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
-  return outcome;
-}
+using support::Outcome;
+using support::run_program;
 
 // Mohr and Coulomb's strength by hand: q = (N - 1) σ₃ + 2c √N, with c = 4 kPa and N = 3.
 const std::string soil =

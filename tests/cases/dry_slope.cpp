@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "run/mpm/reduction/trial.hpp"
+#include "support/program.hpp"
 #include "support/run_json.hpp"
 #include "support/scratch.hpp"
 
@@ -20,11 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::string read_text(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 json run_example(const std::string& file, const std::vector<input::Override>& overrides) {
   const fs::path folder = support::name_scratch("dry_slope");
@@ -40,7 +36,7 @@ json run_example(const std::string& file, const std::vector<input::Override>& ov
 /// Displacement [mm] after 5 s by factor, from the independent code's table.
 std::map<double, double> read_peer() {
   std::map<double, double> peer;
-  std::istringstream lines(read_text(std::string(TALUS_SOURCE_DIR) + "/examples/data/dry_slope_h075.csv"));
+  std::istringstream lines(support::read_text(std::string(TALUS_SOURCE_DIR) + "/examples/data/dry_slope_h075.csv"));
   for (std::string line; std::getline(lines, line);) {
     std::vector<std::string> cells;
     std::istringstream row(line);

@@ -20,6 +20,7 @@
 #include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/external_model.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
@@ -151,19 +152,8 @@ smallest_pressure = "50 kPa"
   EXPECT_LT(difference, 0.01 * largest);
 }
 
-struct Outcome {
-  int code = -1;
-  std::string text;  ///< both output streams
-};
-Outcome run_program(const std::string& arguments) {
-  Outcome outcome;
-  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
-  return outcome;
-}
+using support::Outcome;
+using support::run_program;
 
 std::filesystem::path make_folder() {
   return support::make_scratch("external");

@@ -14,6 +14,7 @@
 
 #include "base/folder_lock.hpp"
 #include "support/external_model.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace talus {
@@ -61,11 +62,6 @@ class Machine : public testing::Test {
     EXPECT_EQ(run(command), code) << command << "\n" << message_;
     EXPECT_NE(message_.find(words), std::string::npos) << command << "\n" << message_;
     EXPECT_EQ(message_.find("internal error"), std::string::npos) << command << "\n" << message_;
-  }
-
-  static std::string read(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
   }
 
   const fs::path folder_ = support::make_scratch("machine");
@@ -168,7 +164,7 @@ TEST_F(Machine, PrintsHostileNames) {
   for (const std::string command :
        {"check names.toml", "run names.toml -o one", "plot one", "report one", "study names.toml -o study"}) {
     EXPECT_EQ(run("\\$T " + command), 0) << command << message_;
-    message_ += read(folder_ / "out.txt");
+    message_ += support::read_text(folder_ / "out.txt");
     EXPECT_EQ(message_.find_first_of("\x1b\a"), std::string::npos) << command;
     EXPECT_EQ(message_.find("\u202e"), std::string::npos) << command;
   }
@@ -177,7 +173,7 @@ TEST_F(Machine, PrintsHostileNames) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) {
     const std::string ending = entry.path().extension().string();
     if (ending != ".csv" && ending != ".svg" && ending != ".gp" && ending != ".md" && ending != ".html") continue;
-    const std::string text = read(entry.path());
+    const std::string text = support::read_text(entry.path());
     EXPECT_EQ(text.find_first_of("\x1b\a"), std::string::npos) << entry.path();
     if (ending != ".html") {  // XML forbids it
       EXPECT_EQ(text.find("\uffff"), std::string::npos) << entry.path();
@@ -187,7 +183,7 @@ TEST_F(Machine, PrintsHostileNames) {
     ++texts;
   }
   EXPECT_GT(texts, 5);
-  EXPECT_NE(read(folder_ / "one" / "monitors.csv").find(",'=1+2.displacement_x [mm]"), std::string::npos);
+  EXPECT_NE(support::read_text(folder_ / "one" / "monitors.csv").find(",'=1+2.displacement_x [mm]"), std::string::npos);
 }
 
 TEST_F(Machine, HoldsFilesThatAreNoResults) {

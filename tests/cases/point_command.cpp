@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "output/files/history.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
@@ -22,20 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string text;  ///< both output streams
-};
-
-Outcome run_program(const std::string& arguments) {
-  Outcome outcome;
-  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
-  return outcome;
-}
+using support::Outcome;
+using support::run_program;
 
 const std::string soil = support::write_slope("sand", {"title=Sand"}) + R"(
 [[test]]

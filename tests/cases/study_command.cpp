@@ -8,26 +8,15 @@
 
 #include "output/files/frames_reader.hpp"
 #include "study_slope.hpp"
+#include "support/program.hpp"
 
 namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string text;  ///< both output streams
-};
-
-Outcome run_program(const std::string& arguments) {
-  Outcome outcome;
-  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
-  return outcome;
-}
+using support::Outcome;
+using support::run_program;
 
 std::string write_case(const fs::path& folder, const std::string& text) {
   fs::create_directories(folder);

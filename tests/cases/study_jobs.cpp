@@ -88,7 +88,7 @@ TEST(StudyJobs, SamplesByLemAreBitwiseIdenticalToOneProcess) {
   for (const int job : {3, 6, 0, 3, 5, 1, 4, 2, 0}) EXPECT_FALSE(calculate_job(folder / "jobs", job, 1, nullptr));
   const StudyOutcome outcome = collect_jobs(write_to(folder / "jobs"));
   EXPECT_FALSE(outcome.failure);
-  EXPECT_EQ(read_file(folder / "jobs/samples.csv"), read_file(folder / "one/samples.csv"));
+  EXPECT_EQ(read_text(folder / "jobs/samples.csv"), read_text(folder / "one/samples.csv"));
   EXPECT_EQ(read_timeless(folder / "jobs"), read_timeless(folder / "one"));
   EXPECT_GT(read_timeless(folder / "jobs")["sampling"]["surfaces"].get<int>(), 20);
 }
@@ -111,7 +111,7 @@ highest = "3 m"
   prepare(text, folder / "jobs", 2, coarse);
   for (const int job : {1, 0}) EXPECT_FALSE(calculate_job(folder / "jobs", job, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(folder / "jobs")).failure);
-  EXPECT_EQ(read_file(folder / "jobs/samples.csv"), read_file(folder / "one/samples.csv"));
+  EXPECT_EQ(read_text(folder / "jobs/samples.csv"), read_text(folder / "one/samples.csv"));
   EXPECT_EQ(read_timeless(folder / "jobs"), read_timeless(folder / "one"));
 }
 
@@ -123,7 +123,7 @@ TEST(StudyJobs, VariantsHaveTheTableOfOneProcess) {
   for (const int job : {2, 0, 1}) EXPECT_FALSE(calculate_job(folder / "jobs", job, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(folder / "jobs")).failure);
   EXPECT_EQ(read_timeless(folder / "jobs"), read_timeless(folder / "one"));
-  EXPECT_EQ(read_file(folder / "jobs/study.svg"), read_file(folder / "one/study.svg"));
+  EXPECT_EQ(read_text(folder / "jobs/study.svg"), read_text(folder / "one/study.svg"));
 }
 
 TEST(StudyJobs, SamplesByRunsAreBitwiseIdenticalToOneProcess) {
@@ -132,7 +132,7 @@ TEST(StudyJobs, SamplesByRunsAreBitwiseIdenticalToOneProcess) {
   prepare(element_samples, folder / "jobs", 2, by_elements);
   for (const int job : {1, 0}) EXPECT_FALSE(calculate_job(folder / "jobs", job, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(folder / "jobs")).failure);
-  EXPECT_EQ(read_file(folder / "jobs/samples.csv"), read_file(folder / "one/samples.csv"));
+  EXPECT_EQ(read_text(folder / "jobs/samples.csv"), read_text(folder / "one/samples.csv"));
   EXPECT_EQ(read_timeless(folder / "jobs"), read_timeless(folder / "one"));
 }
 
@@ -143,7 +143,7 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   EXPECT_NE(catch_message([&] { collect_jobs(write_to(jobs)); }).find("none of the 6 jobs has ended"),
             std::string::npos);
   for (int job = 0; job < 6; ++job) calculate_job(jobs, job, 1, nullptr);
-  const std::string whole = read_file(jobs / "jobs/4/result.json");
+  const std::string whole = read_text(jobs / "jobs/4/result.json");
   fs::remove(jobs / "jobs/1/result.json");
   std::ofstream(jobs / "jobs/1/result.json.part") << whole;  // killed before the file had its name
   std::ofstream(jobs / "jobs/1" / list_file, std::ios::app) << "begin result.json\n";
@@ -160,7 +160,7 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
   // A job with failed samples: its result records the failure, there are no statistics of the others, and it can be
   // repeated.
-  const std::string samples = read_file(jobs / "samples.csv");
+  const std::string samples = read_text(jobs / "samples.csv");
   auto failed = *results::read_file<results::JobResult>(jobs / "jobs/2/result.json");
   failed.code = static_cast<int>(ExitCode::wrong_input);
   failed.reason = "sample 25 is no possible case";
@@ -171,7 +171,7 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
             "1 of 6 jobs failed:\n  job 2: sample 25 is no possible case");
   EXPECT_FALSE(calculate_job(jobs, 2, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
-  EXPECT_EQ(read_file(jobs / "samples.csv"), samples);
+  EXPECT_EQ(read_text(jobs / "samples.csv"), samples);
 }
 
 /// Swapped results are not accepted, whatever the jobs calculate.
@@ -367,7 +367,7 @@ TEST(StudyJobsProgram, MistakesAreASentenceEach) {
   refuse(file + " --job 1", 2, "needs the folder that talus study CASE --prepare DIR has written");
   refuse(folder.string() + " --job 1", 2, "it has no jobs.json");
   refuse(folder.string() + " --collect", 2, "it has no jobs.json");
-  const std::string list = read_file(folder / "jobs/jobs.json");
+  const std::string list = read_text(folder / "jobs/jobs.json");
   std::string older = list;
   older.replace(older.find("\"commit\": \"") + 11, 1, "X");
   std::ofstream(folder / "jobs/jobs.json") << older;
@@ -386,7 +386,7 @@ TEST(StudyJobsProgram, TheScriptCalculatesTheJobOfItsTask) {
   std::ofstream(folder / "slope.toml") << slice_samples;
   const std::string jobs = (folder / "jobs").string();
   ASSERT_EQ(run_program((folder / "slope.toml").string() + " --prepare " + jobs + " --jobs 3").code, 0);
-  EXPECT_NE(read_file(folder / "jobs/jobs.slurm").find("#SBATCH --array=0-2%100"), std::string::npos);
+  EXPECT_NE(read_text(folder / "jobs/jobs.slurm").find("#SBATCH --array=0-2%100"), std::string::npos);
   for (const char* task : {"0", "1", "2"})
     EXPECT_EQ(std::system(("cd '" + jobs + "' && TALUS='" TALUS_PROGRAM "' SLURM_ARRAY_TASK_ID=" + task +
                            " bash jobs.slurm > log")

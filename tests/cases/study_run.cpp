@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 /// Displacement [m] at `factor` in a curve.csv.
 double read_displacement(const fs::path& path, const std::string& factor) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   const auto at = text.find("\n" + factor + ",");
   EXPECT_NE(at, std::string::npos) << path;
   return at == std::string::npos ? NAN : std::stod(text.substr(at + factor.size() + 2));
@@ -51,23 +51,23 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
   for (const results::StudyColumn& u : {small, large})
     for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(std::stod(u.cells[i].full), std::stod(u.cells[i - 1].full)) << u.name;
 
-  const std::string csv = read_file(folder / "study.csv");
+  const std::string csv = read_text(folder / "study.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
   EXPECT_EQ(
       csv.rfind("variant,materials.sand.cohesion [kPa],displacement at SRF 1.4 [mm],displacement at SRF 2 [mm],", 0),
       0u);
   EXPECT_NE(csv.find("\ncohesion_4_kPa,4," + small.cells[1].full + "," + large.cells[1].full + ","), std::string::npos)
       << csv;
-  EXPECT_NE(read_file(folder / "study.md").find("| cohesion = 8 | 8 | " + small.cells[2].shown + " |"),
+  EXPECT_NE(read_text(folder / "study.md").find("| cohesion = 8 | 8 | " + small.cells[2].shown + " |"),
             std::string::npos);
-  EXPECT_NE(read_file(folder / "study.svg").find("cohesion = 8"), std::string::npos) << "the legend names the variants";
+  EXPECT_NE(read_text(folder / "study.svg").find("cohesion = 8"), std::string::npos) << "the legend names the variants";
 }
 
 TEST(Study, ResumingRunsNothingThatIsFinished) {
   const StudyPlan plan = plan_text(cohesion_study);
   const fs::path folder = make_test_folder();
   run_study(plan, write_to(folder));
-  const std::string tables = read_file(folder / "study.csv");
+  const std::string tables = read_text(folder / "study.csv");
   std::vector<std::pair<fs::path, fs::file_time_type>> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && entry.path().parent_path() != folder)
@@ -77,20 +77,20 @@ TEST(Study, ResumingRunsNothingThatIsFinished) {
   for (const StudyRow& row : rows) EXPECT_TRUE(row.kept);
   EXPECT_FALSE(find_failure(rows));
   for (const auto& [path, time] : files) EXPECT_EQ(fs::last_write_time(path), time) << path;
-  EXPECT_EQ(read_file(folder / "study.csv"), tables) << "wall times are those of the first run";
+  EXPECT_EQ(read_text(folder / "study.csv"), tables) << "wall times are those of the first run";
 }
 
 TEST(Study, ResumingRunsWhatIsMissing) {
   const fs::path folder = make_test_folder();
   const StudyPlan plan = plan_text(cohesion_study);
   run_study(plan, write_to(folder));
-  const std::string curve = read_file(folder / "cohesion_8" / "curve.csv");
+  const std::string curve = read_text(folder / "cohesion_8" / "curve.csv");
   const auto untouched = fs::last_write_time(folder / "base" / "summary.json");
   fs::remove_all(folder / "cohesion_8");
   const auto rows = run_study(plan, write_to(folder, true));
   EXPECT_TRUE(rows[0].kept && rows[1].kept);
   EXPECT_FALSE(rows[2].kept);
-  EXPECT_EQ(read_file(folder / "cohesion_8" / "curve.csv"), curve);
+  EXPECT_EQ(read_text(folder / "cohesion_8" / "curve.csv"), curve);
   EXPECT_EQ(fs::last_write_time(folder / "base" / "summary.json"), untouched);
 }
 
@@ -127,7 +127,7 @@ values = [1e9, 8]
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->code(), ExitCode::unstable);
   EXPECT_NE(std::string(failure->what()).find("1 of 3 variants did not finish"), std::string::npos) << failure->what();
-  const std::string page = read_file(folder / "study.md");
+  const std::string page = read_text(folder / "study.md");
   EXPECT_NE(page.find("- acceleration = 1000000000.0: the calculation became unstable in stage 'gravity'"),
             std::string::npos)
       << page;

@@ -13,6 +13,7 @@
 
 #include "study/study.hpp"
 #include "study/study_table.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 #include "support/slopes.hpp"
 
@@ -54,12 +55,7 @@ inline StudyOptions write_to(const std::filesystem::path& folder, bool resume = 
   return options;
 }
 
-inline std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using support::read_text;
 
 /// The column of a table with this name; fails the test when there is none.
 inline results::StudyColumn get_column(const std::vector<results::StudyColumn>& table, const std::string& name) {

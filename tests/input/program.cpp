@@ -15,35 +15,20 @@
 
 #include "methods_slope.hpp"
 #include "support/child.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace talus::input {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string text;  ///< both output streams
-};
-
-Outcome run_program(const std::string& arguments, const std::string& environment = "") {
-  Outcome outcome;
-  FILE* pipe = popen((environment + " '" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
-  return outcome;
-}
+using support::Outcome;
+using support::read_text;
+using support::run_program;
 
 std::string write_file(const std::string& name, const std::string& text) {
   const std::string path = support::name_scratch(name).string();
   std::ofstream(path) << text;
   return path;
-}
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(Program, ChecksItsOwnTemplate) {

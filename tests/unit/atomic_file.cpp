@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace talus {
@@ -27,14 +28,9 @@ class ReplacedFile : public testing::Test {
     std::ofstream(other) << "precious";
   }
   void TearDown() override {
-    EXPECT_EQ(read(other), "precious");
+    EXPECT_EQ(support::read_text(other), "precious");
     fs::remove_all(folder);
   }
-  static std::string read(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   const fs::path folder = support::make_scratch("replaced_file");
   const fs::path other = folder / "precious.txt", file = folder / "summary.json";
 };
@@ -44,14 +40,14 @@ TEST_F(ReplacedFile, FollowsNoLinkUnderItsNameOrItsTemporaryOne) {
   fs::create_symlink("precious.txt", temporary_name(file));
   write_atomically(file, "new");
   EXPECT_FALSE(fs::is_symlink(file));
-  EXPECT_EQ(read(file), "new");
+  EXPECT_EQ(support::read_text(file), "new");
   EXPECT_FALSE(fs::exists(fs::symlink_status(temporary_name(file))));
 }
 
 TEST_F(ReplacedFile, FollowsNoHardLink) {
   fs::create_hard_link(other, temporary_name(file));
   write_atomically(file, "new");
-  EXPECT_EQ(read(file), "new");
+  EXPECT_EQ(support::read_text(file), "new");
 }
 
 TEST_F(ReplacedFile, HistoriesAndFilesInHdf5FollowNoneEither) {
@@ -59,7 +55,7 @@ TEST_F(ReplacedFile, HistoriesAndFilesInHdf5FollowNoneEither) {
   fs::create_symlink("precious.txt", history);
   EXPECT_THROW(output::History::resume(history, {{"time", "s"}}), Error);
   output::History::start(history, {{"time", "s"}}).append(std::array{1.0});
-  EXPECT_EQ(read(history), "time [s]\n1\n");
+  EXPECT_EQ(support::read_text(history), "time [s]\n1\n");
   output::ResultsWriter writer = output::ResultsWriter::start(folder);
   writer.write({0, 0, "weight", {0, 0, 0, 1, 0, 0}, {0, 1}, {0, 0}, {}, {}});
   fs::create_symlink("precious.txt", temporary_name(heavy));

@@ -18,6 +18,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "output/files/history.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace {
@@ -30,12 +31,7 @@ const std::vector<output::Column> columns{{"time", "s"}, {"kinetic_energy", "J"}
 
 class HistoryFile : public testing::Test {
  protected:
-  std::string read() const {
-    std::ifstream file(path_, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+  std::string read() const { return support::read_text(path_); }
   const fs::path folder_ = support::make_scratch("history"), path_ = folder_ / "history.csv";
 };
 

@@ -21,6 +21,7 @@
 #include "output/plots/field_plot.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "output/plots/section_plot.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace {
@@ -34,12 +35,7 @@ class Pictures : public testing::Test {
     if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
       GTEST_SKIP() << "gnuplot is not installed: no picture was drawn";
   }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+  std::string read(const std::string& name) const { return support::read_text(folder_ / name); }
   const fs::path folder_ = support::make_scratch("plots");
 };
 

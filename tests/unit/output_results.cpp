@@ -15,6 +15,7 @@
 
 #include "base/error.hpp"
 #include "output/files/frames_reader.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace {
@@ -79,13 +80,6 @@ void expect_equal(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.mesh->node_fields.at(0).values, b.mesh->node_fields.at(0).values);
 }
 
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 int run_script(const std::string& script, const fs::path& argument) {
   const std::string command =
       std::string("/usr/bin/python3 " TALUS_SOURCE_DIR "/tests/output/") + script + " '" + argument.string() + "'";
@@ -118,7 +112,7 @@ std::pair<std::string, std::string> run_with_full_disk(const fs::path& folder, r
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "status " << status;
-  const std::pair<std::string, std::string> result{read_file(errors), read_file(answer)};
+  const std::pair<std::string, std::string> result{support::read_text(errors), support::read_text(answer)};
   fs::remove(answer);
   fs::remove(errors);
   return result;
@@ -223,7 +217,7 @@ TEST_F(Results, OfTwoRunsAreTheSameBytes) {
     ResultsWriter writer = ResultsWriter::start(folder_ / "run");
     for (int k = 0; k < 3; ++k) writer.write(make_frame(k));
     writer.finish();
-    content = read_file(folder_ / "run" / "results.vtkhdf");
+    content = support::read_text(folder_ / "run" / "results.vtkhdf");
     output::remove_results(folder_ / "run");
   }
   EXPECT_FALSE(contents[0].empty());

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "output/plots/water_plot.hpp"
+#include "support/program.hpp"
 #include "support/scratch.hpp"
 
 namespace {
@@ -132,12 +133,7 @@ class WaterPictures : public testing::Test {
     if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
       GTEST_SKIP() << "gnuplot is not installed: no picture was drawn";
   }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
+  std::string read(const std::string& name) const { return support::read_text(folder_ / name); }
   const fs::path folder_ = support::make_scratch("water");
 };
 
