@@ -7,7 +7,6 @@
 #include "run/check_case.hpp"
 #include "run/common/head.hpp"
 #include "run/compare/compare.hpp"
-#include "run/compare/reading.hpp"
 #include "site/design_values.hpp"
 
 namespace talus::run {

@@ -195,10 +195,10 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"lem.noncircular.spencer", "Spencer, non-circular"},
            {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}})
     columns.add_factor(title, name, ColumnKind::other);
-  for (const auto& [name, title] :
-       std::initializer_list<std::pair<const char*, const char*>>{{"fem.factor", "finite elements"},
-                                                                  {"fem.by_displacement", "finite elements, displacement"},
-                                                                  {"fem.associated.factor", "finite elements, ψ = φ"}})
+  for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"fem.factor", "finite elements"},
+           {"fem.by_displacement", "finite elements, displacement"},
+           {"fem.associated.factor", "finite elements, ψ = φ"}})
     columns.add_factor(title, name);
   for (const double f : list_runout_factors(rows))
     columns.add(

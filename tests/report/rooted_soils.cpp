@@ -8,7 +8,7 @@
 #include "input/echo.hpp"
 #include "input/rooted_slope.hpp"
 #include "report/content/materials.hpp"
-#include "report/words/assumptions.hpp"
+#include "report/words/words.hpp"
 
 namespace talus::report {
 namespace {

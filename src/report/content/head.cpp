@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/content/head.hpp"
+#include "report/content/parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/content/method_results.hpp"
+#include "report/content/parts.hpp"
 
 #include <fmt/format.h>
 

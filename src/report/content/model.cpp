@@ -17,8 +17,8 @@
 #include "mesh/quality.hpp"
 #include "report/content/choices.hpp"
 #include "report/content/materials.hpp"
+#include "report/content/parts.hpp"
 #include "report/content/water.hpp"
-#include "report/content/water_states.hpp"
 #include "report/folder/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 

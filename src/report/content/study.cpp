@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/content/study.hpp"
+#include "report/content/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,7 @@
 #include "base/error.hpp"
 #include "base/user_file.hpp"
 #include "input/echo.hpp"
-#include "report/content/head.hpp"
 #include "report/content/sequence.hpp"
-#include "report/content/tables.hpp"
 #include "report/folder/numbers.hpp"
 #include "results/json.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/content/tables.hpp"
+#include "report/content/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@
 #include "base/user_file.hpp"
 #include "output/files/history.hpp"
 #include "report/content/fields.hpp"
-#include "report/content/head.hpp"
 #include "report/content/sequence.hpp"
 #include "report/folder/numbers.hpp"
 #include "run/mpm/record/motion.hpp"

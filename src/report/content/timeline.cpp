@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/content/timeline.hpp"
+#include "report/content/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "report/content/water_states.hpp"
 #include "report/folder/numbers.hpp"
 #include "results/json.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/words/answer.hpp"
+#include "report/words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "report/content/method_table.hpp"
 #include "report/content/water.hpp"
 #include "report/folder/numbers.hpp"
-#include "report/words/water_words.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/words/assumptions.hpp"
+#include "report/words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
 #include "report/folder/numbers.hpp"
-#include "report/words/water_words.hpp"
 
 namespace talus::report {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/words/water_words.hpp"
+#include "report/words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "base/numbers.hpp"
 #include "report/content/choices.hpp"
+#include "report/content/parts.hpp"
 #include "report/content/water.hpp"
-#include "report/content/water_states.hpp"
 #include "report/folder/numbers.hpp"
 #include "results/water.hpp"
 

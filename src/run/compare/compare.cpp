@@ -10,8 +10,6 @@
 #include "base/error.hpp"
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
-#include "run/compare/disagreement.hpp"
-#include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"

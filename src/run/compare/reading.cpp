@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/compare/reading.hpp"
+#include "run/compare/compare.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,6 @@
 
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
-#include "run/compare/compare.hpp"
-#include "run/compare/disagreement.hpp"
 #include "run/compare/slip_line.hpp"
 
 namespace talus::run {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "run/mpm/start/ground_loads.hpp"
+#include "run/mpm/start/conditions.hpp"
 
 #include <algorithm>
 
 #include "mesh/mesh.hpp"
 #include "mpm/solver/observe.hpp"
-#include "run/mpm/start/conditions.hpp"
 #include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"

@@ -16,7 +16,6 @@
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
-#include "run/mpm/start/ground_loads.hpp"
 #include "site/initial_water.hpp"
 #include "site/known_state.hpp"
 #include "site/pore_water.hpp"
