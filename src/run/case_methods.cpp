@@ -72,14 +72,15 @@ void prepare_mpm(const CaseContext& context, const input::Case& data, CaseMethod
 template <int D>
 void prepare_methods(const CaseContext& context, CaseMethods<D>& methods, results::RunResult& run) {
   const auto& [loaded, design, options, hash] = context;
+  const site::Site site(design.data);
   const input::Case& data = design.data;
   const bool alone = data.methods.size() == 1;
   const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem),
              has_bounds = input::uses(data, Method::bounds);
   // Faults of FEM and limit analysis are reported before MPM, which may take hours.
-  if (has_points && (has_elements || asks_for_elements(data))) check_solid(data);
+  if (has_points && (has_elements || asks_for_elements(data))) check_solid(site);
   if (has_points && has_bounds) check_bounds(data);
-  if (input::uses(data, Method::lem)) methods.slices.emplace(data, alone, options, hash);
+  if (input::uses(data, Method::lem)) methods.slices.emplace(site, alone, options, hash);
   run = begin_result(loaded, hash, options.threads);
   run.provenance.device = describe_device();
   if (is_released(data)) {
@@ -87,10 +88,10 @@ void prepare_methods(const CaseContext& context, CaseMethods<D>& methods, result
   } else if (has_points) {
     prepare_mpm(context, data, methods, run);
   } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
-    run.slope_height = site::Site(data).find_slope_height();
+    run.slope_height = site.find_slope_height();
   }
-  if (has_elements) methods.elements.emplace(data, alone, options, hash).prepare();
-  if (has_bounds) methods.bounds.emplace(data, alone, options, hash).prepare();
+  if (has_elements) methods.elements.emplace(site, alone, options, hash).prepare();
+  if (has_bounds) methods.bounds.emplace(site, alone, options, hash).prepare();
   if (data.timeline) methods.timeline.emplace(data, options, hash);
 }
 

@@ -23,8 +23,9 @@ bool asks_for_elements(const input::Case& data) {
 }
 
 std::vector<std::string> list_ground_warnings(const input::Case& data) {
-  std::vector<std::string> sentences = site::find_odd_water(data);
-  for (const site::SteepFace& face : site::find_steep_faces(data))
+  const site::Site site(data);
+  std::vector<std::string> sentences = site::find_odd_water(site);
+  for (const site::SteepFace& face : site::find_steep_faces(site))
     sentences.push_back(site::describe(face, data.units().length));
   if (std::string quake = site::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
   return sentences;
@@ -58,12 +59,13 @@ void check_methods(const input::Case& data) {
   // Levels before and after a drawdown are compared in the section; its steady seepage takes seconds.
   const bool is_meshed = is_meshed_in_a_moment(data.mesh);
   const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
-  if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(data);
-  if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
+  const site::Site site(data);
+  if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(site);
+  if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(site);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
   // This makes a coarse mesh and checks its loads.
-  if (is_meshed && !site::needs_seepage(data)) make_bounds_problem(data);
+  if (is_meshed && !site::needs_seepage(data)) make_bounds_problem(site);
 }
 
 }  // namespace talus::run

@@ -83,8 +83,9 @@ void check_column(std::vector<std::pair<double, int>> levels, double x, double l
   double top = filled.empty() ? 0 : filled.front()[1];
   for (const auto& [from, to] : filled) {
     if (from - top > least)
-      throw Error(ExitCode::wrong_input, fmt::format("the soil at x = {} has a gap between y = {} and {}: LEM "
-                                                     "needs soil without overhangs and cavities from the ground down",
+      throw Error(ExitCode::wrong_input, fmt::format("the soil at x = {} has a gap between y = {} and {}: LEM, "
+                                                     "and water and loads on the ground, need soil without overhangs "
+                                                     "and cavities from the ground down",
                                                      format_coordinate(x, length), format_coordinate(top, length),
                                                      format_coordinate(from, length)));
     top = std::max(top, to);
@@ -117,8 +118,8 @@ Polyline find_ground(const mesh::Plan& plan) {
     }
     if (top == nullptr)
       throw Error(ExitCode::wrong_input,
-                  fmt::format("there is no soil between x = {} and {}: LEM needs a ground "
-                              "without gaps",
+                  fmt::format("there is no soil between x = {} and {}: LEM, and water and loads "
+                              "on it, need a ground without gaps",
                               format_coordinate(breaks[i], length), format_coordinate(breaks[i + 1], length)));
     check_column(std::move(levels), middle, least, length);
     add({breaks[i], top->at(breaks[i])});

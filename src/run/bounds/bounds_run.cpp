@@ -176,13 +176,15 @@ bool has_tension_limit(const bounds::Problem& problem) {
 
 }  // namespace
 
-BoundsRun::BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : MethodRun("limit analysis", bounds_file, alone, options, std::move(input_hash)), data_(data) {}
+BoundsRun::BoundsRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash)
+    : MethodRun("limit analysis", bounds_file, alone, options, std::move(input_hash)),
+      site_(site),
+      data_(site_.data()) {}
 
 void BoundsRun::prepare() {
   const bool is_made = try_part([&] {
     show("mesh");
-    made_ = make_bounds_problem(data_);
+    made_ = make_bounds_problem(site_);
     water_ = std::move(made_->water);
     clear_progress();
     is_known_ = read_kept();

@@ -19,8 +19,8 @@ results::BoundsFile make_bounds_result(const bounds::BoundsResult& found, double
 
 class BoundsRun : public MethodRun<results::BoundsFile> {
  public:
-  /// `data`: the case or its design values. `alone`: the case has no other method.
-  BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
+  /// `site`: of the case or its design values. `alone`: the case has no other method.
+  BoundsRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash);
 
   /// Prepares the first mesh; writes nothing. Throws Error (interrupted); if limit analysis is the only method, what
   /// make_bounds_problem() throws, otherwise the reason is part of the result.
@@ -34,6 +34,7 @@ class BoundsRun : public MethodRun<results::BoundsFile> {
   results::BoundsFile search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const;
   void search_other_direction(const bounds::BoundsOptions& options);
 
+  const site::Site site_;
   const input::Case& data_;
   std::optional<ProblemOfCase> made_;
   bool is_known_ = false;  ///< of an interrupted run

@@ -159,10 +159,10 @@ bool has_run(const results::ElementResult& result, results::Flow flow) {
 }  // namespace
 
 template <int D>
-ElementRun<D>::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
+ElementRun<D>::ElementRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash)
     : MethodRun("FEM", element_file, alone, options, std::move(input_hash)),
-      data_(data),
-      tries_both_directions_(data.earthquake.list_directions().size() > 1) {}
+      site_(site),
+      tries_both_directions_(data().earthquake.list_directions().size() > 1) {}
 
 template <int D>
 void ElementRun<D>::attempt_part(const std::function<void()>& part) {
@@ -178,7 +178,7 @@ void ElementRun<D>::prepare() {
     model_ = make_model(1);
     water_ = std::move(model_->solid.water);
     begin();
-    if (data_.fem.meshes > 1 && !data_.mesh.file.empty())
+    if (data().fem.meshes > 1 && !data().mesh.file.empty())
       file_.summary.warnings.push_back(
           "the mesh is a ready file, which cannot be coarsened: the factor is that of one mesh and not extrapolated");
     clear_progress();
@@ -187,7 +187,7 @@ void ElementRun<D>::prepare() {
 
 template <int D>
 auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
-  SolidOfCase<D> solid = make_solid<D>(data_, share);
+  SolidOfCase<D> solid = make_solid<D>(site_, share);
   fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
   return std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
 }
@@ -214,11 +214,11 @@ void ElementRun<D>::begin() {
 template <int D>
 void ElementRun<D>::calculate() {
   if (!model_) return;
-  for (const results::Flow flow : list_flows(data_.fem.flow)) {
+  for (const results::Flow flow : list_flows(data().fem.flow)) {
     if (!model_ || has_run(file_.summary, flow)) continue;
     attempt_part([&] {
       throw_if_interrupted();
-      if (flow == results::Flow::associated) set_associated_flow<D>(data_, model_->solid);
+      if (flow == results::Flow::associated) set_associated_flow<D>(site_, model_->solid);
       reduce(flow);
     });
     if (!model_) return;
@@ -233,7 +233,7 @@ void ElementRun<D>::calculate() {
 template <int D>
 fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) const {
   show(fmt::format("{}, equilibrium at full strength", words));
-  return fem::reduce_strength<D>(model.solid.model, make_options(data_.fem, options_.threads),
+  return fem::reduce_strength<D>(model.solid.model, make_options(data().fem, options_.threads),
                                  [&](const fem::ReductionTrial& t) {
                                    show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words,
                                                     t.factor, t.converged ? "converges" : "fails", t.iterations));
@@ -243,7 +243,7 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
 template <int D>
 LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const {
   LeastMeshError least;
-  if (run.flow != results::Flow::associated && has_less_dilatancy(data_)) least.above = known_scatter;
+  if (run.flow != results::Flow::associated && has_less_dilatancy(data())) least.above = known_scatter;
   if constexpr (D == 2) {
     const auto thin = list_thin_layers(*model_->solid.mesh, model_->mesh, found.mechanism);
     if (thin.empty()) return least;
@@ -261,7 +261,7 @@ template <int D>
 void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
                                 results::ElementRun& run) const {
   const std::unique_ptr<Model> model = make_model(coarse_ratio);
-  if (run.flow == results::Flow::associated) set_associated_flow<D>(data_, model->solid);
+  if (run.flow == results::Flow::associated) set_associated_flow<D>(site_, model->solid);
   const auto found = search(*model, words + ", coarse mesh");
   const results::ElementMeshFactor fine = make_mesh_factor_result(fine_search, file_.summary.size),
                                    coarse = make_mesh_factor_result(
@@ -270,8 +270,8 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
   if (coarse.size < least_ratio * fine.size)
     throw Error(ExitCode::wrong_input,
                 fmt::format("its elements have a mean size of {}, hardly more than the {} of the finer one",
-                            format_value(coarse.size, data_.units().length, 3),
-                            format_value(fine.size, data_.units().length, 3)));
+                            format_value(coarse.size, data().units().length, 3),
+                            format_value(fine.size, data().units().length, 3)));
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
   run.factor = extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor);
   run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));
@@ -289,14 +289,16 @@ template <int D>
 results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, const std::string& words,
                                                           fem::ReductionResult<D>& found) {
   using Direction = input::EarthquakeDirection;
-  const bool pushes_left = model_->solid.model.direction[0] < data_.gravity.direction[0];
+  const bool pushes_left = model_->solid.model.direction[0] < data().gravity.direction[0];
   const auto point = [&](bool left) {
-    data_.earthquake.direction = left == (data_.earthquake.horizontal >= 0) ? Direction::left : Direction::right;
+    input::Case pointed = data();
+    pointed.earthquake.direction = left == (pointed.earthquake.horizontal >= 0) ? Direction::left : Direction::right;
+    site_ = site::Site(pointed);
   };
   point(!pushes_left);
   std::unique_ptr<Model> other = make_model(1);
-  if (flow == results::Flow::associated) set_associated_flow<D>(data_, other->solid);
-  const fem::ReductionOptions options = make_options(data_.fem, options_.threads);
+  if (flow == results::Flow::associated) set_associated_flow<D>(site_, other->solid);
+  const fem::ReductionOptions options = make_options(data().fem, options_.threads);
   show(fmt::format("{}, earthquake towards the other side", words));
   results::EarthquakeSide side{pushes_left ? -1 : 1, found.failed};
   if (!fem::is_stable<D>(other->solid.model, options, found.failed)) {
@@ -322,7 +324,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   results::ElementRun run;
   if (tries_both_directions_) run.earthquake = compare_directions(flow, words, found);
   run.flow = flow;
-  run.psi = find_dilatancy(data_, associated);
+  run.psi = find_dilatancy(data(), associated);
   run.factor = found.factor;
   run.stable = found.stable;
   run.failed = found.failed;

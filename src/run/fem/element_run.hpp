@@ -55,8 +55,8 @@ results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, con
 template <int D>
 class ElementRun : public MethodRun<results::ElementFile> {
  public:
-  /// `data`: the case or its design values. `alone`: the case has no other method.
-  ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
+  /// `site`: of the case or its design values. `alone`: the case has no other method.
+  ElementRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash);
 
   /// Prepares mesh and model; writes nothing. Throws Error (interrupted); if FEM is the only method, what make_solid()
   /// throws, otherwise the reason is part of the result.
@@ -79,18 +79,20 @@ class ElementRun : public MethodRun<results::ElementFile> {
   void reduce(results::Flow flow);
   std::unique_ptr<Model> make_model(double share) const;
   /// Tries the other direction of an earthquake at the smallest factor without equilibrium of the first, and searches
-  /// there if it fails. Afterwards model, `data_` and `found` are those of the governing direction.
+  /// there if it fails. Afterwards model, `site_` and `found` are those of the governing direction.
   results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
                                              fem::ReductionResult<D>& found);
   fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
-  bool has_two_meshes() const { return data_.fem.meshes > 1 && data_.mesh.file.empty(); }
+  bool has_two_meshes() const { return data().fem.meshes > 1 && data().mesh.file.empty(); }
   /// Returns the least mesh error of the factor, which is larger if thin layers are part of the mechanism; adds a
   /// warning of them to `run`.
   LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void keep() const;
 
-  input::Case data_;
+  const input::Case& data() const { return site_.data(); }
+
+  site::Site site_;  ///< with one direction of an earthquake once that is decided
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
   bool is_told_ = false;  ///< the file has results

@@ -119,8 +119,8 @@ std::string describe_crack(const lem::Slope& slope) {
 
 }  // namespace
 
-PreparedSlope prepare_slope(const input::Case& data) {
-  SectionOfCase made = make_section(data);
+PreparedSlope prepare_slope(const site::Site& site) {
+  SectionOfCase made = make_section(site);
   auto slope = std::make_shared<const lem::Slope>(std::move(made.section));
   for (std::string sentence : {describe_crack(*slope), describe_uplift(*slope)})
     if (!sentence.empty()) made.notes.push_back(std::move(sentence));

@@ -21,7 +21,7 @@ struct PreparedSlope {
   site::WaterResult water;         ///< of make_section()
 };
 /// Throws what make_section() and lem::Slope throw.
-PreparedSlope prepare_slope(const input::Case& data);
+PreparedSlope prepare_slope(const site::Site& site);
 
 /// Settings of the search from [lem].
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);

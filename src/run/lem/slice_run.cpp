@@ -144,10 +144,11 @@ results::SliceTrials make_trials_result(const lem::SearchOptions& options, const
   return out;
 }
 
-SliceRun::SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
+SliceRun::SliceRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash)
     : MethodRun("limit equilibrium", "lem.json", alone, options, std::move(input_hash)),
-      data_(data),
-      prepared_(prepare_slope(data)) {
+      site_(site),
+      data_(site_.data()),
+      prepared_(prepare_slope(site_)) {
   water_ = prepared_.water;
 }
 

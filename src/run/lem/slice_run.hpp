@@ -30,9 +30,9 @@ results::SliceTrials make_trials_result(const lem::SearchOptions& options, const
 
 class SliceRun : public MethodRun<results::SliceFile> {
  public:
-  /// Prepares the slope; throws what prepare_slope() throws. `data`: the case or its design values. `alone`: the case
-  /// has no other method.
-  SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
+  /// Prepares the slope; throws what prepare_slope() throws. `site`: of the case or its design values. `alone`: the
+  /// case has no other method.
+  SliceRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash);
 
   /// Throws Error (interrupted), and Error (wrong_input) if LEM is the only method and no surface is admissible; with
   /// other methods the reason is part of the result.
@@ -51,6 +51,7 @@ class SliceRun : public MethodRun<results::SliceFile> {
   const PreparedSlope& prepared() const { return prepared_; }
 
  private:
+  const site::Site site_;
   const input::Case& data_;
   PreparedSlope prepared_;
   bool is_kept_ = false, is_done_ = false;
