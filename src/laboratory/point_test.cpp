@@ -219,8 +219,8 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
     if (!follows || (step.free_count > 0 && largest > largest_strain)) {
       if (!follows && controller.has_model_failed()) {
         soil.throw_failure();
-        throw Error(ExitCode::unstable, "the model of '{}' gives no number {}, however small the step", test.material,
-                    describe_place(test, curve.rows.back()));
+        throw Error(ExitCode::unstable, "the model of '{}' gives no finite stress {}, however small the step",
+                    test.material, describe_place(test, curve.rows.back()));
       }
       curve.stopped = describe_stop(test, curve.rows.back(), test.goals().back(), stress);
       break;

@@ -42,7 +42,7 @@ class WaterInTime {
 
   /// Adds the water levels at `times` to `summary`, and makes the fields of the pressure there.
   void keep_states(const std::vector<double>& times, results::Timeline& summary);
-  /// Those fields; nullptr if they are too large for a report.
+  /// Returns these fields; nullptr if they are too large for a report.
   const results::WaterFields* fields() const { return fields_ ? &*fields_ : nullptr; }
 
  private:

@@ -170,7 +170,7 @@ export function findMovedLimit(
 }
 
 /**
- * Where soil shears most: for each column of the section the height of the largest deviatoric strain, smoothed, over
+ * Returns the line along which the soil shears most: for each column of the section the height of the largest deviatoric strain, smoothed, over
  * the longest stretch of columns in which it is well above the median of all points. Empty where there is no band.
  *
  * `positions` [point][2] [m], `strain` [point], `spacing`: mean distance of the points [m].
