@@ -150,7 +150,7 @@ class Comparison {
     results::MethodRow row =
         begin_row(Method::bounds, "bounds", "Lower and upper bound", "ψ = φ",
                   bounds.sides ? results::mechanism_name : "", bounds.sides ? Source::mechanism : Source::none);
-    row.label = "limit analysis";
+    row.label = "lower and upper bound";
     row.lower = bounds.lower;
     row.upper = bounds.upper;
     row.seconds = bounds.seconds;

@@ -441,6 +441,7 @@ class Reading {
     };
     add("LEM", run_.slices ? run_.slices->seconds : 0);
     add("FEM", run_.elements ? run_.elements->seconds.value_or(0) : 0);
+    add("limit analysis", run_.bounds ? run_.bounds->seconds.value_or(0) : 0);
     for (const results::MethodRow& row : methods_.table)
       if (row.method == Method::mpm && row.seconds) add("MPM", *row.seconds);
     if (parts.size() > 1) say("Computing time: {}.", fmt::join(parts, ", "));
