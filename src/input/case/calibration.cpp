@@ -87,7 +87,7 @@ double convert(const Amount& amount, const NumberKey& key) {
 class ParameterCheck : BlockFindings {
  public:
   ParameterCheck(const Case& data, CalibrationParameter& parameter, const std::string& block, Findings& all)
-      : BlockFindings{all, block}, data_(data), p_(parameter) {}
+      : BlockFindings(all, block), data_(data), p_(parameter) {}
 
   void run() {
     if (!is_sound("key") || !findings.is_sound("materials")) return;
@@ -166,7 +166,7 @@ class ParameterCheck : BlockFindings {
 class CurveCheck : BlockFindings {
  public:
   CurveCheck(const Case& data, MeasuredCurve& curve, const std::string& block, std::string folder, Findings& all)
-      : BlockFindings{all, block}, data_(data), c_(curve), folder_(std::move(folder)) {}
+      : BlockFindings(all, block), data_(data), c_(curve), folder_(std::move(folder)) {}
 
   void run() {
     find_test();

@@ -33,7 +33,7 @@ bool gives_cohesion(const Roots& roots) {
 class Block : BlockFindings {
  public:
   Block(const Case& data, const Roots& roots, const std::string& block, Findings& all)
-      : BlockFindings{all, block}, data_(data), roots_(roots) {}
+      : BlockFindings(all, block), data_(data), roots_(roots) {}
 
   void check() const {
     check_kind();

@@ -93,6 +93,8 @@ struct BlockFindings {
   Findings& findings;
   std::string path;  ///< "roots.0"
 
+  BlockFindings(Findings& all, std::string block) : findings(all), path(std::move(block)) {}
+
   bool is_sound(const std::string& key) const { return findings.is_sound(path + "." + key); }
   bool is_given(const std::string& key) const { return findings.places.is_given(path + "." + key); }
   void report(const std::string& key, const std::string& sentence) const { findings.add(path + "." + key, sentence); }

@@ -239,7 +239,7 @@ HistoryTable read_history(const fs::path& path) {
 }
 
 std::string make_cell(const std::string& text) {
-  const std::string cell = make_printable(text);
+  std::string cell = make_printable(text);
   if (cell.empty() || std::string_view("=+-@").find(cell.front()) == std::string_view::npos) return cell;
   double number = 0;
   const char *begin = cell.data() + (cell.front() == '+' ? 1 : 0), *end = cell.data() + cell.size();
@@ -248,7 +248,7 @@ std::string make_cell(const std::string& text) {
 }
 
 std::string quote_field(const std::string& text) {
-  const std::string cell = make_cell(text);
+  std::string cell = make_cell(text);
   if (cell.find_first_of(",\"") == std::string::npos) return cell;
   std::string field = "\"";
   for (const char c : cell) field += c == '"' ? "\"\"" : std::string(1, c);

@@ -82,7 +82,7 @@ void SeriesWriter::append_grid(SeriesStep& step, std::span<const double> points,
 void SeriesWriter::append_fields(const std::string& group, const std::vector<Field>& fields,
                                  std::vector<SeriesField>& known, std::size_t before, std::size_t rows) {
   for (const Field& field : fields) {
-    const std::string name = group + "/" + field.name;
+    const std::string name = fmt::format("{}/{}", group, field.name);
     const auto same = [&field](const SeriesField& k) { return k.name == field.name; };
     const bool is_new = std::ranges::none_of(known, same);
     if (is_new && before > 0) append_missing(file_, name, before, field.components);
@@ -92,7 +92,8 @@ void SeriesWriter::append_fields(const std::string& group, const std::vector<Fie
     hdf5::write_attribute(file_, name, "unit", field.unit);
   }
   for (const SeriesField& k : known)
-    if (!k.integer && find(fields, k.name) == nullptr) append_missing(file_, group + "/" + k.name, rows, k.components);
+    if (!k.integer && find(fields, k.name) == nullptr)
+      append_missing(file_, fmt::format("{}/{}", group, k.name), rows, k.components);
 }
 
 void SeriesWriter::append(double time, std::int64_t number, std::span<const double> points,
@@ -108,9 +109,10 @@ void SeriesWriter::append(double time, std::int64_t number, std::span<const doub
   step.first_point_data = point_data_;
   step.first_cell_data = cell_data_;
   for (const auto& [name, values] : integers) {
+    const std::string path = fmt::format("{}/PointData/{}", root, name);
     if (series_.steps.empty()) series_.point_fields.push_back({name, "-", 1, true});
-    hdf5::append<int>(file_, root + "/PointData/" + name, values);
-    if (series_.steps.empty()) hdf5::write_attribute(file_, root + "/PointData/" + name, "unit", std::string("-"));
+    hdf5::append<int>(file_, path, values);
+    if (series_.steps.empty()) hdf5::write_attribute(file_, path, "unit", std::string("-"));
   }
   append_fields(root + "/PointData", point_fields, series_.point_fields, to_size(point_data_), to_size(step.points));
   append_fields(root + "/CellData", cell_fields, series_.cell_fields, to_size(cell_data_), to_size(step.cells));
@@ -133,9 +135,11 @@ void SeriesWriter::finish() {
   write_column(file_, steps_group + "/CellOffsets", series_, &SeriesStep::first_cell);
   write_column(file_, steps_group + "/ConnectivityIdOffsets", series_, &SeriesStep::first_connectivity);
   for (const SeriesField& field : series_.point_fields)
-    write_column(file_, steps_group + "/PointDataOffsets/" + field.name, series_, &SeriesStep::first_point_data);
+    write_column(file_, fmt::format("{}/PointDataOffsets/{}", steps_group, field.name), series_,
+                 &SeriesStep::first_point_data);
   for (const SeriesField& field : series_.cell_fields)
-    write_column(file_, steps_group + "/CellDataOffsets/" + field.name, series_, &SeriesStep::first_cell_data);
+    write_column(file_, fmt::format("{}/CellDataOffsets/{}", steps_group, field.name), series_,
+                 &SeriesStep::first_cell_data);
   write_column(file_, "talus/number", series_, &SeriesStep::number);
 }
 
@@ -163,7 +167,7 @@ Series read_series(hid_t file) {
   const auto list_fields = [file](const std::string& group) {
     std::vector<SeriesField> fields;
     for (const std::string& name : hdf5::list(file, group)) {
-      const std::string path = group + "/" + name;
+      const std::string path = fmt::format("{}/{}", group, name);
       fields.push_back({name, hdf5::read_text_attribute(file, path, "unit"),
                         static_cast<int>(hdf5::shape(file, path).columns), hdf5::holds_integers(file, path)});
     }
@@ -179,8 +183,9 @@ std::vector<Field> read_series_fields(hid_t file, const std::string& group, cons
   std::vector<Field> result;
   for (const SeriesField& field : fields) {
     if (field.integer) continue;
-    result.push_back({field.name, field.unit, field.components,
-                      hdf5::read<double>(file, root + "/" + group + "/" + field.name, to_size(first), to_size(rows))});
+    const std::string path = fmt::format("{}/{}/{}", root, group, field.name);
+    result.push_back(
+        {field.name, field.unit, field.components, hdf5::read<double>(file, path, to_size(first), to_size(rows))});
   }
   return result;
 }

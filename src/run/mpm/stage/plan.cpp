@@ -9,10 +9,10 @@
 namespace talus::run {
 
 template <int D>
-StagePlan<D> make_plan(const input::Case& data, std::string name, double duration, const input::StepSettings& step,
-                       double soil_height, int threads) {
+StagePlan<D> make_plan(const input::Case& data, const std::string& name, double duration,
+                       const input::StepSettings& step, double soil_height, int threads) {
   StagePlan<D> plan;
-  plan.name = std::move(name);
+  plan.name = name;
   plan.duration = duration;
   plan.step = step;
   plan.rest = data.rest;
@@ -114,13 +114,13 @@ StagePlan<D> make_retry_plan(StagePlan<D> plan, std::size_t retries, bool wet) {
   return plan;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                      \
-  template StagePlan<D> make_plan<D>(const input::Case&, std::string, double, const input::StepSettings&, double, \
-                                     int);                                                                        \
-  template StagePlan<D> make_plan<D>(const input::Case&, const input::Stage&, double, int);                       \
-  template mpm::StepOptions<D> make_options<D>(const StagePlan<D>&);                                              \
-  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);                          \
-  template bool has_rested<D>(const mpm::Body<D>&, const StagePlan<D>&, StageState&);                             \
+#define TALUS_INSTANTIATE(D)                                                                                     \
+  template StagePlan<D> make_plan<D>(const input::Case&, const std::string&, double, const input::StepSettings&, \
+                                     double, int);                                                               \
+  template StagePlan<D> make_plan<D>(const input::Case&, const input::Stage&, double, int);                      \
+  template mpm::StepOptions<D> make_options<D>(const StagePlan<D>&);                                             \
+  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);                         \
+  template bool has_rested<D>(const mpm::Body<D>&, const StagePlan<D>&, StageState&);                            \
   template StagePlan<D> make_retry_plan<D>(StagePlan<D>, std::size_t, bool);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

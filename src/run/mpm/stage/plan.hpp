@@ -58,8 +58,8 @@ inline constexpr int monitor_interval = 8;
 
 /// Plan of a stage with these settings under the gravity of a case.
 template <int D>
-StagePlan<D> make_plan(const input::Case& data, std::string name, double duration, const input::StepSettings& step,
-                       double soil_height, int threads);
+StagePlan<D> make_plan(const input::Case& data, const std::string& name, double duration,
+                       const input::StepSettings& step, double soil_height, int threads);
 /// Plan of stage `stage` of a case.
 template <int D>
 StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads);
