@@ -18,6 +18,8 @@ find_library(GLOG_LIBRARY glog REQUIRED) # the headers of Ceres write its messag
 find_path(BOOST_POLYGON_INCLUDE_DIR boost/polygon/polygon.hpp REQUIRED)
 find_path(NLOPT_INCLUDE_DIR nlopt.h REQUIRED)
 find_library(NLOPT_LIBRARY nlopt REQUIRED)
+find_path(METIS_INCLUDE_DIR metis.h REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
 if(TALUS_MPI) # tools/apt-packages-mpi.txt
   find_package(MPI REQUIRED COMPONENTS CXX)
   find_package(PkgConfig REQUIRED)

@@ -25,6 +25,8 @@ target_compile_options(talus_options INTERFACE
   # GCC and clang prefer half of AVX-512's width for loops; the pack uses all of it anyway, so nothing is throttled.
   $<$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>:-mprefer-vector-width=512>
   -march=${TALUS_ARCH})
+# Eigen would share products among threads by itself, and change their last bits with the number of threads.
+target_compile_definitions(talus_options INTERFACE EIGEN_DONT_PARALLELIZE)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC warns about the ABI of vector types passed by value between translation units; the pack never crosses one.
   # -Wmaybe-uninitialized: GCC 12 warns inside its own avx512fintrin.h (its bug 105593).

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ["results", "input", "lem", "fem/seepage", "bounds", "site"]
+PARTS = ["results", "input", "lem", "fem/seepage", "sparse", "bounds", "site"]
 # Libraries of headers only, behind the headers of emscripten itself.
 INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]
 OPTIONS = ["-std=c++20", "-DTOML_HEADER_ONLY=0", "-Wno-everything"]

@@ -4,7 +4,9 @@
 // each piece writes to its own memory, and sums over pieces are taken in their order, so results are bitwise identical
 // for any number of threads.
 
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 
 #include <exception>
 
@@ -68,7 +70,11 @@ void parallel_tasks(int pieces, int threads, auto&& work) {
 
 /// Returns the default number of threads.
 inline int default_threads() {
+#ifdef _OPENMP
   return omp_get_max_threads();
+#else
+  return 1;
+#endif
 }
 
 }  // namespace talus

@@ -174,7 +174,7 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
 template <int D>
 bool SeepageNewton<D>::take_step(SeepageState& state, double& largest) {
   const std::size_t n = weight_.size();
-  std::vector<double> right(n), direction;
+  std::vector<double> right(n);
   for (std::size_t u = 0; u < n; ++u) right[u] = is_held(state, u) ? 0 : -find_residual(sums_, state, u);
   for (int attempt = 0; attempt < 2; ++attempt) {
     if (attempt == 1) {
@@ -193,7 +193,9 @@ bool SeepageNewton<D>::take_step(SeepageState& state, double& largest) {
       }
     }
     ++solves_;
-    if (!solver_.solve(values, sums_.symmetric, right, direction)) return false;
+    if (!solver_.factorise(values, sums_.symmetric ? sparse::Factors::ldlt : sparse::Factors::lu)) return false;
+    std::vector<double> direction = right;
+    if (!solver_.solve(direction)) return false;
     if (search_line(state, direction, largest)) return true;
   }
   return false;

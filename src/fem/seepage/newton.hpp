@@ -3,8 +3,8 @@
 // Newton's method for the nodal equations of seepage, with the active set of the face nodes. Internal to fem/.
 
 #include "fem/seepage/system.hpp"
-#include "fem/sparse_solver.hpp"
 #include "mesh/mesh.hpp"
+#include "sparse/solver.hpp"
 
 namespace talus::fem {
 
@@ -44,7 +44,7 @@ class SeepageNewton {
 
   const SeepageSystem<D>& system_;
   SeepageOptions options_;
-  SparseSolver solver_;
+  sparse::SparseSolver solver_;
   const std::vector<NodeCondition>* conditions_ = nullptr;
   StepInput input_;
   NodalSums sums_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/progress.hpp"
+#include "sparse/gmres.hpp"
 
 namespace talus::fem {
 namespace {
@@ -19,6 +20,8 @@ constexpr double good_share = 0.4;    ///< fraction of the out-of-balance force 
 constexpr int most_solves = 7;        ///< linear systems in a creep step
 constexpr double hopeless = 100;      ///< growth of the out-of-balance force at which the iteration is abandoned
 constexpr double least_gain = 0.9;    ///< largest ratio of residuals from the third iteration on
+constexpr double forcing = 0.1;       ///< residual of a linear system in 3D, over its right-hand side
+constexpr int most_products = 30;     ///< GMRES iterations before new factors
 constexpr double steady_share = 0.8;  ///< fraction of the residual left when u has doubled (T19.8)
 constexpr double steady_from = 3;     ///< smallest displacement of steady flow, over u_el (T19.8)
 
@@ -34,7 +37,7 @@ template <int D>
 SolidNewton<D>::SolidNewton(const SolidSystem<D>& system, const SolidOptions& options)
     : system_(system),
       options_(options),
-      solver_(system.column_start, system.row),
+      solver_(system.column_start, system.row, options.threads),
       load_size_(find_norm(system.load)) {}
 
 template <int D>
@@ -48,10 +51,38 @@ void SolidNewton<D>::look(const SolidAssembly<D>& assembly, const SolidState<D>&
 }
 
 template <int D>
-bool SolidNewton<D>::factorise(const SolidSums& sums, double viscosity) {
+bool SolidNewton<D>::factorise(bool symmetric) {
+  has_factors_ = (symmetric && solver_.factorise(matrix_, sparse::Factors::ldlt) && solver_.negative_pivots() == 0) ||
+                 solver_.factorise(matrix_, sparse::Factors::lu);
+  return has_factors_;
+}
+
+/// Replaces x by matrix_ times x.
+template <int D>
+bool SolidNewton<D>::multiply(std::vector<double>& x) const {
+  std::vector<double> product(x.size(), 0);
+  for (std::size_t j = 0; j < x.size(); ++j)
+    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
+      product[static_cast<std::size_t>(system_.row[static_cast<std::size_t>(k)])] +=
+          matrix_[static_cast<std::size_t>(k)] * x[j];
+  x.swap(product);
+  return true;
+}
+
+/// Solves the linear system of a Newton iteration for lack_. In 3D factors are expensive: those of an earlier system
+/// serve until GMRES needs too many iterations with them, and the solution is inexact, as in the inexact Newton method
+/// of Dembo, Eisenstat and Steihaug (1982).
+template <int D>
+bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::vector<double>& change) {
   matrix_ = sums.matrix;
   for (std::size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += viscosity * elastic_[i];
-  return (sums.symmetric && solver_.factorise(matrix_, true)) || solver_.factorise(matrix_, false);
+  if (D == 3 && has_factors_ &&
+      sparse::solve_by_gmres([&](std::vector<double>& x) { return multiply(x); },
+                             [&](std::vector<double>& x) { return solver_.solve(x); }, lack_, forcing, most_products,
+                             change))
+    return true;
+  change = lack_;
+  return factorise(sums.symmetric) && solver_.solve(change);
 }
 
 /// Computes the residual less the viscous forces of a step, into lack_. Returns its norm [N].
@@ -80,7 +111,7 @@ std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, con
   int solves = 0;
   while (solves < most_solves) {
     throw_if_interrupted();
-    if (!factorise(*tangent, viscosity) || !solver_.solve(lack_, more)) return {false, solves};
+    if (!find_change(*tangent, viscosity, more)) return {false, solves};
     ++solves;
     for (std::size_t i = 0; i < q.size(); ++i) q[i] += more[i];
     look(assembly, now.state, q, target, next);
@@ -108,9 +139,10 @@ bool SolidNewton<D>::is_steady(double moved, double fault) {
 
 template <int D>
 void SolidNewton<D>::find_elastic_displacement() {
-  std::vector<double> q;
+  std::vector<double> q = system_.load;
   elastic_displacement_ = 0;
-  if (load_size_ == 0 || !solver_.solve(elastic_, true, system_.load, q)) return;
+  matrix_ = elastic_;
+  if (load_size_ == 0 || !factorise(true) || !solver_.solve(q)) return;
   for (double x : q) elastic_displacement_ = std::max(elastic_displacement_, std::abs(x));
 }
 

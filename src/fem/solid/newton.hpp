@@ -3,7 +3,7 @@
 // One step of equilibrium: creep to rest in implicit steps, each solved by Newton's method (T19.6). Internal to fem/.
 
 #include "fem/solid/system.hpp"
-#include "fem/sparse_solver.hpp"
+#include "sparse/solver.hpp"
 
 namespace talus::fem {
 
@@ -44,14 +44,17 @@ class SolidNewton {
             const std::vector<double>& target, Place& to);
   std::pair<bool, int> creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now,
                              double viscosity, Place& next, std::vector<double>& q);
-  bool factorise(const SolidSums& sums, double viscosity);
+  bool find_change(const SolidSums& sums, double viscosity, std::vector<double>& change);
+  bool factorise(bool symmetric);
+  bool multiply(std::vector<double>& x) const;
   double find_lack(const Place& at, const std::vector<double>& q, double viscosity);
   bool is_steady(double moved, double fault);
   void find_elastic_displacement();
 
   const SolidSystem<D>& system_;
   SolidOptions options_;
-  SparseSolver solver_;
+  sparse::SparseSolver solver_;
+  bool has_factors_ = false;
   double load_size_;  ///< ‖f_ext‖, or without loads the norm of the first residual [N]
   double scale_ = 0;
   double elastic_displacement_ = -1;   ///< negative: not computed yet

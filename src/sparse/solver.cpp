@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "sparse/solver.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.hpp"
+
+namespace talus::sparse {
+namespace {
+
+using Stride = Eigen::OuterStride<>;
+using Block = Eigen::Map<Eigen::MatrixXd, 0, Stride>;
+using ConstBlock = Eigen::Map<const Eigen::MatrixXd, 0, Stride>;
+using Column = Eigen::Map<Eigen::VectorXd>;
+
+constexpr int small_block = 16;       ///< pivots that are eliminated one by one
+constexpr int chunk = 128;            ///< columns of a product that are one piece of work
+constexpr double least_share = 0.02;  ///< work of the largest subtree that is not divided, over all
+
+/// Factorises the lower triangle of a block as L D Lᵀ without exchanges; D replaces the diagonal of ones. Returns false
+/// if a pivot is zero or not finite.
+bool factorise_ldlt(Eigen::Ref<Eigen::MatrixXd, 0, Stride> a) {
+  const Eigen::Index n = a.rows();
+  if (n <= small_block) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double pivot = a(k, k);
+      if (pivot == 0 || !std::isfinite(pivot)) return false;
+      for (Eigen::Index j = k + 1; j < n; ++j) {
+        const double factor = a(j, k) / pivot;
+        for (Eigen::Index i = j; i < n; ++i) a(i, j) -= a(i, k) * factor;
+      }
+      for (Eigen::Index i = k + 1; i < n; ++i) a(i, k) /= pivot;
+    }
+    return true;
+  }
+  const Eigen::Index h = n / 2, rest = n - h;
+  if (!factorise_ldlt(a.topLeftCorner(h, h))) return false;
+  auto below = a.bottomLeftCorner(rest, h);
+  a.topLeftCorner(h, h).triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+  const Eigen::MatrixXd scaled = below;  // L D
+  below = scaled * a.diagonal().head(h).cwiseInverse().asDiagonal();
+  a.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() -= scaled * below.transpose();
+  return factorise_ldlt(a.bottomRightCorner(rest, rest));
+}
+
+}  // namespace
+
+SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads)
+    : plan_(plan_elimination(column_start, row)), threads_(threads > 0 ? threads : default_threads()) {
+  std::size_t lower = 0, upper = 0;
+  std::vector<int> front_of(plan_.position.size());
+  for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
+    const Front& front = plan_.fronts[f];
+    places_.push_back({lower, upper});
+    lower += static_cast<std::size_t>(front.size()) * static_cast<std::size_t>(front.pivots);
+    upper += front.rows.size() * static_cast<std::size_t>(front.pivots);
+    std::fill_n(front_of.begin() + front.first, front.pivots, static_cast<int>(f));
+  }
+  lower_.resize(lower);
+  upper_.resize(upper);
+  exchanged_.resize(plan_.position.size());
+  changes_.resize(plan_.fronts.size());
+  negative_.resize(plan_.fronts.size());
+  std::vector<std::vector<std::array<int, 2>>> entries(plan_.fronts.size());  // of each front: value and slot
+  for (std::size_t j = 0; j + 1 < column_start.size(); ++j)
+    for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
+      const int r = plan_.position[row[k]], c = plan_.position[j], f = front_of[std::min(r, c)];
+      const Front& front = plan_.fronts[f];
+      const int in_row = front.find(r), in_column = front.find(c);
+      entries[f].push_back({k, in_column < front.pivots ? in_row + in_column * front.size()
+                                                        : -1 - in_row - (in_column - front.pivots) * front.pivots});
+    }
+  for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
+    places_[f].value = order_.size();
+    for (const auto& [value, slot] : entries[f]) order_.push_back(value), slots_.push_back(slot);
+  }
+  places_.push_back({lower, upper, order_.size()});
+  for (int f = static_cast<int>(plan_.fronts.size()) - 1; f >= 0;) {
+    const Front& front = plan_.fronts[f];
+    const bool is_small = front.work <= least_share * plan_.work;
+    (is_small ? subtrees_ : tops_).push_back(f);
+    f = is_small ? front.first_of_subtree - 1 : f - 1;
+  }
+  std::reverse(tops_.begin(), tops_.end());
+  // The largest ones first, so that no thread ends long after the others.
+  std::stable_sort(subtrees_.begin(), subtrees_.end(),
+                   [&](int a, int b) { return plan_.fronts[a].work > plan_.fronts[b].work; });
+}
+
+/// Sets a front to the values of the matrix that enter it.
+void SparseSolver::add_values(const std::vector<double>& values, int f) {
+  const Place &from = places_[f], &to = places_[f + 1];
+  double *lower = lower_.data() + from.lower, *upper = upper_.data() + from.upper;
+  std::fill(lower, lower_.data() + to.lower, 0.0);
+  if (factors_ == Factors::lu) std::fill(upper, upper_.data() + to.upper, 0.0);
+  for (std::size_t k = from.value; k < to.value; ++k) {
+    if (slots_[k] >= 0)
+      lower[slots_[k]] = values[order_[k]];
+    else if (factors_ == Factors::lu)
+      upper[-1 - slots_[k]] = values[order_[k]];
+  }
+}
+
+/// Adds to a front what its children have left to it.
+void SparseSolver::add_changes_of_children(int f) {
+  const Front& front = plan_.fronts[f];
+  const bool symmetric = factors_ == Factors::ldlt;
+  const std::ptrdiff_t pivots = front.pivots, size = front.size(), count = size - pivots;
+  double *lower = lower_.data() + places_[f].lower, *upper = upper_.data() + places_[f].upper;
+  changes_[f].assign(static_cast<std::size_t>(count * count), 0);
+  for (const int c : front.children) {
+    const Front& child = plan_.fronts[c];
+    const int* place = child.row_in_parent.data();
+    const int rows = static_cast<int>(child.rows.size()), shared = child.pivots_of_parent;
+    const double* from = changes_[c].data();
+    for (int j = 0; j < rows; ++j, from += rows) {
+      const std::ptrdiff_t column = place[j];
+      if (column < pivots) {
+        double* to = lower + column * size;
+        for (int i = symmetric ? j : 0; i < rows; ++i) to[place[i]] += from[i];
+        continue;
+      }
+      if (!symmetric) {
+        double* to = upper + (column - pivots) * pivots;
+        for (int i = 0; i < shared; ++i) to[place[i]] += from[i];
+      }
+      double* to = changes_[f].data() + (column - pivots) * count - pivots;
+      for (int i = symmetric ? j : shared; i < rows; ++i) to[place[i]] += from[i];
+    }
+    std::vector<double>().swap(changes_[c]);
+  }
+}
+
+bool SparseSolver::eliminate_ldlt(int f, int threads) {
+  const Front& front = plan_.fronts[f];
+  const int pivots = front.pivots, size = front.size(), count = size - pivots;
+  double* at = lower_.data() + places_[f].lower;
+  Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+      changes(changes_[f].data(), count, count, Stride(count));
+  if (!factorise_ldlt(own)) return false;
+  negative_[f] = static_cast<int>((own.diagonal().array() < 0).count());
+  if (count == 0) return true;
+  own.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+  const Eigen::MatrixXd scaled = below;  // L D
+  below = scaled * own.diagonal().cwiseInverse().asDiagonal();
+  parallel_tasks((count + chunk - 1) / chunk, threads, [&](int piece) {
+    const int first = piece * chunk, width = std::min(chunk, count - first), rest = count - first - width;
+    changes.block(first, first, width, width).triangularView<Eigen::Lower>() -=
+        scaled.middleRows(first, width) * below.middleRows(first, width).transpose();
+    if (rest > 0)
+      changes.block(first + width, first, rest, width).noalias() -=
+          scaled.bottomRows(rest) * below.middleRows(first, width).transpose();
+  });
+  return true;
+}
+
+bool SparseSolver::eliminate_lu(int f, int threads) {
+  const Front& front = plan_.fronts[f];
+  const int pivots = front.pivots, size = front.size(), count = size - pivots;
+  double* at = lower_.data() + places_[f].lower;
+  Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+      right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots)),
+      changes(changes_[f].data(), count, count, Stride(count));
+  Eigen::Ref<Eigen::MatrixXd, 0, Stride> in_place(own);
+  const Eigen::PartialPivLU<decltype(in_place)> lu(in_place);
+  if (!own.diagonal().allFinite() || (own.diagonal().array() == 0).any()) return false;
+  std::copy_n(lu.permutationP().indices().data(), pivots, exchanged_.begin() + front.first);
+  if (count == 0) return true;
+  const bool is_exchanged =
+      !std::is_sorted(exchanged_.begin() + front.first, exchanged_.begin() + front.first + pivots);
+  parallel_tasks((count + chunk - 1) / chunk, threads, [&](int piece) {
+    const int first = piece * chunk, width = std::min(chunk, count - first);
+    auto columns = right.middleCols(first, width);
+    if (is_exchanged) columns = (lu.permutationP() * columns).eval();
+    own.triangularView<Eigen::UnitLower>().solveInPlace(columns);
+    auto rows = below.middleRows(first, width);
+    own.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(rows);
+  });
+  parallel_tasks((count + chunk - 1) / chunk, threads, [&](int piece) {
+    const int first = piece * chunk, width = std::min(chunk, count - first);
+    changes.middleCols(first, width).noalias() -= below * right.middleCols(first, width);
+  });
+  return true;
+}
+
+bool SparseSolver::eliminate(const std::vector<double>& values, int f, int threads) {
+  add_values(values, f);
+  add_changes_of_children(f);
+  return factors_ == Factors::ldlt ? eliminate_ldlt(f, threads) : eliminate_lu(f, threads);
+}
+
+bool SparseSolver::factorise(const std::vector<double>& values, Factors factors) {
+  factors_ = factors;
+  ++factorisations_;
+  std::vector<char> good(subtrees_.size(), 1);
+  parallel_tasks(static_cast<int>(subtrees_.size()), threads_, [&](int s) {
+    for (int f = plan_.fronts[subtrees_[s]].first_of_subtree; f <= subtrees_[s] && good[s]; ++f)
+      good[s] = eliminate(values, f, 1);
+  });
+  if (std::find(good.begin(), good.end(), 0) != good.end()) return false;
+  for (const int f : tops_)
+    if (!eliminate(values, f, threads_)) return false;
+  negative_pivots_ = factors == Factors::ldlt ? std::accumulate(negative_.begin(), negative_.end(), 0) : 0;
+  return true;
+}
+
+bool SparseSolver::solve(std::vector<double>& x) const {
+  std::vector<double> y(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) y[plan_.position[i]] = x[i];
+  Eigen::VectorXd work;
+  const bool symmetric = factors_ == Factors::ldlt;
+  for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
+    const Front& front = plan_.fronts[f];
+    const int pivots = front.pivots, size = front.size(), count = size - pivots;
+    const double* at = lower_.data() + places_[f].lower;
+    const ConstBlock own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size));
+    Column b(y.data() + front.first, pivots);
+    if (!symmetric) {
+      work.resize(pivots);
+      for (int i = 0; i < pivots; ++i) work[exchanged_[front.first + i]] = b[i];
+      b = work;
+    }
+    own.triangularView<Eigen::UnitLower>().solveInPlace(b);
+    if (count == 0) continue;
+    work.noalias() = below * b;
+    for (int i = 0; i < count; ++i) y[front.rows[i]] -= work[i];
+  }
+  for (std::size_t f = plan_.fronts.size(); f-- > 0;) {
+    const Front& front = plan_.fronts[f];
+    const int pivots = front.pivots, size = front.size(), count = size - pivots;
+    const double* at = lower_.data() + places_[f].lower;
+    const ConstBlock own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+        right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots));
+    Column b(y.data() + front.first, pivots);
+    work.resize(count);
+    for (int i = 0; i < count; ++i) work[i] = y[front.rows[i]];
+    if (symmetric) {
+      b = b.cwiseQuotient(own.diagonal());
+      b.noalias() -= below.transpose() * work;
+      own.triangularView<Eigen::UnitLower>().transpose().solveInPlace(b);
+    } else {
+      b.noalias() -= right * work;
+      own.triangularView<Eigen::Upper>().solveInPlace(b);
+    }
+  }
+  bool finite = true;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = y[plan_.position[i]];
+    finite = finite && std::isfinite(x[i]);
+  }
+  return finite;
+}
+
+}  // namespace talus::sparse
