@@ -47,10 +47,39 @@ bool factorise_ldlt(Eigen::Ref<Eigen::MatrixXd, 0, Stride> a) {
   return factorise_ldlt(a.bottomRightCorner(rest, rest));
 }
 
+struct Pattern {
+  std::vector<int> column_start{0}, row;
+};
+
+/// Returns the whole pattern of a symmetric matrix from its lower triangle.
+Pattern complete(const std::vector<int>& column_start, const std::vector<int>& row) {
+  const int n = static_cast<int>(column_start.size()) - 1;
+  std::vector<int> next(column_start.size(), 0);
+  for (int j = 0; j < n; ++j)
+    for (int k = column_start[j]; k < column_start[j + 1]; ++k) ++next[j], next[row[k]] += row[k] != j;
+  Pattern whole;
+  for (int j = 0; j < n; ++j) whole.column_start.push_back(whole.column_start.back() + next[j]);
+  whole.row.resize(static_cast<std::size_t>(whole.column_start.back()));
+  std::copy(whole.column_start.begin(), whole.column_start.end(), next.begin());
+  for (int j = 0; j < n; ++j)  // columns in order, so that the rows above the diagonal increase
+    for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
+      whole.row[next[j]++] = row[k];
+      if (row[k] != j) whole.row[next[row[k]]++] = j;
+    }
+  return whole;
+}
+
+Elimination plan_stored(const std::vector<int>& column_start, const std::vector<int>& row, Stored stored) {
+  if (stored == Stored::all) return plan_elimination(column_start, row);
+  const Pattern whole = complete(column_start, row);
+  return plan_elimination(whole.column_start, whole.row);
+}
+
 }  // namespace
 
-SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads)
-    : plan_(plan_elimination(column_start, row)), threads_(threads > 0 ? threads : default_threads()) {
+SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads,
+                           Stored stored)
+    : plan_(plan_stored(column_start, row, stored)), threads_(threads > 0 ? threads : default_threads()) {
   std::size_t lower = 0, upper = 0;
   std::vector<int> front_of(plan_.position.size());
   for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
@@ -61,14 +90,16 @@ SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vect
     std::fill_n(front_of.begin() + front.first, front.pivots, static_cast<int>(f));
   }
   lower_.resize(lower);
-  upper_.resize(upper);
+  upper_.resize(stored == Stored::all ? upper : 0);
   exchanged_.resize(plan_.position.size());
   changes_.resize(plan_.fronts.size());
   negative_.resize(plan_.fronts.size());
   std::vector<std::vector<std::array<int, 2>>> entries(plan_.fronts.size());  // of each front: value and slot
   for (std::size_t j = 0; j + 1 < column_start.size(); ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
-      const int r = plan_.position[row[k]], c = plan_.position[j], f = front_of[std::min(r, c)];
+      int r = plan_.position[row[k]], c = plan_.position[j];
+      if (stored == Stored::lower && r < c) std::swap(r, c);
+      const int f = front_of[std::min(r, c)];
       const Front& front = plan_.fronts[f];
       const int in_row = front.find(r), in_column = front.find(c);
       entries[f].push_back({k, in_column < front.pivots ? in_row + in_column * front.size()

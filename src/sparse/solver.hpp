@@ -14,12 +14,20 @@ enum class Factors {
   ldlt  ///< L D Lᵀ of a symmetric matrix, without exchanges: for definite and quasi-definite matrices
 };
 
+/// Entries that a pattern has.
+enum class Stored {
+  all,
+  lower  ///< the lower triangle of a symmetric matrix, for L D Lᵀ
+};
+
 /// Results are bitwise identical for any number of threads.
 class SparseSolver {
  public:
-  /// Takes a square pattern by compressed columns with sorted rows; it must be symmetric and contain the diagonal.
+  /// Takes a square pattern by compressed columns with sorted rows; it must be symmetric, or half of
+  /// a symmetric one, and contain the diagonal.
   /// `threads`: 0 for all of the machine.
-  SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads = 1);
+  SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads = 1,
+               Stored stored = Stored::all);
 
   /// Factorises A, given by its values in the order of the pattern, and keeps the factors; L D Lᵀ reads one of each
   /// pair of symmetric entries. Returns false if a pivot is zero or not finite.

@@ -115,6 +115,23 @@ TEST(SparseSolver, RefusesSingularMatricesAndCountsNegativePivots) {
   EXPECT_LT(find_residual(m, x, b), 1e-13);
 }
 
+TEST(SparseSolver, TakesTheLowerTriangleAlone) {
+  Matrix m = make_cube(4, 2), lower;
+  fill(m, 60, true, true, 4);
+  for (int j = 0; j < m.size(); ++j) {
+    for (int k = m.start[j]; k < m.start[j + 1]; ++k)
+      if (m.row[k] >= j) lower.row.push_back(m.row[k]), lower.values.push_back(m.values[k]);
+    lower.start.push_back(static_cast<int>(lower.row.size()));
+  }
+  SparseSolver all(m.start, m.row), half(lower.start, lower.row, 1, Stored::lower);
+  ASSERT_TRUE(all.factorise(m.values, Factors::ldlt));
+  ASSERT_TRUE(half.factorise(lower.values, Factors::ldlt));
+  std::vector<double> x = draw_right(m.size()), y = x;
+  ASSERT_TRUE(all.solve(x));
+  ASSERT_TRUE(half.solve(y));
+  EXPECT_EQ(x, y);
+}
+
 /// A cube whose elimination nested dissection orders, and which has fronts of several hundred unknowns.
 TEST(SparseSolver, SolvesLargeSystemsBitwiseEqualWithAnyThreads) {
   Matrix m = make_cube(11, 3);
