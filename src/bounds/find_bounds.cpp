@@ -91,9 +91,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 /// Relative tolerance of the root on the first mesh.
-constexpr double rough = 5e-3;
-/// Relative tolerance on later meshes before the last one: usually one trial each, so that the bound lags one mesh
-/// behind.
+constexpr double rough = 0.02;
+/// Relative tolerance on later meshes before the last one: usually one trial each.
 constexpr double loose = 0.1;
 /// Relative distances outside the root of the trials that are to prove the bound, increasing after each one that does
 /// not.
@@ -104,7 +103,7 @@ constexpr double room_of_rates = 1e-8, flow_room = 2e-5;
 /// Largest angle of a triangle at a corner of the border [rad].
 constexpr double widest_fan = 0.2;
 /// Fraction of the gap in the triangles that are refined, and the smallest fraction of triangles that are refined.
-constexpr double refined_share = 0.65, fewest_refined = 0.1;
+constexpr double refined_share = 0.8, fewest_refined = 0.2;
 
 /// Returns the contribution of each triangle to the gap: the strain rates of the mechanism times the strength that the
 /// stress field leaves there. The product with exchanged roles is added, since the lower bound alone may have found the
@@ -149,19 +148,25 @@ class BoundsSearch {
   }
 
   BoundsResult run() {
-    double low = options_.start, high = options_.start, tolerance = rough;
+    double low = options_.start, high = options_.start;
     int unproven = 0;
+    bool is_first = true;
     for (;;) {
       const Problem& problem = result_.problem;
       units_ = find_units(problem);
       FactorSearch holding = make_search(Bound::lower), moving = make_search(Bound::upper);
       bool holds = false, moves = false;
-      run_both([&] { holds = approach(holding, low, high, tolerance); },
-               [&] { moves = moving.approach(high, tolerance); });
+      if (std::exchange(is_first, false)) {
+        moves = moving.approach(high, rough);
+        holds = start_lower(holding, moves ? moving.root() : low);
+      } else {
+        run_both([&] { holds = approach_lower(holding, low, high); }, [&] { moves = moving.approach(high, loose); });
+      }
       result_.no_lower = holds ? "" : holding.why();
       result_.no_upper = moves ? "" : moving.why();
-      const bool is_last = !holds || !moves || static_cast<int>(problem.size()) >= options_.most_triangles ||
-                           2 * (moving.root() - holding.root()) <= options_.gap * (moving.root() + holding.root());
+      const bool is_last =
+          !holds || !moves || static_cast<int>(problem.size()) >= options_.most_triangles ||
+          2 * (moving.root() - holding.root()) <= (options_.gap - 2 * proofs[0]) * (moving.root() + holding.root());
       run_both(
           [&] {
             if (is_last && holds) finish(holding, Bound::lower);
@@ -178,10 +183,8 @@ class BoundsSearch {
       }
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
-      tolerance = loose;
       opening_.forget();
-      result_.problem =
-          refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
+      result_.problem = refine(problem, mark(find_contributions(problem, lower_solution_, moving.last().solution)));
     }
     mark_end();
     refuse_contradiction();
@@ -226,11 +229,26 @@ class BoundsSearch {
     return trial;
   }
 
-  /// Starts the lower bound on a refined mesh. Without cohesion a stress field at the root of the last mesh gives no
-  /// information on the new root; a trial at the root of the upper bound does, since it fails.
-  static bool approach(FactorSearch& holding, double low, double high, double tolerance) {
-    return tolerance < 1 ? holding.approach(low, tolerance)
-                         : holding.try_factor(low) && (holding.has_root() || holding.approach(high, tolerance));
+  /// Searches the root of the lower bound on the first mesh from the root of the upper one, where no stress field is
+  /// admissible. A trial inside the root then proves a bound.
+  bool start_lower(FactorSearch& holding, double start) {
+    constexpr double inside = 0.01;
+    if (!holding.approach(start, rough)) return false;
+    lower_solution_ = holding.last().solution;
+    if (holding.last().factor < holding.root()) return true;
+    is_flat_ = holding.try_factor((1 - inside) * holding.root()) &&
+               std::abs(holding.last().lack) <= no_lack + holding.last().doubt;
+    return true;
+  }
+
+  /// Searches the root of the lower bound on a refined mesh. Where a free surface has neither cohesion nor tensile
+  /// strength, the lack is zero at every stable factor: only a failed one, such as the root of the upper bound, gives
+  /// the root, and a second trial proves the bound.
+  bool approach_lower(FactorSearch& holding, double low, double high) {
+    if (!holding.approach(is_flat_ ? high : low, loose)) return false;
+    lower_solution_ = holding.last().solution;
+    if (is_flat_ && holding.last().factor > holding.root()) holding.try_factor((1 - proofs[0]) * holding.root());
+    return true;
   }
 
   /// Runs trials just outside the root until one proves the bound.
@@ -300,7 +318,9 @@ class BoundsSearch {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   BoundsResult result_;
   Units units_;
-  OpeningSearch opening_;  ///< of the current mesh
+  ConicSolution lower_solution_;  ///< of the trial that gave the root of the lower bound on the current mesh
+  bool is_flat_ = false;          ///< the lack of the lower bound is zero at all stable factors
+  OpeningSearch opening_;         ///< of the current mesh
 };
 
 }  // namespace

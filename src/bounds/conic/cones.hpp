@@ -157,6 +157,14 @@ struct Scaling {
     out[0] = size * (w[0] * head + sign * tail);
     for (std::size_t i = 1; i < u.size(); ++i) out[i] = size * (u[i] + along * w[i]);
   }
+  /// Computes out = W² u = η² (2 w (wᵀu) − J u) with J = diag(1, −1, …); `inverse`: W⁻² u, with J w in place of w.
+  void apply_square(Part u, bool inverse, MutablePart out) const {
+    const double sign = inverse ? -1 : 1, size = inverse ? 1 / (eta * eta) : eta * eta, head = u[0];
+    double along = w[0] * head;
+    for (std::size_t i = 1; i < u.size(); ++i) along += sign * w[i] * u[i];
+    out[0] = size * (2 * along * w[0] - head);
+    for (std::size_t i = 1; i < u.size(); ++i) out[i] = size * (2 * along * sign * w[i] + u[i]);
+  }
 };
 
 /// Computes out = u ∘ v = (uᵀv, u₀v₁ + v₀u₁); out may not be u or v.

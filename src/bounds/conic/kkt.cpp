@@ -3,20 +3,25 @@
 #include "bounds/conic/kkt.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 
+#include "bounds/conic/sparse_ldl.hpp"
+
 namespace talus::bounds {
 
 namespace {
 
-constexpr int most_changes = 8;
+constexpr std::size_t most_changes = 8;
 /// Limits of the local variables: a variable in more cones, or in a larger group, is not eliminated.
 constexpr int most_cones = 2;
 constexpr std::size_t largest_group = 6;
+
+double measure_square(const std::vector<double>& u) {
+  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size())).squaredNorm();
+}
 
 std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
   return static_cast<std::size_t>(std::lower_bound(neighbours.begin(), neighbours.end(), unknown) - neighbours.begin());
@@ -25,8 +30,9 @@ std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
 }  // namespace
 
 struct Kkt::Library {
-  Eigen::SparseMatrix<double> matrix;  ///< lower triangle
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors;
+  LowerTriangle pattern;
+  std::vector<double> values;  ///< of the matrix
+  SparseLdl factors;
   std::vector<double> fixed;  ///< values of the rows of the equations
 };
 
@@ -143,11 +149,11 @@ void Kkt::list_neighbours() {
 
 /// Returns the index of an entry of the lower triangle in the values of the matrix.
 int Kkt::find_place(std::size_t column, std::size_t row) const {
-  const auto& m = library_->matrix;
+  const LowerTriangle& m = library_->pattern;
   if (row < column) std::swap(row, column);
-  const int* begin = m.innerIndexPtr() + m.outerIndexPtr()[column];
-  const int* end = m.innerIndexPtr() + m.outerIndexPtr()[column + 1];
-  return static_cast<int>(std::lower_bound(begin, end, static_cast<int>(row)) - m.innerIndexPtr());
+  const auto begin = m.row.begin();
+  return static_cast<int>(
+      std::lower_bound(begin + m.first[column], begin + m.first[column + 1], static_cast<int>(row)) - begin);
 }
 
 void Kkt::place_products(Block& block) const {
@@ -176,44 +182,59 @@ void Kkt::place_products(Block& block) const {
 
 void Kkt::find_pattern() {
   const int size = globals_ + program_.equations;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < globals_ ? accuracy_.shift : -accuracy_.shift);
-  const SparseRows& a = program_.rows;
-  for (int r = 0; r < program_.equations; ++r)
-    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
-      const auto column = static_cast<std::size_t>(a.column[k]);
-      if (group_of_[column] < 0) entries.emplace_back(globals_ + r, rank_of_[column], a.value[k]);
-    }
-  const auto add_product = [&](int one, int other) {
-    entries.emplace_back(std::max(one, other), std::min(one, other), 0.0);
+  std::vector<std::vector<int>> below(static_cast<std::size_t>(size));
+  const auto add = [&](int one, int other) {
+    below[static_cast<std::size_t>(std::min(one, other))].push_back(std::max(one, other));
   };
+  for (int i = 0; i < size; ++i) add(i, i);
+  const SparseRows& a = program_.rows;
+  const auto visit_equations = [&](auto use) {
+    for (int r = 0; r < program_.equations; ++r)
+      for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
+        const auto column = static_cast<std::size_t>(a.column[k]);
+        if (group_of_[column] < 0) use(globals_ + r, rank_of_[column], a.value[k]);
+      }
+  };
+  visit_equations([&](int row, int column, double) { add(row, column); });
   for (const Block& block : blocks_)
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j) {
         const auto one = static_cast<std::size_t>(block.columns[i]), other = static_cast<std::size_t>(block.columns[j]);
-        if (group_of_[one] < 0 && group_of_[other] < 0) add_product(rank_of_[one], rank_of_[other]);
+        if (group_of_[one] < 0 && group_of_[other] < 0) add(rank_of_[one], rank_of_[other]);
       }
   for (const Group& group : groups_)
     for (std::size_t i = 0; i < group.neighbours.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) add_product(group.neighbours[i], group.neighbours[j]);
-  auto& m = library_->matrix;
-  m.resize(size, size);
-  m.setFromTriplets(entries.begin(), entries.end());
-  library_->fixed.assign(m.valuePtr(), m.valuePtr() + m.nonZeros());
+      for (std::size_t j = 0; j <= i; ++j) add(group.neighbours[i], group.neighbours[j]);
+  LowerTriangle& m = library_->pattern;
+  m = {size, {0}, {}};
+  for (std::vector<int>& rows : below) {
+    std::sort(rows.begin(), rows.end());
+    m.row.insert(m.row.end(), rows.begin(), std::unique(rows.begin(), rows.end()));
+    m.first.push_back(static_cast<int>(m.row.size()));
+  }
+  std::vector<double>& fixed = library_->fixed;
+  fixed.assign(m.row.size(), 0);
+  for (int i = 0; i < size; ++i)
+    fixed[static_cast<std::size_t>(m.first[static_cast<std::size_t>(i)])] =
+        i < globals_ ? accuracy_.shift : -accuracy_.shift;
+  visit_equations([&](int row, int column, double value) {
+    fixed[static_cast<std::size_t>(find_place(static_cast<std::size_t>(column), static_cast<std::size_t>(row)))] +=
+        value;
+  });
   for (Block& block : blocks_) place_products(block);
   for (Group& group : groups_)
     for (std::size_t i = 0; i < group.neighbours.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j)
         group.places.push_back(
             find_place(static_cast<std::size_t>(group.neighbours[j]), static_cast<std::size_t>(group.neighbours[i])));
-  library_->factors.analyzePattern(m);
+  library_->factors.analyse(m);
 }
 
 // Adds Aᵀ H⁻¹ A of a block as the product of W⁻¹ A with itself, which is symmetric and positive semidefinite in spite
 // of rounding.
 void Kkt::add_products(const Block& block, const Scaling& scaling, std::vector<double>& scaled) {
   const std::size_t n = block.columns.size(), rows = static_cast<std::size_t>(block.rows);
-  double* values = library_->matrix.valuePtr();
+  double* values = library_->values.data();
   scaled.resize((n + 1) * rows);
   const MutablePart column(scaled.data() + n * rows, rows);
   for (std::size_t j = 0; j < n; ++j) {
@@ -244,7 +265,7 @@ bool Kkt::eliminate(const Group& group) {
       for (std::size_t c = 0; c < q; ++c) coupling[i * q + c] -= own[i * k + l] * coupling[l * q + c];
     for (std::size_t c = 0; c < q; ++c) coupling[i * q + c] /= own[i * k + i];
   }
-  double* values = library_->matrix.valuePtr();
+  double* values = library_->values.data();
   std::size_t at = 0;
   for (std::size_t i = 0; i < q; ++i)
     for (std::size_t j = 0; j <= i; ++j) {
@@ -257,21 +278,19 @@ bool Kkt::eliminate(const Group& group) {
 
 bool Kkt::factorise(const std::vector<Scaling>& scalings) {
   scalings_ = &scalings;
-  std::copy(library_->fixed.begin(), library_->fixed.end(), library_->matrix.valuePtr());
+  library_->values = library_->fixed;
   dense_ = fixed_dense_;
   std::vector<double> scaled;
   for (std::size_t c = 0; c < blocks_.size(); ++c) add_products(blocks_[c], scalings[c], scaled);
   for (const Group& group : groups_)
     if (!eliminate(group)) return false;
-  library_->factors.factorize(library_->matrix);
-  return library_->factors.info() == Eigen::Success && library_->factors.vectorD().allFinite();
+  return library_->factors.factorise(library_->values);
 }
 
 void Kkt::apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const {
   const auto rows = static_cast<std::size_t>(block.rows);
   const MutablePart part(out, rows);
-  scaling.apply(Part(u, rows), true, part);
-  scaling.apply(part, true, part);
+  scaling.apply_square(Part(u, rows), true, part);
 }
 
 void Kkt::find_residual(const std::vector<double>& x, const std::vector<double>& z, std::vector<double>& f,
@@ -289,8 +308,7 @@ void Kkt::find_residual(const std::vector<double>& x, const std::vector<double>&
   for (std::size_t c = 0; c < blocks_.size(); ++c) {
     const auto first = static_cast<std::size_t>(blocks_[c].first_row), rows = static_cast<std::size_t>(blocks_[c].rows);
     turned.resize(rows);
-    (*scalings_)[c].apply(Part(z).subspan(first, rows), false, turned);
-    (*scalings_)[c].apply(turned, false, turned);
+    (*scalings_)[c].apply_square(Part(z).subspan(first, rows), false, turned);
     for (std::size_t r = 0; r < rows; ++r) g[first + r] += turned[r];
   }
 }
@@ -314,7 +332,8 @@ bool Kkt::solve_reduced(const std::vector<double>& f, const std::vector<double>&
     if (group_of_[i] < 0) right[rank_of_[i]] = x[i];
   std::copy_n(g.begin(), equations, right.data() + globals_);
   for (const Group& group : groups_) reduce_right(group, x, right.data());
-  const Eigen::VectorXd found = library_->factors.solve(right);
+  library_->factors.solve(right.data());
+  const Eigen::VectorXd& found = right;
   if (!found.allFinite()) return false;
   for (std::size_t i = 0; i < x.size(); ++i)
     if (group_of_[i] < 0) x[i] = found[rank_of_[i]];
@@ -358,54 +377,65 @@ void Kkt::recover(const Group& group, const double* rest, std::vector<double>& x
   }
 }
 
-// GMRES preconditioned by the factors. The shift of the diagonal perturbs few directions but those strongly; GMRES
-// resolves them, where repeated refinement would converge slowly. The residual is computed with the original rows, with
-// H: in the eliminated form, with H⁻¹, it would be lost in the rounding of the largest terms.
+// One solution by the factors usually suffices. Where its residual is too large, GMRES preconditioned by the factors
+// corrects it: the shift of the diagonal perturbs few directions but those strongly, and repeated refinement would
+// converge slowly. The residual is computed with the original rows, with H: in the eliminated form, with H⁻¹, it would
+// be lost in the rounding of the largest terms.
 bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                 std::vector<double>& z) const {
-  const Eigen::Index n = static_cast<Eigen::Index>(f.size()), size = n + static_cast<Eigen::Index>(g.size());
-  x.assign(f.size(), 0), z.assign(g.size(), 0);
+  const double asked = accuracy_.left_over * std::sqrt(measure_square(f) + measure_square(g));
   std::vector<double> left_f = f, left_g = g;
-  Eigen::MatrixXd basis(size, most_changes + 1), changes(size, most_changes),
-      h = Eigen::MatrixXd::Zero(most_changes + 1, most_changes);
-  const auto gather = [&](auto column) {
-    column << Eigen::Map<const Eigen::VectorXd>(left_f.data(), n),
-        Eigen::Map<const Eigen::VectorXd>(left_g.data(), size - n);
+  if (!solve_reduced(f, g, x, z)) return false;
+  find_residual(x, z, left_f, left_g);
+  const double left = std::sqrt(measure_square(left_f) + measure_square(left_g));
+  return left <= asked || correct(asked, left_f, left_g, x, z);
+}
+
+bool Kkt::correct(double asked, std::vector<double>& left_f, std::vector<double>& left_g, std::vector<double>& x,
+                  std::vector<double>& z) const {
+  const Eigen::Index n = static_cast<Eigen::Index>(x.size()), size = n + static_cast<Eigen::Index>(z.size());
+  std::vector<Eigen::VectorXd> basis, changes;
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most_changes + 1, most_changes);
+  const auto gather = [&](const std::vector<double>& upper, const std::vector<double>& lower) {
+    Eigen::VectorXd column(size);
+    column << Eigen::Map<const Eigen::VectorXd>(upper.data(), n),
+        Eigen::Map<const Eigen::VectorXd>(lower.data(), size - n);
+    return column;
   };
-  gather(basis.col(0));
-  const double norm = basis.col(0).norm();
-  if (norm == 0) return true;
-  basis.col(0) /= norm;
+  basis.push_back(gather(left_f, left_g));
+  const double norm = basis.front().norm();
+  if (!std::isfinite(norm)) return false;
+  basis.front() /= norm;
   Eigen::VectorXd first = Eigen::VectorXd::Zero(most_changes + 1), factors;
   first[0] = norm;
   std::vector<double> dx, dz;
-  for (int k = 0; k < most_changes; ++k) {
-    std::copy_n(basis.col(k).data(), n, left_f.begin());
-    std::copy_n(basis.col(k).data() + n, size - n, left_g.begin());
+  for (std::size_t k = 0; k < most_changes; ++k) {
+    std::copy_n(basis[k].data(), n, left_f.begin());
+    std::copy_n(basis[k].data() + n, size - n, left_g.begin());
     if (!solve_reduced(left_f, left_g, dx, dz)) return false;
-    changes.col(k) << Eigen::Map<const Eigen::VectorXd>(dx.data(), n),
-        Eigen::Map<const Eigen::VectorXd>(dz.data(), size - n);
+    changes.push_back(gather(dx, dz));
     std::fill(left_f.begin(), left_f.end(), 0.0), std::fill(left_g.begin(), left_g.end(), 0.0);
     find_residual(dx, dz, left_f, left_g);
-    gather(basis.col(k + 1));
-    basis.col(k + 1) *= -1;
+    basis.push_back(-gather(left_f, left_g));
+    const auto count = static_cast<Eigen::Index>(k) + 1;
     for (int pass = 0; pass < 2; ++pass)
-      for (int j = 0; j <= k; ++j) {
-        const double along = basis.col(j).dot(basis.col(k + 1));
-        h(j, k) += along;
-        basis.col(k + 1) -= along * basis.col(j);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        const double along = basis[static_cast<std::size_t>(j)].dot(basis.back());
+        h(j, count - 1) += along;
+        basis.back() -= along * basis[static_cast<std::size_t>(j)];
       }
-    h(k + 1, k) = basis.col(k + 1).norm();
-    const auto used = h.topLeftCorner(k + 2, k + 1);
-    factors = used.householderQr().solve(first.head(k + 2));
-    const double left = (first.head(k + 2) - used * factors).norm();
-    if (!(h(k + 1, k) > 0) || left <= accuracy_.left_over * norm) break;
-    basis.col(k + 1) /= h(k + 1, k);
+    const double rest = h(count, count - 1) = basis.back().norm();
+    const auto used = h.topLeftCorner(count + 1, count);
+    factors = used.householderQr().solve(first.head(count + 1));
+    if (!(rest > 0) || (first.head(count + 1) - used * factors).norm() <= asked) break;
+    basis.back() /= rest;
   }
-  const Eigen::VectorXd sum = changes.leftCols(factors.size()) * factors;
-  std::copy_n(sum.data(), n, x.begin());
-  std::copy_n(sum.data() + n, size - n, z.begin());
-  return sum.allFinite();
+  Eigen::Map<Eigen::VectorXd> to_x(x.data(), n), to_z(z.data(), size - n);
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    to_x += factors[static_cast<Eigen::Index>(k)] * changes[k].head(n);
+    to_z += factors[static_cast<Eigen::Index>(k)] * changes[k].tail(size - n);
+  }
+  return to_x.allFinite() && to_z.allFinite();
 }
 
 }  // namespace talus::bounds

@@ -20,7 +20,7 @@ struct KktAccuracy {
   double left_over = 0;  ///< residual over the right-hand side at which the refinement ends
 };
 /// The first one is fast; the second, with more refinement, is used where the iteration stalls with the first.
-inline constexpr KktAccuracy quick_accuracy{1e-9, 1e-10}, careful_accuracy{1e-7, 1e-14};
+inline constexpr KktAccuracy quick_accuracy{1e-9, 1e-8}, careful_accuracy{1e-7, 1e-14};
 
 /// The system [0 Aᵀ; A −H] [x; z] = [f; g] with H = 0 in the rows of equations and W² in those of a cone. The rows of
 /// cones are eliminated, then the variables that occur in few cones (the stresses at a corner), each small group by its
@@ -69,6 +69,9 @@ class Kkt {
   /// Solves by the factors alone, without refinement.
   bool solve_reduced(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                      std::vector<double>& z) const;
+  /// Adds corrections to x and z until the norm of the residual, which starts as left_f and left_g, is at most `asked`.
+  bool correct(double asked, std::vector<double>& left_f, std::vector<double>& left_g, std::vector<double>& x,
+               std::vector<double>& z) const;
   void reduce_right(const Group& group, std::vector<double>& x, double* right) const;
   void recover(const Group& group, const double* rest, std::vector<double>& x) const;
   void apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const;

@@ -242,8 +242,7 @@ class InteriorPoint {
     std::fill_n(d.s.begin(), program_.equations, 0.0);
     for (std::size_t c = 0; c < scalings_.size(); ++c) {
       const MutablePart own = part(d.s, c);
-      scalings_[c].apply(part(d.z, c), false, own);
-      scalings_[c].apply(own, false, own);
+      scalings_[c].apply_square(part(d.z, c), false, own);
       const Part other = part(ds, c);
       for (std::size_t i = 0; i < own.size(); ++i) own[i] = -other[i] - own[i];
     }
