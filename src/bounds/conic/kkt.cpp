@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "bounds/conic/sparse_ldl.hpp"
+#include "sparse/solver.hpp"
 
 namespace talus::bounds {
 
@@ -30,9 +30,9 @@ std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
 }  // namespace
 
 struct Kkt::Library {
-  LowerTriangle pattern;
-  std::vector<double> values;  ///< of the matrix
-  SparseLdl factors;
+  std::vector<int> first{0}, row;  ///< pattern of the lower triangle: first entry of each column, and rows
+  std::vector<double> values;
+  std::unique_ptr<sparse::SparseSolver> solver;
   std::vector<double> fixed;  ///< values of the rows of the equations
 };
 
@@ -149,7 +149,7 @@ void Kkt::list_neighbours() {
 
 /// Returns the index of an entry of the lower triangle in the values of the matrix.
 int Kkt::find_place(std::size_t column, std::size_t row) const {
-  const LowerTriangle& m = library_->pattern;
+  const Library& m = *library_;
   if (row < column) std::swap(row, column);
   const auto begin = m.row.begin();
   return static_cast<int>(
@@ -205,8 +205,7 @@ void Kkt::find_pattern() {
   for (const Group& group : groups_)
     for (std::size_t i = 0; i < group.neighbours.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j) add(group.neighbours[i], group.neighbours[j]);
-  LowerTriangle& m = library_->pattern;
-  m = {size, {0}, {}};
+  Library& m = *library_;
   for (std::vector<int>& rows : below) {
     std::sort(rows.begin(), rows.end());
     m.row.insert(m.row.end(), rows.begin(), std::unique(rows.begin(), rows.end()));
@@ -227,7 +226,7 @@ void Kkt::find_pattern() {
       for (std::size_t j = 0; j <= i; ++j)
         group.places.push_back(
             find_place(static_cast<std::size_t>(group.neighbours[j]), static_cast<std::size_t>(group.neighbours[i])));
-  library_->factors.analyse(m);
+  m.solver = std::make_unique<sparse::SparseSolver>(m.first, m.row, 1, sparse::Stored::lower);
 }
 
 // Adds Aᵀ H⁻¹ A of a block as the product of W⁻¹ A with itself, which is symmetric and positive semidefinite in spite
@@ -284,7 +283,7 @@ bool Kkt::factorise(const std::vector<Scaling>& scalings) {
   for (std::size_t c = 0; c < blocks_.size(); ++c) add_products(blocks_[c], scalings[c], scaled);
   for (const Group& group : groups_)
     if (!eliminate(group)) return false;
-  return library_->factors.factorise(library_->values);
+  return library_->solver->factorise(library_->values, sparse::Factors::ldlt);
 }
 
 void Kkt::apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const {
@@ -327,19 +326,17 @@ bool Kkt::solve_reduced(const std::vector<double>& f, const std::vector<double>&
         x[static_cast<std::size_t>(block.columns[j])] += block.values[r * n + j] * lifted[r];
   }
   const auto equations = static_cast<std::size_t>(program_.equations);
-  Eigen::VectorXd right(static_cast<Eigen::Index>(globals_) + program_.equations);
+  std::vector<double> right(static_cast<std::size_t>(globals_) + equations);
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (group_of_[i] < 0) right[rank_of_[i]] = x[i];
+    if (group_of_[i] < 0) right[static_cast<std::size_t>(rank_of_[i])] = x[i];
   std::copy_n(g.begin(), equations, right.data() + globals_);
   for (const Group& group : groups_) reduce_right(group, x, right.data());
-  library_->factors.solve(right.data());
-  const Eigen::VectorXd& found = right;
-  if (!found.allFinite()) return false;
+  if (!library_->solver->solve(right)) return false;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (group_of_[i] < 0) x[i] = found[rank_of_[i]];
-  for (const Group& group : groups_) recover(group, found.data(), x);
+    if (group_of_[i] < 0) x[i] = right[static_cast<std::size_t>(rank_of_[i])];
+  for (const Group& group : groups_) recover(group, right.data(), x);
   z.resize(g.size());
-  std::copy_n(found.data() + globals_, equations, z.begin());
+  std::copy_n(right.data() + globals_, equations, z.begin());
   for (std::size_t c = 0; c < blocks_.size(); ++c) {
     const Block& block = blocks_[c];
     lifted.assign(static_cast<std::size_t>(block.rows), 0);
