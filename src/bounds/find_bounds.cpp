@@ -122,8 +122,9 @@ std::vector<double> find_contributions(const Problem& problem, const ConicSoluti
   return part;
 }
 
-/// Marks the fewest triangles that contribute refined_share of the gap, but at least fewest_refined of all.
-std::vector<bool> mark(const std::vector<double>& parts) {
+/// Marks the fewest triangles that contribute refined_share of the gap, but at least fewest_refined of all, and at most
+/// the fraction `most` of all.
+std::vector<bool> mark(const std::vector<double>& parts, double most) {
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
@@ -131,7 +132,8 @@ std::vector<bool> mark(const std::vector<double>& parts) {
   std::vector<bool> marked(parts.size(), false);
   double sum = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (sum > refined_share * all && static_cast<double>(i) > fewest_refined * static_cast<double>(order.size())) break;
+    const double fraction = static_cast<double>(i) / static_cast<double>(order.size());
+    if ((sum > refined_share * all && fraction > fewest_refined) || fraction > most) break;
     sum += parts[order[i]];
     marked[order[i]] = true;
   }
@@ -184,7 +186,8 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      result_.problem = refine(problem, mark(find_contributions(problem, lower_solution_, moving.last().solution)));
+      const std::vector<double> parts = find_contributions(problem, lower_solution_, moving.last().solution);
+      result_.problem = refine(problem, mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root())));
     }
     mark_end();
     refuse_contradiction();
@@ -262,6 +265,13 @@ class BoundsSearch {
       if (is_near()) return;
       search.try_factor(aim);  // if the solver stalls, the next trial is further from the degenerate root
     }
+  }
+
+  /// Returns the largest fraction of triangles to refine. Near the gap asked for, few of them suffice.
+  double limit_refined(double lower, double upper) const {
+    constexpr double fewest = 0.1, per_excess = 0.5;
+    return options_.gap > 0 ? std::max(fewest, per_excess * (2 * (upper - lower) / (upper + lower) / options_.gap - 1))
+                            : 1;
   }
 
   /// Keeps the bound of an earlier mesh if the search stopped on a later one.
