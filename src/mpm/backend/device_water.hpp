@@ -66,16 +66,17 @@ class DeviceWaterBody {
       launch(elements(), DrawElement<D>{body_, uptakes_.read(), rates_.read(), o.dt, accounts});
     const PressureSystem<D> system = assemble(o);
     for_nodes<NodeLine::start_line>(system);
-    bool settled = false;
-    for (output.rounds = 1; output.rounds <= most_rounds && !settled; ++output.rounds) {
-      for_nodes<NodeLine::find_source>(system);
-      const Gradients found = solve_round(system, output.rounds - 1);
-      if (!found.are_there()) return false;  // no convergence, or NaN
-      output.iterations += found.iterations;
-      settled = found.unsettled == 0;
+    Gradients found;
+    found.unsettled = 1;
+    for (output.rounds = 1; output.rounds <= most_rounds; ++output.rounds) {
+      if (found.unsettled != 0) start_residual(system);
+      found = solve_round(system, output.rounds - 1);
+      if (found.rounds < output.rounds) return false;  // no convergence, or NaN
+      output.iterations += found.last_iterations;
+      if (found.unsettled == 0 && found.unfit == 0) break;
     }
-    if (settled) --output.rounds;  // the last round changed nothing
     launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
+    for_nodes<NodeLine::find_passed>(system);
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::distribute_water>{system});
     for_nodes<NodeLine::keep_own>(system);
@@ -208,7 +209,7 @@ class DeviceWaterBody {
     load_.resize(nodes);
     load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
     own_mass_.resize(lanes);
-    for (Array<double>* array : {&source_, &storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &grown_, &drained_of_, &d_})
+    for (Array<double>* array : {&storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &grown_, &drained_of_, &d_})
       array->assign_zeros(nodes);
     pushed_.assign_zeros(nodes);
     fixed_.assign_zeros(nodes);
@@ -243,7 +244,7 @@ class DeviceWaterBody {
     const PressureSystem<D> system{
         body_,
         o,
-        {entries_.view(), push_.view(), source_.view(), storage_.view(), diagonal_.view(), grown_.view(),
+        {entries_.view(), push_.view(), storage_.view(), diagonal_.view(), grown_.view(),
          drained_of_.view(), of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(),
          surface_.view(), lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
         gradients_.view()};
@@ -259,24 +260,29 @@ class DeviceWaterBody {
   void sum(const PressureSystem<D>& system, Total Gradients::*total) {
     grid_.sum(nodes(), OfNode<D, Meaning>{system}, &(gradients_.view().start->*total));
   }
-  void take_residual(const PressureSystem<D>& system, bool first) {
-    sum<Scalar::residual>(system, &Gradients::residual);
-    launch(1, TakeResidual{gradients_.view(), first, system.options.pressure_tolerance});
-  }
-
   void multiply(const PressureSystem<D>& system, View<double> x, When when) {
     launch(nodes(), PushNode<D>{system, x, when});
     launch(nodes(), MultiplyNode<D>{system, x, true, when});
   }
 
+  /// Sums with which a round starts. `round`: the one that ends, -1: none.
+  void start_round(const PressureSystem<D>& system, int round) {
+    sum<Scalar::scale>(system, &Gradients::scale);
+    sum<Scalar::residual>(system, &Gradients::residual);
+    launch(1, StartRound{gradients_.view(), round, system.options.pressure_tolerance});
+  }
+  /// Residual with the pressures that the surface prescribes.
+  void start_residual(const PressureSystem<D>& system) {
+    for_nodes<NodeLine::fix>(system);
+    multiply(system, body_.water.darcy.change, When::always);
+    for_nodes<NodeLine::start_residual>(system);
+    start_round(system, -1);
+  }
+
   /// Solves one round for the change of the pressures, then updates the surface and the lines of the water content.
   Gradients solve_round(const PressureSystem<D>& system, int round) {
-    const View<double> x = body_.water.darcy.change;
-    for_nodes<NodeLine::fix>(system);
-    multiply(system, x, When::always);
-    for_nodes<NodeLine::start_gradients>(system);
-    sum<Scalar::scale>(system, &Gradients::scale);
-    take_residual(system, true);
+    for_nodes<NodeLine::start_direction>(system);
+    launch(1, ClearUnsettled{gradients_.view()});
     Gradients g;
     int& expected = iterations_of_round_[static_cast<std::size_t>(round)];
     do {
@@ -286,14 +292,16 @@ class DeviceWaterBody {
         multiply(system, d_.view(), When::on_the_way);
         sum<Scalar::curvature>(system, &Gradients::curvature);
         launch(nodes(), GoOn<D>{system});
-        take_residual(system, false);
+        sum<Scalar::residual>(system, &Gradients::residual);
+        launch(1, TakeResidual{gradients_.view()});
         launch(nodes(), Turn<D>{system});
       }
-      multiply(system, x, When::there);
       launch(nodes(), SettleNode<D>{system, round});
+      sum<Scalar::error>(system, &Gradients::error);
+      start_round(system, round);
       g = gradients_.fetch_first();
-    } while (g.is_running());
-    expected = g.iterations;
+    } while (g.rounds != round + 1 && g.is_running());
+    expected = g.last_iterations;
     return g;
   }
 
@@ -319,7 +327,7 @@ class DeviceWaterBody {
   Array<std::array<double, D + 1>> own_mass_;
   Array<std::uint8_t> outside_, open_;
   // By node.
-  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, source_,
+  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_,
       storage_, diagonal_, grown_, drained_of_, of_node_, r_, z_, d_, q_;
   TableView relative_;
   Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_, pushed_;

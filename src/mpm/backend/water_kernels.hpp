@@ -256,14 +256,16 @@ struct Total {
 
 /// State of the conjugate gradients.
 struct Gradients {
-  Total scale, residual, curvature;  ///< latest sums
-  double wanted = 0;                 ///< square of the residual at convergence
-  double rz = 0, last = 0;           ///< r·z now, and in the iteration before
-  int iterations = 0;
-  int unsettled = 0;  ///< 1 if the line or the surface state of a node does not fit the solution
+  Total scale, residual, curvature, error;  ///< latest sums
+  double wanted = 0, goal = 0;              ///< square of the residual at the end of the step, and of the round
+  double rz = 0, last = 0;                  ///< r·z now, and in the iteration before
+  int iterations = 0, last_iterations = 0;  ///< of this round, and of the one before
+  int rounds = 0;                           ///< that have ended
+  int unsettled = 0;                        ///< 1 if the surface state of a node did not fit the solution
+  int unfit = 0;                            ///< 1 if the contents did not fit
 
-  TALUS_PORTABLE bool is_running() const { return rz > wanted && iterations < most_iterations; }
-  TALUS_PORTABLE bool are_there() const { return rz <= wanted; }
+  TALUS_PORTABLE bool is_running() const { return rz > goal && iterations < most_iterations; }
+  TALUS_PORTABLE bool are_there() const { return rz <= goal; }
 };
 
 /// State of the iteration in which a launch does its work.
@@ -292,9 +294,10 @@ enum class NodeLine {
   assemble,
   find_diagonal,
   start_line,
-  find_source,
   fix,
-  start_gradients,
+  start_residual,
+  start_direction,
+  find_passed,
   find_out,
   keep_own
 };
@@ -312,9 +315,10 @@ struct ForWetNodes {
     if constexpr (Line == NodeLine::assemble) lines.assemble_node(i);
     if constexpr (Line == NodeLine::find_diagonal) lines.find_diagonal(i);
     if constexpr (Line == NodeLine::start_line) lines.start_line(i);
-    if constexpr (Line == NodeLine::find_source) lines.find_source(i);
     if constexpr (Line == NodeLine::fix) lines.fix_node(i);
-    if constexpr (Line == NodeLine::start_gradients) lines.start_gradients(i);
+    if constexpr (Line == NodeLine::start_residual) lines.start_residual(i);
+    if constexpr (Line == NodeLine::start_direction) lines.update_direction(0, i);
+    if constexpr (Line == NodeLine::find_passed) lines.find_passed(i);
     if constexpr (Line == NodeLine::find_out) lines.find_out(i);
     if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
   }
@@ -363,7 +367,7 @@ struct MultiplyNode {
 };
 
 /// Sums over the wet nodes in the conjugate gradients.
-enum class Scalar { scale, residual, curvature };
+enum class Scalar { scale, residual, curvature, error };
 
 template <int D, Scalar Meaning>
 struct OfNode {
@@ -375,26 +379,43 @@ struct OfNode {
     if constexpr (Meaning == Scalar::scale) return {lines.find_scale(i)};
     if constexpr (Meaning == Scalar::residual) return {lines.find_residual(i)};
     if constexpr (Meaning == Scalar::curvature) return {lines.find_curvature(i)};
+    if constexpr (Meaning == Scalar::error) return {lines.find_error(i)};
   }
 };
 
-/// Updates r·z and checks convergence; one thread. `first`: before the first iteration.
-struct TakeResidual {
+/// Starts a round with the latest sums; one thread. `round`: the round that ends, -1: none.
+struct StartRound {
   View<Gradients> gradients;
-  bool first;
+  int round;
   double tolerance;
 
   TALUS_PORTABLE void operator()(int) const {
     Gradients& g = gradients[0];
-    if (first) {
-      g.wanted = tolerance * tolerance * g.scale.value;
-      g.iterations = g.unsettled = 0;
-    } else if (g.is_running()) {
-      g.last = g.rz;
-      ++g.iterations;
-    } else {
-      return;
-    }
+    if (round >= 0 && !g.are_there()) return;
+    g.unfit = !(g.error.value <= g.wanted);
+    g.rounds = round + 1;
+    g.last_iterations = g.iterations;
+    g.iterations = 0;
+    g.wanted = tolerance * tolerance * g.scale.value;
+    g.rz = g.residual.value;
+    const double reduced = round_reduction * round_reduction * g.rz;
+    g.goal = g.wanted > reduced ? g.wanted : reduced;
+  }
+};
+struct ClearUnsettled {
+  View<Gradients> gradients;
+
+  TALUS_PORTABLE void operator()(int) const { gradients[0].unsettled = 0; }
+};
+/// Updates r·z after an iteration; one thread.
+struct TakeResidual {
+  View<Gradients> gradients;
+
+  TALUS_PORTABLE void operator()(int) const {
+    Gradients& g = gradients[0];
+    if (!g.is_running()) return;
+    g.last = g.rz;
+    ++g.iterations;
     g.rz = g.residual.value;
   }
 };
@@ -428,8 +449,8 @@ struct SettleNode {
     if (!system.is_wet(i) || !system.is_now(When::there)) return;
     const auto lines = system.lines();
     lines.find_passed(i);
-    const bool settled = lines.settle_surface(i), right = lines.bend_line(i, round);
-    if (!settled || !right) raise_flag(system.gradients[0].unsettled);
+    if (!lines.settle_surface(i)) raise_flag(system.gradients[0].unsettled);
+    lines.bend_line(i, round);
   }
 };
 

@@ -23,7 +23,7 @@ class PressureEquation {
   PressureEquation(Body<D>& body, const StepOptions<D>& o)
       : body_(body), water_(body.water), m_(body.water.darcy), mesh_(body.mesh()), o_(o) {
     const std::size_t nodes = mesh_.nodes.size();
-    for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
+    for (auto* field : {&s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
       field->assign(nodes, 0.0);
     s_.fixed.assign(nodes, 0);
     s_.pushed.assign(nodes, {});
@@ -49,16 +49,18 @@ class PressureEquation {
   void solve() {
     for_nodes([&](int i) { lines_.start_line(i); });
     m_.iterations = 0;
+    bool settled = false;
     for (m_.rounds = 1; m_.rounds <= most_rounds; ++m_.rounds) {
-      for_nodes([&](int i) { lines_.find_source(i); });
-      solve_round();
-      bool settled = true;
+      if (!settled) start_residual();
+      const double wanted = find_wanted(), rz = sum([&](int i) { return lines_.find_residual(i); });
+      reduce_residual(rz, std::max(wanted, round_reduction * round_reduction * rz));
+      settled = true;
       wet_nodes_.for_each(1, [&](int i) { settled = lines_.settle_surface(i) && settled; });
-      std::vector<std::uint8_t> right(mesh_.nodes.size(), 1);
-      for_nodes([&](int i) { right[i] = lines_.bend_line(i, m_.rounds - 1); });
-      settled = settled && std::all_of(right.begin(), right.end(), [](auto b) { return b != 0; });
-      if (!is_any(body_, !settled)) break;
+      settled = !is_any(body_, !settled);
+      for_nodes([&](int i) { lines_.bend_line(i, m_.rounds - 1); });
+      if (settled && sum([&](int i) { return lines_.find_error(i); }) <= wanted) break;
     }
+    for_nodes([&](int i) { lines_.find_passed(i); });
     apply(m_.change, false);
     for_nodes([&](int i) { lines_.find_out(i); });
   }
@@ -112,14 +114,19 @@ class PressureEquation {
     for_nodes([&](int i) { lines_.multiply(x, whole, i); });
   }
 
-  /// Solves one round for m_.change by conjugate gradients, and computes the water that passes the surface.
-  void solve_round() {
+  /// Residual of the equation with the prescribed pressures of this round.
+  void start_residual() {
     for_nodes([&](int i) { lines_.fix_node(i); });
     apply(m_.change, true);
-    for_nodes([&](int i) { lines_.start_gradients(i); });
-    const double wanted =
-        o_.pressure_tolerance * o_.pressure_tolerance * sum([&](int i) { return lines_.find_scale(i); });
-    double rz = sum([&](int i) { return lines_.find_residual(i); });
+    for_nodes([&](int i) { lines_.start_residual(i); });
+  }
+  /// Square of the residual at convergence.
+  double find_wanted() {
+    return o_.pressure_tolerance * o_.pressure_tolerance * sum([&](int i) { return lines_.find_scale(i); });
+  }
+  /// Conjugate gradients for m_.change until r·z, which is `rz` at the start, is at most `wanted`.
+  void reduce_residual(double rz, double wanted) {
+    for_nodes([&](int i) { lines_.update_direction(0, i); });
     for (int n = 0; n < most_iterations && rz > wanted; ++n, ++m_.iterations) {
       apply(s_.d, true);
       const double step = rz / sum([&](int i) { return lines_.find_curvature(i); });
@@ -129,7 +136,6 @@ class PressureEquation {
       for_nodes([&](int i) { lines_.update_direction(rz / last, i); });
     }
     if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // also if rz is NaN
-    apply(m_.change, true);
     for_nodes([&](int i) { lines_.find_passed(i); });
   }
 

@@ -16,8 +16,9 @@
 
 namespace talus::mpm {
 
-inline constexpr int most_rounds = 12;           ///< nonlinear rounds in a step, until lines and surface state fit
+inline constexpr int most_rounds = 20;           ///< linear solutions in a step, until lines and surface state fit
 inline constexpr int most_iterations = 5000;     ///< of the linear solver
+inline constexpr double round_reduction = 0.03;  ///< of the residual in a round (inexact Newton method)
 inline constexpr double smallest_change = 1e-3;  ///< change of the pressures that counts as zero [Pa]
 
 /// Hydraulic condition of the surface at a node in one step.
@@ -42,7 +43,7 @@ struct PressureArrays {
   // One entry per column of the graph, in two lists that the products read one after the other.
   Array<PressureEntry<D>> entries;
   Array<Vec<D>> push;  ///< force of the pressure at node j on node i [m²]
-  Array<double> source, storage, diagonal, grown, drained, pores;
+  Array<double> storage, diagonal, grown, drained, pores;
   Array<double> r, z, d, q;  ///< vectors of the conjugate gradients
   Array<Vec<D>> pushed;
   Array<std::uint8_t> fixed;
@@ -156,18 +157,26 @@ struct PressureLines {
     }
   }
 
-  TALUS_PORTABLE void start_line(int i) const { s.lines[i] = HeldLine::start(held(i), body.water.darcy.pressure[i]); }
-  TALUS_PORTABLE void find_source(int i) const {
-    const auto& m = body.water.darcy;
-    s.source[i] = s.grown[i] + s.drained[i];
+  TALUS_PORTABLE void start_line(int i) const {
+    s.lines[i] = HeldLine::start(held(i), body.water.darcy.pressure[i]);
     s.storage[i] = s.lines[i].storage;
-    s.source[i] += s.lines[i].at(m.pressure[i]) - m.node_water[i];
   }
-  /// Updates the line of the water content of node `i` to the solution (Newton's method); returns whether it fitted
-  /// before.
-  TALUS_PORTABLE bool bend_line(int i, int round) const {
+  /// Updates the line of the water content of node `i`, and the residual to it. Writes the square of the residual with
+  /// the content itself into q.
+  TALUS_PORTABLE void bend_line(int i, int round) const {
     const auto& m = body.water.darcy;
-    return s.lines[i].bend(held(i), m.node_water[i], m.pressure[i] + m.change[i], round);
+    HeldLine& line = s.lines[i];
+    const double next = m.pressure[i] + m.change[i], before = line.at(next), stiffness = find_stiffness(i);
+    s.q[i] = 0;
+    if (s.fixed[i]) {
+      line.bend_at(held(i), next);
+    } else {
+      const double residual = s.r[i] + line.bend(held(i), next, s.r[i], s.diagonal[i], round);
+      s.q[i] = residual * residual / stiffness;
+    }
+    s.storage[i] = line.storage;
+    s.r[i] += line.at(next) - before;
+    s.z[i] = s.fixed[i] ? 0.0 : s.r[i] / find_stiffness(i);
   }
 
   /// Displacement of node `j` by the pressures x.
@@ -201,12 +210,15 @@ struct PressureLines {
     if (s.fixed[i]) m.change[i] = (of_node.is_given ? of_node.pressure : 0.0) - m.pressure[i];
   }
   TALUS_PORTABLE double find_stiffness(int i) const { return s.diagonal[i] + s.storage[i]; }
-  TALUS_PORTABLE double find_drive(int i) const { return s.source[i] - o.dt * s.surface[i].inflow; }
-  /// Initialises the conjugate gradients; q must be A x.
-  TALUS_PORTABLE void start_gradients(int i) const {
-    s.r[i] = s.fixed[i] ? 0.0 : find_drive(i) - s.q[i];
-    s.z[i] = s.r[i] / find_stiffness(i);
-    s.d[i] = s.z[i];
+  /// Right-hand side of the equation of node `i` for its line.
+  TALUS_PORTABLE double find_drive(int i) const {
+    const auto& m = body.water.darcy;
+    return s.grown[i] + s.drained[i] + s.lines[i].at(m.pressure[i]) - m.node_water[i] - o.dt * s.surface[i].inflow;
+  }
+  /// Residual at node `i`; q must be A x.
+  TALUS_PORTABLE void start_residual(int i) const {
+    s.r[i] = find_drive(i) - s.q[i];
+    s.z[i] = s.fixed[i] ? 0.0 : s.r[i] / find_stiffness(i);
   }
   /// Contribution of node `i` to the square that the residual is compared with.
   TALUS_PORTABLE double find_scale(int i) const {
@@ -215,19 +227,18 @@ struct PressureLines {
     return known + smallest_change * smallest_change * stiffness;
   }
   TALUS_PORTABLE double find_residual(int i) const { return s.r[i] * s.z[i]; }
-  TALUS_PORTABLE double find_curvature(int i) const { return s.fixed[i] ? 0.0 : s.d[i] * s.q[i]; }
+  /// Square of the residual at node `i` after bend_line().
+  TALUS_PORTABLE double find_error(int i) const { return s.q[i]; }
+  TALUS_PORTABLE double find_curvature(int i) const { return s.d[i] * s.q[i]; }
   TALUS_PORTABLE void advance_solution(double step, int i) const {
-    if (s.fixed[i]) return;
     body.water.darcy.change[i] += step * s.d[i];
     s.r[i] -= step * s.q[i];
-    s.z[i] = s.r[i] / find_stiffness(i);
+    s.z[i] = s.fixed[i] ? 0.0 : s.r[i] / find_stiffness(i);
   }
-  TALUS_PORTABLE void update_direction(double share, int i) const {
-    s.d[i] = s.fixed[i] ? 0.0 : s.z[i] + share * s.d[i];
-  }
-  /// Water that passes the surface at node `i`; q must be A x [m³].
+  TALUS_PORTABLE void update_direction(double share, int i) const { s.d[i] = s.z[i] + share * s.d[i]; }
+  /// Water that passes the surface at node `i` [m³]; the residual of a fixed node is the flow that its pressure needs.
   TALUS_PORTABLE void find_passed(int i) const {
-    body.water.darcy.passed[i] = s.fixed[i] ? s.q[i] - s.source[i] : -o.dt * s.surface[i].inflow;
+    body.water.darcy.passed[i] = -o.dt * s.surface[i].inflow - (s.fixed[i] ? s.r[i] : 0.0);
   }
   /// Ponding: the pressure is zero where it would become positive, until more water would have to enter than is
   /// offered. Returns whether the state of node `i` was already right.
