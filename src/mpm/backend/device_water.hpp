@@ -75,7 +75,7 @@ class DeviceWaterBody {
       output.iterations += found.last_iterations;
       if (found.unsettled == 0 && found.unfit == 0) break;
     }
-    launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
+    launch(nodes(), FlowOfNode<D>{system, body_.water.darcy.change});
     for_nodes<NodeLine::find_passed>(system);
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::distribute_water>{system});
@@ -209,17 +209,19 @@ class DeviceWaterBody {
     load_.resize(nodes);
     load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
     own_mass_.resize(lanes);
-    for (Array<double>* array : {&storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &grown_, &drained_of_, &d_})
+    for (Array<double>* array :
+         {&drive_, &storage_, &diagonal_, &inverse_, &of_node_, &r_, &z_, &q_, &grown_, &drained_, &d_})
       array->assign_zeros(nodes);
-    pushed_.assign_zeros(nodes);
+    carried_.assign_zeros(nodes);
     fixed_.assign_zeros(nodes);
     surface_.resize(nodes);
     lines_.resize(nodes);
     divergence_.resize(lanes);
     seeping_.resize(lanes);
     lift_.resize(lanes);
-    entries_.resize(column_.size());
-    push_.resize(column_.size());
+    through_.resize(column_.size());
+    growth_.resize(column_.size() * D);
+    push_.resize(column_.size() * D);
     gradients_.assign_zeros(1);
     budgets_.resize(static_cast<std::size_t>(surfaces_));
   }
@@ -238,15 +240,14 @@ class DeviceWaterBody {
   }
 
   PressureSystem<D> assemble(const StepOptions<D>& o) {
-    entries_.assign_zeros(entries_.size());
-    for (Array<double>* array : {&grown_, &drained_of_, &d_}) array->assign_zeros(array->size());
-    for (Array<Vec<D>>* array : {&push_, &pushed_}) array->assign_zeros(array->size());
+    for (Array<double>* array : {&through_, &growth_, &push_, &d_}) array->assign_zeros(array->size());
     const PressureSystem<D> system{
         body_,
         o,
-        {entries_.view(), push_.view(), storage_.view(), diagonal_.view(), grown_.view(),
-         drained_of_.view(), of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(),
-         surface_.view(), lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
+        {through_.view(),    growth_.view(),  push_.view(),    drive_.view(),   storage_.view(), diagonal_.view(),
+         inverse_.view(),    grown_.view(),   drained_.view(), of_node_.view(), r_.view(),       z_.view(),
+         d_.view(),          q_.view(),       carried_.view(), fixed_.view(),   surface_.view(), lines_.view(),
+         divergence_.view(), seeping_.view(), lift_.view()},
         gradients_.view()};
     launch(nodes(), SumPores<D>{system});
     for_nodes<NodeLine::find_surface>(system);
@@ -262,7 +263,7 @@ class DeviceWaterBody {
   }
   void multiply(const PressureSystem<D>& system, View<double> x, When when) {
     launch(nodes(), PushNode<D>{system, x, when});
-    launch(nodes(), MultiplyNode<D>{system, x, true, when});
+    launch(nodes(), MultiplyNode<D>{system, x, when});
   }
 
   /// Sums with which a round starts. `round`: the one that ends, -1: none.
@@ -281,7 +282,6 @@ class DeviceWaterBody {
 
   /// Solves one round for the change of the pressures, then updates the surface and the lines of the water content.
   Gradients solve_round(const PressureSystem<D>& system, int round) {
-    for_nodes<NodeLine::start_direction>(system);
     launch(1, ClearUnsettled{gradients_.view()});
     Gradients g;
     int& expected = iterations_of_round_[static_cast<std::size_t>(round)];
@@ -327,16 +327,16 @@ class DeviceWaterBody {
   Array<std::array<double, D + 1>> own_mass_;
   Array<std::uint8_t> outside_, open_;
   // By node.
-  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_,
-      storage_, diagonal_, grown_, drained_of_, of_node_, r_, z_, d_, q_;
+  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, drive_,
+      storage_, diagonal_, inverse_, grown_, drained_, of_node_, r_, z_, d_, q_;
   TableView relative_;
-  Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_, pushed_;
+  Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_;
+  Array<std::array<double, 4>> carried_;
   Array<std::uint8_t> ponded_, touches_, fixed_;
   Array<SurfaceWater> surface_;
   Array<HeldLine> lines_;
   // The matrix.
-  Array<PressureEntry<D>> entries_;
-  Array<Vec<D>> push_;
+  Array<double> through_, growth_, push_;
   Array<Gradients> gradients_;
   Array<SurfaceBudget> budgets_;
   Array<WaterSignals> signals_;

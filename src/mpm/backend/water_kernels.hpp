@@ -180,7 +180,7 @@ struct FindRelative {
   std::size_t soil;
   TableView relative;
 
-  TALUS_PORTABLE void operator()(int i) const { relative[soil][i] = find_relative_at_node(body, soil, i); }
+  TALUS_PORTABLE void operator()(int i) const { relative[soil][i] = find_relative_at_node<double>(body, soil, i); }
 };
 
 template <int D>
@@ -296,7 +296,6 @@ enum class NodeLine {
   start_line,
   fix,
   start_residual,
-  start_direction,
   find_passed,
   find_out,
   keep_own
@@ -316,8 +315,7 @@ struct ForWetNodes {
     if constexpr (Line == NodeLine::find_diagonal) lines.find_diagonal(i);
     if constexpr (Line == NodeLine::start_line) lines.start_line(i);
     if constexpr (Line == NodeLine::fix) lines.fix_node(i);
-    if constexpr (Line == NodeLine::start_residual) lines.start_residual(i);
-    if constexpr (Line == NodeLine::start_direction) lines.update_direction(0, i);
+    if constexpr (Line == NodeLine::start_residual) lines.template start_residual<double>(i);
     if constexpr (Line == NodeLine::find_passed) lines.find_passed(i);
     if constexpr (Line == NodeLine::find_out) lines.find_out(i);
     if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
@@ -351,18 +349,27 @@ struct PushNode {
   When when;
 
   TALUS_PORTABLE void operator()(int j) const {
-    if (system.is_wet(j) && system.is_now(when)) system.lines().push(x, j);
+    if (system.is_wet(j) && system.is_now(when)) system.lines().template push<double>(x, j);
   }
 };
 template <int D>
 struct MultiplyNode {
   PressureSystem<D> system;
   View<double> x;
-  bool whole;
   When when;
 
   TALUS_PORTABLE void operator()(int i) const {
-    if (system.is_wet(i) && system.is_now(when)) system.lines().multiply(x, whole, i);
+    if (system.is_wet(i) && system.is_now(when)) system.lines().template multiply<double>(x, i);
+  }
+};
+/// Flow between the nodes with the pressures `x`.
+template <int D>
+struct FlowOfNode {
+  PressureSystem<D> system;
+  View<double> x;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    if (system.is_wet(i)) system.lines().template find_flow<double>(x, i);
   }
 };
 
@@ -375,11 +382,11 @@ struct OfNode {
 
   TALUS_PORTABLE Total operator()(int i) const {
     if (!system.is_wet(i)) return {};
-    const auto lines = system.lines();
-    if constexpr (Meaning == Scalar::scale) return {lines.find_scale(i)};
-    if constexpr (Meaning == Scalar::residual) return {lines.find_residual(i)};
-    if constexpr (Meaning == Scalar::curvature) return {lines.find_curvature(i)};
-    if constexpr (Meaning == Scalar::error) return {lines.find_error(i)};
+    const auto& a = system.arrays;
+    if constexpr (Meaning == Scalar::scale) return {system.lines().template find_scale<double>(i)};
+    if constexpr (Meaning == Scalar::residual) return {a.r[i] * a.z[i]};
+    if constexpr (Meaning == Scalar::curvature) return {a.d[i] * a.q[i]};
+    if constexpr (Meaning == Scalar::error) return {a.q[i]};
   }
 };
 
@@ -426,7 +433,8 @@ struct GoOn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.is_running()) system.lines().advance_solution(g.rz / g.curvature.value, i);
+    if (system.is_wet(i) && g.is_running())
+      system.lines().template advance_solution<double>(g.rz / g.curvature.value, i);
   }
 };
 template <int D>
@@ -435,7 +443,7 @@ struct Turn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.is_running()) system.lines().update_direction(g.rz / g.last, i);
+    if (system.is_wet(i) && g.is_running()) system.lines().template update_direction<double>(g.rz / g.last, i);
   }
 };
 
@@ -450,7 +458,8 @@ struct SettleNode {
     const auto lines = system.lines();
     lines.find_passed(i);
     if (!lines.settle_surface(i)) raise_flag(system.gradients[0].unsettled);
-    lines.bend_line(i, round);
+    system.arrays.q[i] = system.arrays.r[i] * system.arrays.z[i] + lines.bend_line(i, round);
+    lines.template start_direction<double>(i);
   }
 };
 

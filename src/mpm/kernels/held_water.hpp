@@ -114,7 +114,8 @@ struct HeldLine {
     if (!drains) return 0;
     const auto full_pores = water.find_full(), now = next > 0 ? water.find(next) : full_pores;
     const double before = at(next), at_zero = residual + full_pores.held - before + stiffness * next,
-                 error = (next > 0 ? now.held : full_pores.held - full_pores.storage * next) - before,
+                 difference = (next > 0 ? now.held : full_pores.held - full_pores.storage * next) - before,
+                 error = std::abs(difference) > round_off * full_pores.held ? difference : 0.0,
                  step = (residual + error) / (stiffness + now.storage);
     if (full && round >= draining_rounds) return error;
     if (at_zero <= 0)
@@ -125,17 +126,23 @@ struct HeldLine {
       bend_to(water, next + step, at_zero - full_pores.held, stiffness);
     return error;
   }
+  /// Returns whether bend() would leave the line of full pores as it is, without error.
+  TALUS_PORTABLE bool stays_full(double next, double residual, double stiffness) const {
+    return full && next <= 0 && residual + (storage + stiffness) * next <= 0;
+  }
   /// The line for the next round at a node with the given pressure `next`.
   TALUS_PORTABLE void bend_at(const auto& water, double next) {
     if (drains) *this = start(water, next);
   }
 
  private:
-  static constexpr double most_step = 0.1;  ///< largest relative change of a suction for which its tangent suffices
+  static constexpr double round_off = 1e-12;  ///< error of a line that counts as zero, as a fraction of the pores
+  static constexpr double most_step = 0.1;    ///< largest relative change of a suction for which its tangent suffices
 
   /// Tangent near the suction at which rest + H(p) = stiffness p, by Newton's method with bisection.
   TALUS_PORTABLE void bend_to(const auto& water, double guess, double rest, double stiffness) {
-    double low = 0, high = std::min(driest, (rest + water.find_full().held) / stiffness), p = guess;
+    const double empty = (rest + water.find_full().held) / stiffness;  // the suction if the pores held nothing
+    double low = 0, high = empty < driest ? empty : driest, p = guess;
     for (int i = 0; i < 60; ++i) {
       if (!(p > low && p < high)) p = 0.5 * (low + high);
       const auto v = water.find(p);
