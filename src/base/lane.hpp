@@ -228,6 +228,35 @@ TALUS_KERNEL T load(const double* p) {
     return T(*reinterpret_cast<const typename T::Vector*>(p));
 }
 
+/// Loads lane_width doubles from memory of any alignment, or the double of a thread.
+template <class T>
+TALUS_KERNEL T load_unaligned(const double* p) {
+  T value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+template <class T>
+TALUS_KERNEL void store_unaligned(double* p, const T& value) {
+  std::memcpy(p, &value, sizeof value);
+}
+
+/// Loads base[index[lane]] into each lane.
+template <class T>
+TALUS_KERNEL T gather(const double* base, const int* index) {
+  if constexpr (LaneTraits<T>::width == 1) {
+    return base[*index];
+  } else {
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+    const __m256i places = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    return T(static_cast<typename T::Vector>(_mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff, places, base, 8)));
+#else
+    T value;
+    for (int l = 0; l < LaneTraits<T>::width; ++l) value.value[l] = base[index[l]];
+    return value;
+#endif
+  }
+}
+
 }  // namespace talus
 
 namespace talus {

@@ -17,6 +17,11 @@ TALUS_KERNEL void load_rows(const double* base, const int* rows, double* out) {
   for (int c = 0; c < N; ++c) out[c] = base[static_cast<std::int64_t>(rows[0]) * Stride + First + c];
 }
 
+TALUS_KERNEL void store_four(double* to, const double* values) {
+  TALUS_UNROLL
+  for (int c = 0; c < 4; ++c) to[c] = values[c];
+}
+
 #if !defined(__CUDACC__)
 namespace detail {
 
@@ -111,6 +116,30 @@ inline __attribute__((always_inline)) void store_rows(double* base, const int* r
       TALUS_UNROLL
       for (int c = 0; c < 8; ++c) base[static_cast<std::int64_t>(rows[l]) * Stride + c] = values[c].value[l];
     }
+  }
+}
+
+/// Stores lane_width consecutive rows of four doubles: to[lane * 4 + c] = values[c].
+inline __attribute__((always_inline)) void store_four(double* to, const Pack* values) {
+  if constexpr (lane_width == 8) {
+    using detail::V8;
+    const auto at = [&](int c) { return reinterpret_cast<const V8&>(values[c].value); };
+    const V8 t0 = __builtin_shufflevector(at(0), at(1), 0, 8, 2, 10, 4, 12, 6, 14);
+    const V8 t1 = __builtin_shufflevector(at(0), at(1), 1, 9, 3, 11, 5, 13, 7, 15);
+    const V8 t2 = __builtin_shufflevector(at(2), at(3), 0, 8, 2, 10, 4, 12, 6, 14);
+    const V8 t3 = __builtin_shufflevector(at(2), at(3), 1, 9, 3, 11, 5, 13, 7, 15);
+    const V8 y0 = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13);
+    const V8 y1 = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13);
+    const V8 y2 = __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15);
+    const V8 y3 = __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15);
+    V8* rows = reinterpret_cast<V8*>(to);
+    rows[0] = __builtin_shufflevector(y0, y1, 0, 1, 2, 3, 8, 9, 10, 11);
+    rows[1] = __builtin_shufflevector(y2, y3, 0, 1, 2, 3, 8, 9, 10, 11);
+    rows[2] = __builtin_shufflevector(y0, y1, 4, 5, 6, 7, 12, 13, 14, 15);
+    rows[3] = __builtin_shufflevector(y2, y3, 4, 5, 6, 7, 12, 13, 14, 15);
+  } else {
+    for (int l = 0; l < lane_width; ++l)
+      for (int c = 0; c < 4; ++c) to[4 * l + c] = values[c].value[l];
   }
 }
 

@@ -138,32 +138,29 @@ Eigen::SparseMatrix<double> find_pushed_growth(const DarcyBody<D>& body, const D
   return b * inverse * b.transpose();
 }
 
-/// Rounds in which pores may drain again, and rounds in all. The next step corrects pores that are wrongly treated as
-/// full; pores never take up more water than their volume.
-inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;
-/// Tolerance of the linearised content, as a fraction of the pores [-].
-inline constexpr double line_tolerance = 1e-11;
+/// Linear solutions in a step until contents and surface fit, and the tolerance of the contents as a fraction of the
+/// pores [-].
+inline constexpr int most_pressure_rounds = 60;
+inline constexpr double line_tolerance = 1e-12;
 
-/// Bends the line after a solution with the pressure `next`. Returns whether it was right.
-/// `water`: what they have at the start [m³].
-inline bool bend_line(LinearContent& line, const std::vector<SoilPores>& soils, double water, double next, int round) {
+/// Bends the line after a solution with the pressure `next`: the tangent where the node's own equation
+/// H(p) - at(next) = stiffness (p - next) is satisfied, with the other pressures as they are. Returns whether the line
+/// fitted before.
+inline bool bend_line(LinearContent& line, const std::vector<SoilPores>& soils, double next, double stiffness) {
   if (!line.gives) return true;
-  if (!line.full && next < 0) {
+  const double before = line.at(next), full = compute_content(soils, 0).first;
+  const double error = (next > 0 ? compute_content(soils, next).first : fill_line(soils).at(next)) - before;
+  if (std::abs(error) <= line_tolerance * full) return true;
+  if (full - before + stiffness * next <= 0) {
     line = fill_line(soils);
-    return false;
+  } else {
+    double low = 0, high = 1e9;
+    for (int i = 0; i < 60; ++i) {
+      const double p = 0.5 * (low + high);
+      (compute_content(soils, p).first - before - stiffness * (p - next) > 0 ? low : high) = p;
+    }
+    line = start_line(soils, high);
   }
-  if (line.full) {
-    if (next <= 0 || round >= draining_rounds) return true;
-    line.full = false;
-    line.pressure = water < compute_content(soils, 0).first ? find_suction(soils, water, 1) : 0;
-    std::tie(line.held, line.storage) = compute_content(soils, line.pressure);
-    return false;
-  }
-  const auto [held, storage] = compute_content(soils, next);
-  if (std::abs(line.at(next) - held) <= line_tolerance * compute_content(soils, 0).first) return true;
-  line.pressure = next;
-  line.held = held;
-  line.storage = storage;
   return false;
 }
 
@@ -286,10 +283,12 @@ std::vector<ElementFlow> solve_pressures(DarcyBody<D>& body, const DarcySettings
     bool settled = settle_surface(body, settings, surface, change, outside);
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto number = static_cast<std::size_t>(i);
-      if (body.water[number].pores > 0)
-        settled = bend_line(lines[number], body.soils_at[number], body.water[number].water,
-                            body.pressure[number] + change[i], round) &&
-                  settled;
+      if (body.water[number].pores <= 0) continue;
+      const double next = body.pressure[number] + change[i];
+      if (!body.water[number].fixed)
+        settled = bend_line(lines[number], body.soils_at[number], next, matrix.coeff(i, i)) && settled;
+      else if (lines[number].gives)
+        lines[number] = start_line(body.soils_at[number], next);
     }
     if (settled) break;
   }

@@ -38,17 +38,18 @@ void for_fields(Water<D>& water, WaterImage<D>& image, Work&& work) {
   work(water.mean_pressure, image.mean_pressure);
 }
 
-/// Stores the graph's rows in slices: entry k of each row, then entry k + 1 of each. Short rows leave gaps.
+/// Stores the rows of the graph in slices of device_width nodes.
 template <int D>
 void slice_rows(const NodeGraph<D>& graph, WaterImage<D>& image) {
+  constexpr int stride = NodeGraph<D>::row_stride;
   const int nodes = static_cast<int>(graph.size.size());
-  std::vector<int> now(graph.column.size());  // the place of an entry here
+  std::vector<int> now(graph.column.size(), -1);  // the place of an entry here; -1: a gap
   int begin = 0;
   for (int first = 0; first < nodes; first += device_width) {
     int longest = 0;
     for (int i = first; i < std::min(nodes, first + device_width); ++i) {
-      const int length = graph.row_end(i) - graph.row_start[i];
-      for (int k = 0; k < length; ++k) now[graph.row_start[i] + k] = begin + i - first + k * device_width;
+      const int length = (graph.row_end(i) - graph.row_start[i]) / stride;
+      for (int k = 0; k < length; ++k) now[graph.row_start[i] + k * stride] = begin + i - first + k * device_width;
       image.row_start.push_back(begin + i - first);
       image.row_ends.push_back(image.row_start.back() + length * device_width);
       longest = std::max(longest, length);
@@ -56,7 +57,8 @@ void slice_rows(const NodeGraph<D>& graph, WaterImage<D>& image) {
     begin += longest * device_width;
   }
   image.column.assign(static_cast<std::size_t>(begin), 0);
-  for (std::size_t n = 0; n < now.size(); ++n) image.column[now[n]] = graph.column[n];
+  for (std::size_t n = 0; n < now.size(); ++n)
+    if (now[n] >= 0) image.column[now[n]] = graph.column[n];
   for (const int place : graph.place) image.place.push_back(now[place]);
 }
 
@@ -114,15 +116,14 @@ std::size_t count_bytes(const WaterImage<D>& image) {
   const auto of = [](const auto&... lists) { return ((lists.size() * sizeof *lists.data()) + ...); };
   const std::size_t soils = image.laws.size(), lanes = image.volume.size(), nodes = image.node_size.size();
   const std::size_t element_work = 2 * soils + 8 + D + 1 + 2 * D + (D + 1) + (image.loads ? D * (D + 1) : 0),
-                    node_work = 2 * soils + 14 + 6 * D;
+                    node_work = 2 * soils + 20 + 5 * D;
   std::size_t weights = 0;
   for (const DeviceUptake& uptake : image.uptakes) weights += uptake.weight.size() * sizeof(double);
   return of(image.surface_of_node, image.constraint_of_node, image.constraints, image.node_size, image.row_start,
             image.row_ends, image.column, image.place) +
          of(image.volume, image.stretch, image.mean_saturation, image.mean_pressure) + weights +
          (lanes * element_work + nodes * (node_work + 3)) * sizeof(double) +
-         nodes * (sizeof(SurfaceWater) + sizeof(HeldLine)) +
-         image.column.size() * (sizeof(PressureEntry<D>) + sizeof(Vec<D>));
+         nodes * (sizeof(SurfaceWater) + sizeof(HeldLine)) + image.column.size() * (1 + 2 * D) * sizeof(double);
 }
 
 template <int D>

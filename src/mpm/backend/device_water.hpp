@@ -66,16 +66,17 @@ class DeviceWaterBody {
       launch(elements(), DrawElement<D>{body_, uptakes_.read(), rates_.read(), o.dt, accounts});
     const PressureSystem<D> system = assemble(o);
     for_nodes<NodeLine::start_line>(system);
-    bool settled = false;
-    for (output.rounds = 1; output.rounds <= most_rounds && !settled; ++output.rounds) {
-      for_nodes<NodeLine::find_source>(system);
-      const Gradients found = solve_round(system, output.rounds - 1);
-      if (!found.are_there()) return false;  // no convergence, or NaN
-      output.iterations += found.iterations;
-      settled = found.unsettled == 0;
+    Gradients found;
+    found.unsettled = 1;
+    for (output.rounds = 1; output.rounds <= most_rounds; ++output.rounds) {
+      if (found.unsettled != 0) start_residual(system);
+      found = solve_round(system, output.rounds - 1);
+      if (found.rounds < output.rounds) return false;  // no convergence, or NaN
+      output.iterations += found.last_iterations;
+      if (found.unsettled == 0 && found.unfit == 0) break;
     }
-    if (settled) --output.rounds;  // the last round changed nothing
-    launch(nodes(), MultiplyNode<D>{system, body_.water.darcy.change, false, When::always});
+    launch(nodes(), FlowOfNode<D>{system, body_.water.darcy.change});
+    for_nodes<NodeLine::find_passed>(system);
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::distribute_water>{system});
     for_nodes<NodeLine::keep_own>(system);
@@ -208,17 +209,19 @@ class DeviceWaterBody {
     load_.resize(nodes);
     load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
     own_mass_.resize(lanes);
-    for (Array<double>* array : {&source_, &storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &grown_, &drained_of_, &d_})
+    for (Array<double>* array :
+         {&drive_, &storage_, &diagonal_, &inverse_, &of_node_, &r_, &z_, &q_, &grown_, &drained_, &d_})
       array->assign_zeros(nodes);
-    pushed_.assign_zeros(nodes);
+    carried_.assign_zeros(nodes);
     fixed_.assign_zeros(nodes);
     surface_.resize(nodes);
     lines_.resize(nodes);
     divergence_.resize(lanes);
     seeping_.resize(lanes);
     lift_.resize(lanes);
-    entries_.resize(column_.size());
-    push_.resize(column_.size());
+    through_.resize(column_.size());
+    growth_.resize(column_.size() * D);
+    push_.resize(column_.size() * D);
     gradients_.assign_zeros(1);
     budgets_.resize(static_cast<std::size_t>(surfaces_));
   }
@@ -237,15 +240,14 @@ class DeviceWaterBody {
   }
 
   PressureSystem<D> assemble(const StepOptions<D>& o) {
-    entries_.assign_zeros(entries_.size());
-    for (Array<double>* array : {&grown_, &drained_of_, &d_}) array->assign_zeros(array->size());
-    for (Array<Vec<D>>* array : {&push_, &pushed_}) array->assign_zeros(array->size());
+    for (Array<double>* array : {&through_, &growth_, &push_, &d_}) array->assign_zeros(array->size());
     const PressureSystem<D> system{
         body_,
         o,
-        {entries_.view(), push_.view(), source_.view(), storage_.view(), diagonal_.view(), grown_.view(),
-         drained_of_.view(), of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(),
-         surface_.view(), lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
+        {through_.view(),    growth_.view(),  push_.view(),    drive_.view(),   storage_.view(), diagonal_.view(),
+         inverse_.view(),    grown_.view(),   drained_.view(), of_node_.view(), r_.view(),       z_.view(),
+         d_.view(),          q_.view(),       carried_.view(), fixed_.view(),   surface_.view(), lines_.view(),
+         divergence_.view(), seeping_.view(), lift_.view()},
         gradients_.view()};
     launch(nodes(), SumPores<D>{system});
     for_nodes<NodeLine::find_surface>(system);
@@ -259,24 +261,28 @@ class DeviceWaterBody {
   void sum(const PressureSystem<D>& system, Total Gradients::*total) {
     grid_.sum(nodes(), OfNode<D, Meaning>{system}, &(gradients_.view().start->*total));
   }
-  void take_residual(const PressureSystem<D>& system, bool first) {
-    sum<Scalar::residual>(system, &Gradients::residual);
-    launch(1, TakeResidual{gradients_.view(), first, system.options.pressure_tolerance});
-  }
-
   void multiply(const PressureSystem<D>& system, View<double> x, When when) {
     launch(nodes(), PushNode<D>{system, x, when});
-    launch(nodes(), MultiplyNode<D>{system, x, true, when});
+    launch(nodes(), MultiplyNode<D>{system, x, when});
+  }
+
+  /// Sums with which a round starts. `round`: the one that ends, -1: none.
+  void start_round(const PressureSystem<D>& system, int round) {
+    sum<Scalar::scale>(system, &Gradients::scale);
+    sum<Scalar::residual>(system, &Gradients::residual);
+    launch(1, StartRound{gradients_.view(), round, system.options.pressure_tolerance});
+  }
+  /// Residual with the pressures that the surface prescribes.
+  void start_residual(const PressureSystem<D>& system) {
+    for_nodes<NodeLine::fix>(system);
+    multiply(system, body_.water.darcy.change, When::always);
+    for_nodes<NodeLine::start_residual>(system);
+    start_round(system, -1);
   }
 
   /// Solves one round for the change of the pressures, then updates the surface and the lines of the water content.
   Gradients solve_round(const PressureSystem<D>& system, int round) {
-    const View<double> x = body_.water.darcy.change;
-    for_nodes<NodeLine::fix>(system);
-    multiply(system, x, When::always);
-    for_nodes<NodeLine::start_gradients>(system);
-    sum<Scalar::scale>(system, &Gradients::scale);
-    take_residual(system, true);
+    launch(1, ClearUnsettled{gradients_.view()});
     Gradients g;
     int& expected = iterations_of_round_[static_cast<std::size_t>(round)];
     do {
@@ -286,14 +292,16 @@ class DeviceWaterBody {
         multiply(system, d_.view(), When::on_the_way);
         sum<Scalar::curvature>(system, &Gradients::curvature);
         launch(nodes(), GoOn<D>{system});
-        take_residual(system, false);
+        sum<Scalar::residual>(system, &Gradients::residual);
+        launch(1, TakeResidual{gradients_.view()});
         launch(nodes(), Turn<D>{system});
       }
-      multiply(system, x, When::there);
       launch(nodes(), SettleNode<D>{system, round});
+      sum<Scalar::error>(system, &Gradients::error);
+      start_round(system, round);
       g = gradients_.fetch_first();
-    } while (g.is_running());
-    expected = g.iterations;
+    } while (g.rounds != round + 1 && g.is_running());
+    expected = g.last_iterations;
     return g;
   }
 
@@ -319,16 +327,16 @@ class DeviceWaterBody {
   Array<std::array<double, D + 1>> own_mass_;
   Array<std::uint8_t> outside_, open_;
   // By node.
-  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, source_,
-      storage_, diagonal_, grown_, drained_of_, of_node_, r_, z_, d_, q_;
+  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, drive_,
+      storage_, diagonal_, inverse_, grown_, drained_, of_node_, r_, z_, d_, q_;
   TableView relative_;
-  Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_, pushed_;
+  Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_;
+  Array<std::array<double, 4>> carried_;
   Array<std::uint8_t> ponded_, touches_, fixed_;
   Array<SurfaceWater> surface_;
   Array<HeldLine> lines_;
   // The matrix.
-  Array<PressureEntry<D>> entries_;
-  Array<Vec<D>> push_;
+  Array<double> through_, growth_, push_;
   Array<Gradients> gradients_;
   Array<SurfaceBudget> budgets_;
   Array<WaterSignals> signals_;

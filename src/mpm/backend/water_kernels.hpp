@@ -180,7 +180,7 @@ struct FindRelative {
   std::size_t soil;
   TableView relative;
 
-  TALUS_PORTABLE void operator()(int i) const { relative[soil][i] = find_relative_at_node(body, soil, i); }
+  TALUS_PORTABLE void operator()(int i) const { relative[soil][i] = find_relative_at_node<double>(body, soil, i); }
 };
 
 template <int D>
@@ -256,14 +256,16 @@ struct Total {
 
 /// State of the conjugate gradients.
 struct Gradients {
-  Total scale, residual, curvature;  ///< latest sums
-  double wanted = 0;                 ///< square of the residual at convergence
-  double rz = 0, last = 0;           ///< r·z now, and in the iteration before
-  int iterations = 0;
-  int unsettled = 0;  ///< 1 if the line or the surface state of a node does not fit the solution
+  Total scale, residual, curvature, error;  ///< latest sums
+  double wanted = 0, goal = 0;              ///< square of the residual at the end of the step, and of the round
+  double rz = 0, last = 0;                  ///< r·z now, and in the iteration before
+  int iterations = 0, last_iterations = 0;  ///< of this round, and of the one before
+  int rounds = 0;                           ///< that have ended
+  int unsettled = 0;                        ///< 1 if the surface state of a node did not fit the solution
+  int unfit = 0;                            ///< 1 if the contents did not fit
 
-  TALUS_PORTABLE bool is_running() const { return rz > wanted && iterations < most_iterations; }
-  TALUS_PORTABLE bool are_there() const { return rz <= wanted; }
+  TALUS_PORTABLE bool is_running() const { return rz > goal && iterations < most_iterations; }
+  TALUS_PORTABLE bool are_there() const { return rz <= goal; }
 };
 
 /// State of the iteration in which a launch does its work.
@@ -292,9 +294,9 @@ enum class NodeLine {
   assemble,
   find_diagonal,
   start_line,
-  find_source,
   fix,
-  start_gradients,
+  start_residual,
+  find_passed,
   find_out,
   keep_own
 };
@@ -312,9 +314,9 @@ struct ForWetNodes {
     if constexpr (Line == NodeLine::assemble) lines.assemble_node(i);
     if constexpr (Line == NodeLine::find_diagonal) lines.find_diagonal(i);
     if constexpr (Line == NodeLine::start_line) lines.start_line(i);
-    if constexpr (Line == NodeLine::find_source) lines.find_source(i);
     if constexpr (Line == NodeLine::fix) lines.fix_node(i);
-    if constexpr (Line == NodeLine::start_gradients) lines.start_gradients(i);
+    if constexpr (Line == NodeLine::start_residual) lines.template start_residual<double>(i);
+    if constexpr (Line == NodeLine::find_passed) lines.find_passed(i);
     if constexpr (Line == NodeLine::find_out) lines.find_out(i);
     if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
   }
@@ -347,23 +349,32 @@ struct PushNode {
   When when;
 
   TALUS_PORTABLE void operator()(int j) const {
-    if (system.is_wet(j) && system.is_now(when)) system.lines().push(x, j);
+    if (system.is_wet(j) && system.is_now(when)) system.lines().template push<double>(x, j);
   }
 };
 template <int D>
 struct MultiplyNode {
   PressureSystem<D> system;
   View<double> x;
-  bool whole;
   When when;
 
   TALUS_PORTABLE void operator()(int i) const {
-    if (system.is_wet(i) && system.is_now(when)) system.lines().multiply(x, whole, i);
+    if (system.is_wet(i) && system.is_now(when)) system.lines().template multiply<double>(x, i);
+  }
+};
+/// Flow between the nodes with the pressures `x`.
+template <int D>
+struct FlowOfNode {
+  PressureSystem<D> system;
+  View<double> x;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    if (system.is_wet(i)) system.lines().template find_flow<double>(x, i);
   }
 };
 
 /// Sums over the wet nodes in the conjugate gradients.
-enum class Scalar { scale, residual, curvature };
+enum class Scalar { scale, residual, curvature, error };
 
 template <int D, Scalar Meaning>
 struct OfNode {
@@ -371,30 +382,47 @@ struct OfNode {
 
   TALUS_PORTABLE Total operator()(int i) const {
     if (!system.is_wet(i)) return {};
-    const auto lines = system.lines();
-    if constexpr (Meaning == Scalar::scale) return {lines.find_scale(i)};
-    if constexpr (Meaning == Scalar::residual) return {lines.find_residual(i)};
-    if constexpr (Meaning == Scalar::curvature) return {lines.find_curvature(i)};
+    const auto& a = system.arrays;
+    if constexpr (Meaning == Scalar::scale) return {system.lines().template find_scale<double>(i)};
+    if constexpr (Meaning == Scalar::residual) return {a.r[i] * a.z[i]};
+    if constexpr (Meaning == Scalar::curvature) return {a.d[i] * a.q[i]};
+    if constexpr (Meaning == Scalar::error) return {a.q[i]};
   }
 };
 
-/// Updates r·z and checks convergence; one thread. `first`: before the first iteration.
-struct TakeResidual {
+/// Starts a round with the latest sums; one thread. `round`: the round that ends, -1: none.
+struct StartRound {
   View<Gradients> gradients;
-  bool first;
+  int round;
   double tolerance;
 
   TALUS_PORTABLE void operator()(int) const {
     Gradients& g = gradients[0];
-    if (first) {
-      g.wanted = tolerance * tolerance * g.scale.value;
-      g.iterations = g.unsettled = 0;
-    } else if (g.is_running()) {
-      g.last = g.rz;
-      ++g.iterations;
-    } else {
-      return;
-    }
+    if (round >= 0 && !g.are_there()) return;
+    g.unfit = !(g.error.value <= g.wanted);
+    g.rounds = round + 1;
+    g.last_iterations = g.iterations;
+    g.iterations = 0;
+    g.wanted = tolerance * tolerance * g.scale.value;
+    g.rz = g.residual.value;
+    const double reduced = round_reduction * round_reduction * g.rz;
+    g.goal = g.wanted > reduced ? g.wanted : reduced;
+  }
+};
+struct ClearUnsettled {
+  View<Gradients> gradients;
+
+  TALUS_PORTABLE void operator()(int) const { gradients[0].unsettled = 0; }
+};
+/// Updates r·z after an iteration; one thread.
+struct TakeResidual {
+  View<Gradients> gradients;
+
+  TALUS_PORTABLE void operator()(int) const {
+    Gradients& g = gradients[0];
+    if (!g.is_running()) return;
+    g.last = g.rz;
+    ++g.iterations;
     g.rz = g.residual.value;
   }
 };
@@ -405,7 +433,8 @@ struct GoOn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.is_running()) system.lines().advance_solution(g.rz / g.curvature.value, i);
+    if (system.is_wet(i) && g.is_running())
+      system.lines().template advance_solution<double>(g.rz / g.curvature.value, i);
   }
 };
 template <int D>
@@ -414,7 +443,7 @@ struct Turn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.is_running()) system.lines().update_direction(g.rz / g.last, i);
+    if (system.is_wet(i) && g.is_running()) system.lines().template update_direction<double>(g.rz / g.last, i);
   }
 };
 
@@ -428,8 +457,9 @@ struct SettleNode {
     if (!system.is_wet(i) || !system.is_now(When::there)) return;
     const auto lines = system.lines();
     lines.find_passed(i);
-    const bool settled = lines.settle_surface(i), right = lines.bend_line(i, round);
-    if (!settled || !right) raise_flag(system.gradients[0].unsettled);
+    if (!lines.settle_surface(i)) raise_flag(system.gradients[0].unsettled);
+    system.arrays.q[i] = system.arrays.r[i] * system.arrays.z[i] + lines.bend_line(i, round);
+    lines.template start_direction<double>(i);
   }
 };
 

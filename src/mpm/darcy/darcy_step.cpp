@@ -4,6 +4,7 @@
 #include "mpm/darcy/darcy_step.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -71,6 +72,47 @@ void allocate(Body<D>& body) {
     field->assign(body.mesh().elements.size(), 0.0);
 }
 
+/// sum_element() for the elements of block `b`, whose points are all of soil `soil`. Returns whether an element lost
+/// its last wet point or received its first one.
+template <int D>
+[[gnu::noinline]] bool sum_block(Body<D>& body, int b, int soil, bool mixed) {
+  using P = PointFields<D>;
+  Water<D>& water = body.water;
+  DarcyWater<D>& m = water.darcy;
+  const Points<D>& points = body.points;
+  const WaterLaw& law = water.laws[static_cast<std::size_t>(soil)];
+  const std::size_t first = static_cast<std::size_t>(b) * lane_width;
+  const Pack count = load<Pack>(&points.count[first]);
+  const Mask was = load<Pack>(&water.volume[first]) > Pack(0.0);
+  Pack content(0.0), all(0.0), pores(0.0), pressure(0.0);
+  for (int k = 0; k < points.block_used[b]; ++k) {
+    const double* p = points.slot(points.block_start[b] + k);
+    const Mask is_point = Pack(static_cast<double>(k)) < count;
+    const auto field = [&](int f) { return select(is_point, load<Pack>(p + f * lane_width), Pack(0.0)); };
+    const Pack volume = field(P::volume);
+    all += volume;
+    if (!law.wet) continue;
+    const Pack here = find_pores(volume, field(P::mass) / law.grain_density);
+    pores += here;
+    pressure += here * field(water.first_field + WaterFields<D>::pressure);
+    content += field(water.first_field + WaterFields<D>::mass) / law.density;
+  }
+  const Pack wet = law.wet ? all : Pack(0.0);
+  const Mask full = Mask(mixed) && all > Pack(0.0) && all > load<Pack>(&body.elements.fill_limit[first]);
+  const Pack stretch = select(full, load<Pack>(&body.layout->volumes[first]) / all, Pack(1.0));
+  for (std::size_t k = 0; k < water.laws.size(); ++k) {
+    const bool is_this = static_cast<int>(k) == soil;
+    store(&m.pores[k][first], is_this ? pores : Pack(0.0));
+    store(&m.volume[k][first], is_this ? wet * stretch : Pack(0.0));
+  }
+  store(&m.water[first], content);
+  store(&water.mean_pressure[first],
+        select(pores > Pack(0.0), pressure / pores, load<Pack>(&water.mean_pressure[first])));
+  store(&water.stretch[first], stretch);
+  store(&water.volume[first], wet);
+  return to_bits(wet > Pack(0.0)) != to_bits(was);
+}
+
 }  // namespace
 
 template <int D>
@@ -85,11 +127,19 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   DarcyWater<D>& m = water.darcy;
   std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
   for_chunks(body, o.threads, [&](int c) {
-    const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
-    for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
-      const bool was = water.volume[e] > 0;
-      if (sum_element(body, e, o.mixed) != was) turned[static_cast<std::size_t>(c)] = 1;
+    bool any_turned = false;
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      const unsigned soils = body.points.block_materials[b];
+      if (std::popcount(soils) == 1 && (b + 1) * lane_width <= elements) {
+        any_turned = sum_block(body, b, std::countr_zero(soils), o.mixed) || any_turned;
+        continue;
+      }
+      for (int e = b * lane_width; e < std::min(elements, (b + 1) * lane_width); ++e) {
+        const bool was = water.volume[e] > 0;
+        any_turned = sum_element(body, e, o.mixed) != was || any_turned;
+      }
     }
+    turned[static_cast<std::size_t>(c)] = any_turned;
   });
   if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
   update_elements(body, water.volume, water.mean_pressure, m.water);
@@ -111,11 +161,13 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
   for (std::size_t k = 0; k < water.laws.size(); ++k) {
     if (!water.laws[k].wet) continue;
     relative[k].resize(body.mesh().nodes.size());
-    for_nodes(body, o.threads, [&, k](int i) { relative[k][i] = find_relative_at_node(body, k, i); });
+    for_lanes_of_nodes(body, o.threads, [&, k]<class T>(int i) {
+      store_unaligned(&relative[k][static_cast<std::size_t>(i)], find_relative_at_node<T>(body, k, i));
+    });
     update_nodes(body, relative[k]);
   }
   for_elements(body, o.threads, [&](int e) { find_flow_through(body, o, relative, e); });
-  update_elements(body, m.saturated, m.effective, m.coupling, m.conductive, m.soft);
+  update_elements(body, m.saturated, m.effective, m.coupling, m.conductive, m.soft, water.mean_pressure);
 }
 
 template <int D>

@@ -21,45 +21,44 @@ template <int D>
 class PressureEquation {
  public:
   PressureEquation(Body<D>& body, const StepOptions<D>& o)
-      : body_(body), water_(body.water), m_(body.water.darcy), mesh_(body.mesh()), o_(o) {
-    const std::size_t nodes = mesh_.nodes.size();
-    for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
-      field->assign(nodes, 0.0);
-    s_.fixed.assign(nodes, 0);
-    s_.pushed.assign(nodes, {});
-    s_.pores.assign(nodes, 0.0);
-    s_.divergence.assign(mesh_.elements.size(), 0.0);
-    s_.flux.assign(mesh_.elements.size(), {});
-    s_.lift = s_.flux;
-    s_.entries.assign(m_.graph->column.size(), {});
-    s_.push.assign(m_.graph->column.size(), {});
-    s_.surface.assign(nodes, {});
-    s_.lines.assign(nodes, {});
+      : body_(body), water_(body.water), m_(body.water.darcy), mesh_(body.mesh()), o_(o), s_(find_arrays()) {
+    allocate();
     for (int i = 0; i < mesh_.node_count(); ++i) lines_.sum_pores(i);
     update_nodes(body_, s_.pores);
     wet_nodes_ = list_nodes(body_, [&](int i) { return s_.pores[i] > 0; });
+    slices_ = list_slices(body_, wet_nodes_);
     find_area();
     for_nodes([&](int i) { lines_.find_surface(i); });
+    surface_nodes_ = list_nodes(body_, [&](int i) { return s_.pores[i] > 0 && s_.surface[i].may_pond; });
     for_elements([&](int e) { lines_.assemble_element(e); });
     update_elements(body_, s_.divergence, s_.flux, m_.drawn);
+    for_slices([&]<class T>(int i) { lines_.template clear<T>(i); });
     for_nodes([&](int i) { lines_.assemble_node(i); });
     for_nodes([&](int i) { lines_.find_diagonal(i); });
   }
 
   void solve() {
-    for_nodes([&](int i) { lines_.start_line(i); });
+    std::vector<std::uint8_t> drains(mesh_.nodes.size(), 0);
+    for_nodes([&](int i) { drains[i] = lines_.start_line(i); });
+    const NodeList draining = list_nodes(body_, [&](int i) { return drains[i] != 0; });
     m_.iterations = 0;
+    bool settled = false;
     for (m_.rounds = 1; m_.rounds <= most_rounds; ++m_.rounds) {
-      for_nodes([&](int i) { lines_.find_source(i); });
-      solve_round();
-      bool settled = true;
-      wet_nodes_.for_each(1, [&](int i) { settled = lines_.settle_surface(i) && settled; });
-      std::vector<std::uint8_t> right(mesh_.nodes.size(), 1);
-      for_nodes([&](int i) { right[i] = lines_.bend_line(i, m_.rounds - 1); });
-      settled = settled && std::all_of(right.begin(), right.end(), [](auto b) { return b != 0; });
-      if (!is_any(body_, !settled)) break;
+      double rz =
+          settled ? sum([&]<class T>(int i) { return lines_.template start_direction<T>(i); }) : start_residual();
+      const double wanted = o_.pressure_tolerance * o_.pressure_tolerance *
+                            sum([&]<class T>(int i) { return lines_.template find_scale<T>(i); });
+      rz = reduce_residual(rz, std::max(wanted, round_reduction * round_reduction * rz));
+      for_nodes([&](int i) { lines_.find_passed(i); });
+      settled = true;
+      surface_nodes_.for_each(1, [&](int i) { settled = lines_.settle_surface(i) && settled; });
+      settled = !is_any(body_, !settled);
+      rz += draining.sum(body_, o_.threads, [&](int i) { return lines_.bend_line(i, m_.rounds - 1); });
+      if (settled && rz <= wanted) break;
     }
-    apply(m_.change, false);
+    for_nodes([&](int i) { lines_.find_passed(i); });
+    update_nodes(body_, m_.change);
+    for_slices([&]<class T>(int i) { lines_.template find_flow<T>(m_.change, i); });
     for_nodes([&](int i) { lines_.find_out(i); });
   }
 
@@ -75,6 +74,7 @@ class PressureEquation {
     for_nodes([&](int i) { m_.pressure[i] += m_.change[i]; });
     update_nodes(body_, m_.pressure);
     for_elements([&](int e) { lines_.find_end(e); });
+    update_elements(body_, water_.mean_pressure);
   }
 
   void count_water() {
@@ -89,9 +89,32 @@ class PressureEquation {
   }
 
  private:
+  using Arrays = PressureArrays<D, ArrayHere>;
   void for_nodes(const auto& work) const { wet_nodes_.for_each(o_.threads, work); }
   void for_elements(const auto& work) const { mpm::for_elements(body_, o_.threads, work); }
-  double sum(const auto& value) const { return wet_nodes_.sum(body_, o_.threads, value); }
+  void for_slices(const auto& work) const { slices_.for_each(o_.threads, work); }
+  double sum(const auto& work) const { return slices_.sum(body_, o_.threads, work); }
+
+  Arrays& find_arrays() {
+    if (!m_.work.arrays) m_.work.arrays = std::make_shared<Arrays>();
+    return *static_cast<Arrays*>(m_.work.arrays.get());
+  }
+  void allocate() {
+    const std::size_t nodes = mesh_.nodes.size(), elements = mesh_.elements.size(), entries = m_.graph->column.size();
+    for (auto* field : {&s_.drive, &s_.storage, &s_.diagonal, &s_.inverse, &s_.grown, &s_.drained, &s_.pores, &s_.r,
+                        &s_.z, &s_.d, &s_.q})
+      field->resize(nodes);
+    s_.carried.resize(nodes);
+    s_.fixed.resize(nodes);
+    s_.surface.resize(nodes);
+    s_.lines.resize(nodes);
+    s_.divergence.resize(elements);
+    s_.flux.resize(elements);
+    s_.lift.resize(elements);
+    s_.through.resize(entries);
+    s_.growth.resize(entries * D);
+    s_.push.resize(entries * D);
+  }
 
   void find_area() {
     std::fill(m_.area.begin(), m_.area.end(), Vec<D>{});
@@ -102,45 +125,39 @@ class PressureEquation {
     }
   }
 
-  /// q = A x: flow only, or with `whole` also storage and pore growth by the motion that x causes.
-  void apply(std::vector<double>& x, bool whole) {
+  /// q = A x. Returns x·q.
+  double multiply(auto& x) {
     update_nodes(body_, x);
-    if (whole) {
-      for_nodes([&](int j) { lines_.push(x, j); });
-      update_nodes(body_, s_.pushed);
-    }
-    for_nodes([&](int i) { lines_.multiply(x, whole, i); });
+    for_slices([&]<class T>(int j) { lines_.template push<T>(x, j); });
+    update_nodes(body_, s_.carried);
+    return sum([&]<class T>(int i) { return lines_.template multiply<T>(x, i); });
   }
 
-  /// Solves one round for m_.change by conjugate gradients, and computes the water that passes the surface.
-  void solve_round() {
+  /// Residual of the equation with the prescribed pressures of this round. Returns r·z.
+  double start_residual() {
     for_nodes([&](int i) { lines_.fix_node(i); });
-    apply(m_.change, true);
-    for_nodes([&](int i) { lines_.start_gradients(i); });
-    const double wanted =
-        o_.pressure_tolerance * o_.pressure_tolerance * sum([&](int i) { return lines_.find_scale(i); });
-    double rz = sum([&](int i) { return lines_.find_residual(i); });
-    for (int n = 0; n < most_iterations && rz > wanted; ++n, ++m_.iterations) {
-      apply(s_.d, true);
-      const double step = rz / sum([&](int i) { return lines_.find_curvature(i); });
-      for_nodes([&](int i) { lines_.advance_solution(step, i); });
-      const double last = rz;
-      rz = sum([&](int i) { return lines_.find_residual(i); });
-      for_nodes([&](int i) { lines_.update_direction(rz / last, i); });
+    multiply(m_.change);
+    return sum([&]<class T>(int i) { return lines_.template start_residual<T>(i); });
+  }
+  /// Conjugate gradients for m_.change until r·z, which is `rz` at the start, is at most `goal`. Returns r·z.
+  double reduce_residual(double rz, double goal) {
+    for (int n = 0; n < most_iterations && rz > goal; ++n, ++m_.iterations) {
+      const double step = rz / multiply(s_.d), last = rz;
+      rz = sum([&]<class T>(int i) { return lines_.template advance_solution<T>(step, i); });
+      for_slices([&]<class T>(int i) { lines_.template update_direction<T>(rz / last, i); });
     }
-    if (!(rz <= wanted)) throw_no_pressures(body_.step_count);  // also if rz is NaN
-    apply(m_.change, true);
-    for_nodes([&](int i) { lines_.find_passed(i); });
+    if (!(rz <= goal)) throw_no_pressures(body_.step_count);  // also if rz is NaN
+    return rz;
   }
 
-  using Arrays = PressureArrays<D, ArrayHere>;
   Body<D>& body_;
   Water<D>& water_;
   DarcyWater<D>& m_;
   const mesh::Mesh<D>& mesh_;
   const StepOptions<D>& o_;
-  NodeList wet_nodes_;
-  Arrays s_;
+  NodeList wet_nodes_, surface_nodes_;  ///< wet nodes, and of them those where water may pond
+  SliceList slices_;
+  Arrays& s_;
   PressureLines<Body<D>, Arrays> lines_{body_, s_, o_};
 };
 

@@ -17,8 +17,9 @@ namespace detail {
 [[gnu::noinline]] void run_each(int begin, int end, const auto& work) {
   for (int i = begin; i < end; ++i) work(i);
 }
-[[gnu::noinline]] double sum_each(int begin, int end, const auto& value) {
-  double sum = 0;
+template <class T = double>
+[[gnu::noinline]] T sum_each(int begin, int end, const auto& value) {
+  T sum(0.0);
   for (int i = begin; i < end; ++i) sum += value(i);
   return sum;
 }
@@ -32,6 +33,10 @@ struct NodeList {
   void for_each(int threads, const auto& work) const {
     const auto at = [&](int k) { work(node[static_cast<std::size_t>(k)]); };
     parallel_for(chunks(), threads, [&](int c) { detail::run_each(first(c), first(c + 1), at); });
+  }
+  /// Calls work(i) for each node of a chunk.
+  void for_each_of(int chunk, const auto& work) const {
+    detail::run_each(first(chunk), first(chunk + 1), [&](int k) { work(node[static_cast<std::size_t>(k)]); });
   }
   /// Calls work(i, chunk) for each node in order, on one thread.
   void for_each_in_chunk(const auto& work) const {
@@ -56,6 +61,63 @@ struct NodeList {
   int first(int chunk) const { return chunk_start[static_cast<std::size_t>(chunk)]; }
 };
 
+/// The nodes of a NodeList by slice (NodeGraph): whole slices of a chunk that contain one of them, and single nodes of
+/// the slices that a chunk shares with the next one.
+struct SliceList {
+  std::vector<int> slice, slice_start;  ///< first node of each slice; where those of a chunk start
+  NodeList single;
+
+  /// Calls work.operator()<Pack>(i) for slices and work.operator()<double>(i) for single nodes.
+  void for_each(int threads, const auto& work) const {
+    parallel_for(chunks(), threads, [&](int c) {
+      const auto pack = [&](int k) { work.template operator()<Pack>(slice[static_cast<std::size_t>(k)]); };
+      detail::run_each(first(c), first(c + 1), pack);
+      single.for_each_of(c, [&](int i) { work.template operator()<double>(i); });
+    });
+  }
+  /// Sum of the values that work returns, over all ranks, bitwise identical for any number of ranks and threads.
+  template <int D, class Work>
+  double sum(const Body<D>& body, int threads, const Work& work) const {
+    std::vector<double> pieces(static_cast<std::size_t>(chunks()), 0.0);
+    parallel_for(chunks(), threads, [&](int c) {
+      const auto pack = [&](int k) { return work.template operator()<Pack>(slice[static_cast<std::size_t>(k)]); };
+      double piece = sum_lanes(detail::sum_each<Pack>(first(c), first(c + 1), pack));
+      single.for_each_of(c, [&](int i) { piece += work.template operator()<double>(i); });
+      pieces[static_cast<std::size_t>(c)] = piece;
+    });
+    complete_chunks(body, pieces);
+    double all = 0;
+    for (const double piece : pieces) all += piece;
+    return all;
+  }
+
+ private:
+  int chunks() const { return static_cast<int>(slice_start.size()) - 1; }
+  int first(int chunk) const { return slice_start[static_cast<std::size_t>(chunk)]; }
+};
+
+/// The slices of the nodes of `list`.
+template <int D>
+SliceList list_slices(const Body<D>& body, const NodeList& list) {
+  SliceList slices;
+  for (int c = 0; c < body.layout->chunks; ++c) {
+    slices.slice_start.push_back(static_cast<int>(slices.slice.size()));
+    slices.single.chunk_start.push_back(static_cast<int>(slices.single.node.size()));
+    int last = -1;
+    for (int k = list.chunk_start[static_cast<std::size_t>(c)]; k < list.chunk_start[static_cast<std::size_t>(c) + 1];
+         ++k) {
+      const int i = list.node[static_cast<std::size_t>(k)], begin = i - i % lane_width;
+      if (begin < first_node(body, c) || begin + lane_width > first_node(body, c + 1))
+        slices.single.node.push_back(i);
+      else if (begin != last)
+        slices.slice.push_back(last = begin);
+    }
+  }
+  slices.slice_start.push_back(static_cast<int>(slices.slice.size()));
+  slices.single.chunk_start.push_back(static_cast<int>(slices.single.node.size()));
+  return slices;
+}
+
 /// List of the nodes of this rank for which belongs(i) is true.
 template <int D, class Belongs>
 NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
@@ -79,6 +141,17 @@ void for_elements(const Body<D>& body, int threads, const Work& work) {
   for_chunks(body, threads, [&](int c) {
     detail::run_each(layout.chunk_start[c] * lane_width, std::min(elements, layout.chunk_start[c + 1] * lane_width),
                      work);
+  });
+}
+
+/// Calls work.operator()<Pack>(i) and, for the last nodes of a chunk, work.operator()<double>(i) for the nodes of this
+/// rank.
+template <int D, class Work>
+void for_lanes_of_nodes(const Body<D>& body, int threads, const Work& work) {
+  for_chunks(body, threads, [&](int c) {
+    const int begin = first_node(body, c), end = first_node(body, c + 1), packs = (end - begin) / lane_width;
+    detail::run_each(0, packs, [&](int k) { work.template operator()<Pack>(begin + k * lane_width); });
+    detail::run_each(begin + packs * lane_width, end, [&](int i) { work.template operator()<double>(i); });
   });
 }
 

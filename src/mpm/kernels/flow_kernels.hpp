@@ -102,12 +102,16 @@ TALUS_PORTABLE void start_node(B& body, int i, bool first) {
 
 // Coefficients of the flow, forces of the pressures and predicted motion, element by element and node by node.
 
-/// k_r of soil `k` at node `i`; zero where the node has none of it. Elements take the mean over their nodes, so that a
-/// dry node does not block a wetting front.
-TALUS_PORTABLE double find_relative_at_node(const auto& body, std::size_t k, int i) {
+/// k_r of soil `k` at the nodes of T from `i` on; zero where a node has none of it. Elements take the mean over their
+/// nodes, so that a dry node does not block a wetting front.
+template <class T>
+TALUS_PORTABLE T find_relative_at_node(const auto& body, std::size_t k, int i) {
   const auto& m = body.water.darcy;
-  if (!(m.node_pores[k][i] > 0)) return 0;
-  return find_state_at_pressure<double>(body.water.laws[k], m.pressure[i]).relative;
+  const WaterLaw& law = body.water.laws[k];
+  const auto has_soil = load_unaligned<T>(&m.node_pores[k][i]) > T(0.0);
+  const T p = select(has_soil, load_unaligned<T>(&m.pressure[i]), T(0.0));
+  const T relative = find_relative(law, material::find_water(law.retention, p));
+  return select(has_soil, lane_max(relative, T(lowest_relative_conductivity)), T(0.0));
 }
 
 /// Constrained modulus E_c of the first point of element `e` [Pa].
@@ -139,7 +143,7 @@ TALUS_PORTABLE void find_flow_through(B& body, const StepOptions<B::dimension>& 
     const double v = m.volume[k][e];
     if (!(v > 0)) continue;
     const WaterLaw& law = water.laws[k];
-    const double s = find_state_at_pressure<double>(law, p).saturation, chi = find_chi(law, p, s);
+    const double s = material::saturation(law.retention, p), chi = find_chi(law, p, s);
     double k_r = 0;
     for (int node : mesh.elements[e]) k_r += relative[k][node] / (D + 1);
     volume += v;
@@ -162,7 +166,7 @@ double* find_row_to_press(Body<D>& body, int i) {
   return &body.nodes.sums[static_cast<std::size_t>(layout.node_rows[layout.row_start[i]]) * sums_stride];
 }
 
-/// press_nodes() of node `i`.
+/// press_nodes() of node `i`, with the mean pressures of the elements.
 template <class B>
 TALUS_PORTABLE void press_node(B& body, int i) {
   constexpr int D = B::dimension;
@@ -173,10 +177,9 @@ TALUS_PORTABLE void press_node(B& body, int i) {
   for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
     const int e = graph.element[t];
     if (!(body.water.volume[e] > 0)) continue;
-    double p = 0;
-    for (int node : mesh.elements[e]) p += m.pressure[node] / (D + 1);
+    const double stress = m.effective[e] * body.water.mean_pressure[e];
     const Vec<D> gradient = mesh::find_shape_gradient(mesh, e, graph.local[t]);
-    for (int d = 0; d < D; ++d) force[d] -= m.effective[e] * p * gradient[d];
+    for (int d = 0; d < D; ++d) force[d] -= stress * gradient[d];
   }
   double* row = find_row_to_press(body, i);
   if (row == nullptr) return;

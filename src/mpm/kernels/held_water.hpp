@@ -84,8 +84,8 @@ class HeldWater {
   int node_;
 };
 
-/// Linearisation of H over the pressure: for draining pores the tangent at the last solution (Newton's method); pores
-/// that fill hold the content at zero pressure and what compression adds.
+/// Linearisation of H over the pressure: for draining pores a tangent (Newton's method); pores that fill hold the
+/// content at zero pressure and what compression adds.
 struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
   bool full = false, drains = false;
@@ -105,33 +105,53 @@ struct HeldLine {
 
   /// Number of rounds in which full pores may be found to drain again. Pores wrongly taken for full are an error that
   /// the next step corrects; water that has no room is not let in.
-  static constexpr int draining_rounds = 4;
-  /// Error of the line, as a fraction of the pore volume, below which it fits.
-  static constexpr double tolerance = 1e-11;
+  static constexpr int draining_rounds = 12;
 
-  /// Updates the line after a solution with the pressure `next`. `content`: water of the pores at the start of the step
-  /// [m³]. Returns whether the line fitted before.
-  TALUS_PORTABLE bool bend(const auto& water, double content, double next, int round) {
-    if (!drains) return true;
-    if (!full && next < 0) {
+  /// The line for the next round: the tangent at the pressure p at which residual + H(p) - at(next) =
+  /// stiffness (p - next), the node's own equation with the pressures `next` of the other nodes. Returns the error of
+  /// the line before, H(next) - at(next) [m³].
+  TALUS_PORTABLE double bend(const auto& water, double next, double residual, double stiffness, int round) {
+    if (!drains) return 0;
+    const auto full_pores = water.find_full(), now = next > 0 ? water.find(next) : full_pores;
+    const double before = at(next), at_zero = residual + full_pores.held - before + stiffness * next,
+                 difference = (next > 0 ? now.held : full_pores.held - full_pores.storage * next) - before,
+                 error = std::abs(difference) > round_off * full_pores.held ? difference : 0.0,
+                 step = (residual + error) / (stiffness + now.storage);
+    if (full && round >= draining_rounds) return error;
+    if (at_zero <= 0)
       *this = fill(water);
-      return false;
+    else if (std::abs(step) <= most_step * next)
+      *this = {next, now.held, now.storage, false, true};
+    else
+      bend_to(water, next + step, at_zero - full_pores.held, stiffness);
+    return error;
+  }
+  /// Returns whether bend() would leave the line of full pores as it is, without error.
+  TALUS_PORTABLE bool stays_full(double next, double residual, double stiffness) const {
+    return full && next <= 0 && residual + (storage + stiffness) * next <= 0;
+  }
+  /// The line for the next round at a node with the given pressure `next`.
+  TALUS_PORTABLE void bend_at(const auto& water, double next) {
+    if (drains) *this = start(water, next);
+  }
+
+ private:
+  static constexpr double round_off = 1e-12;  ///< error of a line that counts as zero, as a fraction of the pores
+  static constexpr double most_step = 0.1;    ///< largest relative change of a suction for which its tangent suffices
+
+  /// Tangent near the suction at which rest + H(p) = stiffness p, by Newton's method with bisection.
+  TALUS_PORTABLE void bend_to(const auto& water, double guess, double rest, double stiffness) {
+    const double empty = (rest + water.find_full().held) / stiffness;  // the suction if the pores held nothing
+    double low = 0, high = empty < driest ? empty : driest, p = guess;
+    for (int i = 0; i < 60; ++i) {
+      if (!(p > low && p < high)) p = 0.5 * (low + high);
+      const auto v = water.find(p);
+      *this = {p, v.held, v.storage, false, true};
+      const double error = rest + v.held - stiffness * p, step = error / (stiffness + v.storage);
+      if (std::abs(step) <= most_step * p) return;
+      (error > 0 ? low : high) = p;
+      p += step;
     }
-    if (full) {
-      if (next <= 0 || round >= draining_rounds) return true;
-      full = false;
-      pressure = content < water.find_full().held ? water.find_suction(content, 1) : 0;
-      const auto v = water.find(pressure);
-      held = v.held;
-      storage = v.storage;
-      return false;
-    }
-    const auto right = water.find(next);
-    if (std::abs(at(next) - right.held) <= tolerance * water.find_full().held) return true;
-    pressure = next;
-    held = right.held;
-    storage = right.storage;
-    return false;
   }
 };
 

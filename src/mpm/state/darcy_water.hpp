@@ -30,16 +30,34 @@ struct NodeGraph {
   // Touch t is element `element[t]`, in which the node is local node `local[t]`; the touches of node i start at
   // touch_start[i].
   std::vector<int> touch_start, element, local;
-  std::vector<double> size;            ///< h_i, size of the elements around a node (T22.7) [m]
-  std::vector<int> row_start, column;  ///< entries of row i: row_start[i] … row_end(i); the first is the diagonal
-  std::vector<int> place;              ///< [touch][D+1]: entry of the row whose column is that node of the element
+  std::vector<double> size;  ///< h_i, size of the elements around a node (T22.7) [m]
+  // Matrix rows, in slices of lane_width consecutive nodes: the first entries of these rows, then their second ones.
+  // Entries of row i: row_start[i], row_start[i] + row_stride … row_ends[i]; the first is the diagonal. Gaps after
+  // short rows have the node itself as column. row_start has one item more, the number of entries.
+  std::vector<int> row_start, row_ends, column;
+  std::vector<int> place;  ///< [touch][D+1]: entry of the row whose column is that node of the element
 
-  static constexpr int row_stride = 1;
-  int row_end(int i) const { return row_start[i + 1]; }
+  static constexpr int row_stride = lane_width;
+  int row_end(int i) const { return row_ends[i]; }
 };
 
 template <int D>
 NodeGraph<D> make_node_graph(const mesh::Mesh<D>& mesh);
+
+/// Work arrays that a step keeps for the next one. A copy of the body starts without them.
+struct WorkArrays {
+  std::shared_ptr<void> arrays;
+
+  WorkArrays() = default;
+  WorkArrays(const WorkArrays&) {}
+  WorkArrays(WorkArrays&&) = default;
+  WorkArrays& operator=(const WorkArrays&) {
+    arrays.reset();
+    return *this;
+  }
+  WorkArrays& operator=(WorkArrays&&) = default;
+  ~WorkArrays() = default;
+};
 
 template <int D>
 struct DarcyWater {
@@ -72,7 +90,8 @@ struct DarcyWater {
   std::vector<Vec<D>> pore_force;              ///< pressure forces that the nodal sums contain [N]
   std::vector<Vec<D>> area;                    ///< of the open sides that touch the node, outwards [m²]
 
-  int rounds = 0, iterations = 0;  ///< of the last step: nonlinear rounds, and iterations of the linear solver in total
+  WorkArrays work;                 ///< of the pressure equation
+  int rounds = 0, iterations = 0;  ///< of the last step: linear solutions, and iterations in total
 };
 
 }  // namespace talus::mpm

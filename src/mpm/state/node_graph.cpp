@@ -31,21 +31,33 @@ NodeGraph<D> make_node_graph(const mesh::Mesh<D>& mesh) {
     graph.size.push_back(std::pow(simplices * volume / (graph.touch_start[i + 1] - graph.touch_start[i]), 1.0 / D));
   }
   graph.place.resize(graph.element.size() * (D + 1));
-  graph.row_start.push_back(0);
-  std::vector<int> row;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    row.assign(1, static_cast<int>(i));
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
-      for (int node : mesh.elements[graph.element[t]])
-        if (std::find(row.begin(), row.end(), node) == row.end()) row.push_back(node);
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
-      for (int k = 0; k <= D; ++k)
-        graph.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)] =
-            graph.row_start.back() +
-            static_cast<int>(std::find(row.begin(), row.end(), mesh.elements[graph.element[t]][k]) - row.begin());
-    graph.column.insert(graph.column.end(), row.begin(), row.end());
-    graph.row_start.push_back(static_cast<int>(graph.column.size()));
+  std::vector<int> rows[lane_width];
+  for (std::size_t first = 0; first < nodes; first += lane_width) {
+    const auto begin = static_cast<int>(graph.column.size());
+    const std::size_t count = std::min(nodes - first, static_cast<std::size_t>(lane_width));
+    std::size_t longest = 0;
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::size_t i = first + l;
+      std::vector<int>& row = rows[l];
+      row.assign(1, static_cast<int>(i));
+      for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
+        for (int k = 0; k <= D; ++k) {
+          const int node = mesh.elements[graph.element[t]][k];
+          const auto at = std::find(row.begin(), row.end(), node);
+          graph.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)] =
+              begin + static_cast<int>(l) + static_cast<int>(at - row.begin()) * lane_width;
+          if (at == row.end()) row.push_back(node);
+        }
+      longest = std::max(longest, row.size());
+      graph.row_start.push_back(begin + static_cast<int>(l));
+      graph.row_ends.push_back(graph.row_start.back() + static_cast<int>(row.size()) * lane_width);
+    }
+    for (std::size_t k = 0; k < longest; ++k)
+      for (std::size_t l = 0; l < lane_width; ++l)
+        graph.column.push_back(l < count && k < rows[l].size() ? rows[l][k]
+                                                               : static_cast<int>(std::min(first + l, nodes - 1)));
   }
+  graph.row_start.push_back(static_cast<int>(graph.column.size()));
   return graph;
 }
 
