@@ -10,7 +10,6 @@
 #include <numbers>
 #include <random>
 
-#include "bounds/conic/sparse_ldl.hpp"
 #include "support/conic_splitting.hpp"
 
 namespace talus::bounds {
@@ -271,43 +270,6 @@ TEST(ConicSolver, RepeatedEquationsAndIdleVariables) {
   for (int i = 0; i < 4; ++i) p.rows.add(i, -1), p.rows.end_row();
   p.right = {6, 6, 0, 0, 0, 0}, p.cost = {1, 0, 0, 0, 0};
   expect_solves(p, solve(p, {}), 2);
-}
-
-/// Grids of quasi-definite matrices with a dense last row, so that fronts have one to some dozen columns, and two
-/// right-hand sides.
-TEST(SparseLdl, SolvesQuasiDefiniteSystemsAsTheDenseMatrixDoes) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (const int side : {1, 2, 5, 23}) {
-    const int n = side * side + 1;
-    LowerTriangle pattern{n, {0}, {}};
-    std::vector<double> values;
-    MatrixXd dense = MatrixXd::Zero(n, n);
-    for (int j = 0; j < n; ++j) {
-      for (int i = j; i < n; ++i) {
-        const bool is_beside = i == j + 1 && i % side != 0;
-        if (i != j && !is_beside && i != j + side && i != n - 1) continue;
-        pattern.row.push_back(i);
-        values.push_back(i != j ? uniform(random) : j % 3 == 0 ? -8 : 8);
-        dense(i, j) = dense(j, i) = values.back();
-      }
-      pattern.first.push_back(static_cast<int>(pattern.row.size()));
-    }
-    SparseLdl factors;
-    factors.analyse(pattern);
-    ASSERT_TRUE(factors.factorise(values));
-    const MatrixXd exact = MatrixXd::Random(n, 2);
-    MatrixXd x = dense * exact;
-    factors.solve(x.data(), 2);
-    EXPECT_LT((x - exact).cwiseAbs().maxCoeff(), 1e-9) << side;
-  }
-}
-
-TEST(SparseLdl, AMatrixThatIsNotFiniteHasNoFactors) {
-  SparseLdl factors;
-  factors.analyse({2, {0, 2, 3}, {0, 1, 1}});
-  EXPECT_FALSE(factors.factorise(std::vector<double>{1, std::nan(""), 2}));
-  EXPECT_FALSE(factors.factorise(std::vector<double>{0, 1, 2}));
 }
 
 }  // namespace
