@@ -17,6 +17,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// Range and step of the inclinations of an interface [rad]. The factor is flat about its minimum, so that half a step
 /// costs little accuracy.
 constexpr double most_tilt = 67.5 * degree, tilt_step = 7.5 * degree;
+constexpr int tilts = 19;
 /// Bases shorter than this fraction of the length are merged: where a polyline enters another soil beside one of its
 /// vertices, the jump of φ and the kink act as one.
 constexpr double shortest = 0.05;
@@ -161,7 +162,8 @@ void WedgeMechanism::set(const Slope& slope, const CutSurface& cut, double horiz
   interfaces_.clear();
   first_.assign(1, 0);
   for (std::size_t i = 0; i + 1 < bases_.size(); ++i) {
-    for (double tilt = -most_tilt; tilt <= most_tilt + 1e-9; tilt += tilt_step) {
+    double tilt = -most_tilt;
+    for (int k = 0; k < tilts; ++k, tilt += tilt_step) {
       Interface interface;
       interface.sine = std::sin(tilt);
       interface.cosine = std::cos(tilt);
