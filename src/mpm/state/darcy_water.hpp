@@ -51,8 +51,8 @@ struct WorkArrays {
   WorkArrays() = default;
   WorkArrays(const WorkArrays&) {}
   WorkArrays(WorkArrays&&) = default;
-  WorkArrays& operator=(const WorkArrays&) {
-    arrays.reset();
+  WorkArrays& operator=(const WorkArrays& other) {
+    if (this != &other) arrays.reset();
     return *this;
   }
   WorkArrays& operator=(WorkArrays&&) = default;
