@@ -190,7 +190,10 @@ void link(Elimination& plan) {
     front.first_of_subtree =
         front.children.empty() ? static_cast<int>(f) : plan.fronts[front.children[0]].first_of_subtree;
     double own = 0;
-    for (double p = 0, size = front.size(); p < front.pivots; ++p) own += (size - p) * (size - p);
+    for (int p = 0; p < front.pivots; ++p) {
+      const double left = front.size() - p;
+      own += left * left;
+    }
     plan.work += own;
     front.work = own;
     for (const int child : front.children) front.work += plan.fronts[child].work;
@@ -212,7 +215,7 @@ Elimination plan_in_order(const Graph& graph, const Order& order) {
   const std::vector<int> list = list_in_postorder(drafts, parent);
 
   Elimination plan;
-  plan.position.resize(static_cast<std::size_t>(graph.first.back() + graph.size.back()));
+  plan.position.resize(static_cast<std::size_t>(graph.first.back()) + static_cast<std::size_t>(graph.size.back()));
   plan.fronts.resize(list.size());
   std::vector<int> first(order.size()), front_of(order.size());  // of each position
   int next = 0;
