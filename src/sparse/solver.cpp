@@ -162,7 +162,7 @@ void SparseSolver::add_changes_of_children(int f) {
       double* to = changes_[f].data() + (column - pivots) * count - pivots;
       for (int i = symmetric ? j : shared; i < rows; ++i) to[place[i]] += from[i];
     }
-    std::vector<double>().swap(changes_[c]);
+    AlignedVector<double>().swap(changes_[c]);
   }
 }
 
@@ -240,7 +240,7 @@ bool SparseSolver::factorise(const std::vector<double>& values, Factors factors)
 }
 
 bool SparseSolver::solve(std::vector<double>& x) const {
-  std::vector<double> y(x.size());
+  AlignedVector<double> y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) y[plan_.position[i]] = x[i];
   Eigen::VectorXd work;
   const bool symmetric = factors_ == Factors::ldlt;

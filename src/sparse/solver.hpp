@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/aligned.hpp"
 #include "sparse/elimination.hpp"
 
 namespace talus::sparse {
@@ -57,10 +58,10 @@ class SparseSolver {
   std::vector<int> tops_;      ///< fronts above them, in postorder
   std::vector<int> order_;     ///< values, by the fronts that they enter
   std::vector<int> slots_;     ///< of each of them: index in the front's `lower_`, or -1 - that in its `upper_`
-  std::vector<double> lower_, upper_;
-  std::vector<int> exchanged_;                ///< row of its front's pivots that was moved to each pivot
-  std::vector<std::vector<double>> changes_;  ///< of each front, until its parent has added them
-  std::vector<int> negative_;                 ///< negative pivots of each front
+  AlignedVector<double> lower_, upper_;         ///< aligned, because Eigen sums in the order of the places in memory
+  std::vector<int> exchanged_;                  ///< row of its front's pivots that was moved to each pivot
+  std::vector<AlignedVector<double>> changes_;  ///< of each front, until its parent has added them
+  std::vector<int> negative_;                   ///< negative pivots of each front
   Factors factors_ = Factors::lu;
   int threads_ = 1, factorisations_ = 0, negative_pivots_ = 0;
 };

@@ -20,7 +20,7 @@ constexpr int most_cones = 2;
 constexpr std::size_t largest_group = 6;
 
 double measure_square(const std::vector<double>& u) {
-  return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size())).squaredNorm();
+  return std::inner_product(u.begin(), u.end(), u.begin(), 0.0);
 }
 
 std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
