@@ -8,13 +8,14 @@
 #include <map>
 #include <numeric>
 
+#include "sparse/gmres.hpp"
 #include "sparse/solver.hpp"
 
 namespace talus::bounds {
 
 namespace {
 
-constexpr std::size_t most_changes = 8;
+constexpr int most_changes = 8;
 /// Limits of the local variables: a variable in more cones, or in a larger group, is not eliminated.
 constexpr int most_cones = 2;
 constexpr std::size_t largest_group = 6;
@@ -388,51 +389,40 @@ bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std:
   return left <= asked || correct(asked, left_f, left_g, x, z);
 }
 
-bool Kkt::correct(double asked, std::vector<double>& left_f, std::vector<double>& left_g, std::vector<double>& x,
-                  std::vector<double>& z) const {
-  const Eigen::Index n = static_cast<Eigen::Index>(x.size()), size = n + static_cast<Eigen::Index>(z.size());
-  std::vector<Eigen::VectorXd> basis, changes;
-  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most_changes + 1, most_changes);
-  const auto gather = [&](const std::vector<double>& upper, const std::vector<double>& lower) {
-    Eigen::VectorXd column(size);
-    column << Eigen::Map<const Eigen::VectorXd>(upper.data(), n),
-        Eigen::Map<const Eigen::VectorXd>(lower.data(), size - n);
-    return column;
+bool Kkt::correct(double asked, const std::vector<double>& left_f, const std::vector<double>& left_g,
+                  std::vector<double>& x, std::vector<double>& z) const {
+  const std::size_t n = x.size();
+  std::vector<double> f, g, dx, dz, change;
+  const auto split = [&](const std::vector<double>& both) {
+    f.assign(both.begin(), both.begin() + static_cast<std::ptrdiff_t>(n));
+    g.assign(both.begin() + static_cast<std::ptrdiff_t>(n), both.end());
   };
-  basis.push_back(gather(left_f, left_g));
-  const double norm = basis.front().norm();
+  const auto join = [](const std::vector<double>& upper, const std::vector<double>& lower) {
+    std::vector<double> both = upper;
+    both.insert(both.end(), lower.begin(), lower.end());
+    return both;
+  };
+  const sparse::LinearMap invert = [&](std::vector<double>& both) {
+    split(both);
+    if (!solve_reduced(f, g, dx, dz)) return false;
+    both = join(dx, dz);
+    return true;
+  };
+  const sparse::LinearMap apply = [&](std::vector<double>& both) {
+    split(both);
+    dx.assign(f.size(), 0), dz.assign(g.size(), 0);
+    find_residual(f, g, dx, dz);
+    both = join(dx, dz);
+    for (double& v : both) v = -v;
+    return true;
+  };
+  const std::vector<double> left = join(left_f, left_g);
+  const double norm = std::sqrt(measure_square(left));
   if (!std::isfinite(norm)) return false;
-  basis.front() /= norm;
-  Eigen::VectorXd first = Eigen::VectorXd::Zero(most_changes + 1), factors;
-  first[0] = norm;
-  std::vector<double> dx, dz;
-  for (std::size_t k = 0; k < most_changes; ++k) {
-    std::copy_n(basis[k].data(), n, left_f.begin());
-    std::copy_n(basis[k].data() + n, size - n, left_g.begin());
-    if (!solve_reduced(left_f, left_g, dx, dz)) return false;
-    changes.push_back(gather(dx, dz));
-    std::fill(left_f.begin(), left_f.end(), 0.0), std::fill(left_g.begin(), left_g.end(), 0.0);
-    find_residual(dx, dz, left_f, left_g);
-    basis.push_back(-gather(left_f, left_g));
-    const auto count = static_cast<Eigen::Index>(k) + 1;
-    for (int pass = 0; pass < 2; ++pass)
-      for (Eigen::Index j = 0; j < count; ++j) {
-        const double along = basis[static_cast<std::size_t>(j)].dot(basis.back());
-        h(j, count - 1) += along;
-        basis.back() -= along * basis[static_cast<std::size_t>(j)];
-      }
-    const double rest = h(count, count - 1) = basis.back().norm();
-    const auto used = h.topLeftCorner(count + 1, count);
-    factors = used.householderQr().solve(first.head(count + 1));
-    if (!(rest > 0) || (first.head(count + 1) - used * factors).norm() <= asked) break;
-    basis.back() /= rest;
-  }
-  Eigen::Map<Eigen::VectorXd> to_x(x.data(), n), to_z(z.data(), size - n);
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    to_x += factors[static_cast<Eigen::Index>(k)] * changes[k].head(n);
-    to_z += factors[static_cast<Eigen::Index>(k)] * changes[k].tail(size - n);
-  }
-  return to_x.allFinite() && to_z.allFinite();
+  if (!std::isfinite(sparse::solve_by_gmres(apply, invert, left, asked / norm, most_changes, change))) return false;
+  for (std::size_t i = 0; i < n; ++i) x[i] += change[i];
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] += change[n + i];
+  return true;
 }
 
 }  // namespace talus::bounds

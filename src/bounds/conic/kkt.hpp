@@ -70,8 +70,8 @@ class Kkt {
   bool solve_reduced(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                      std::vector<double>& z) const;
   /// Adds corrections to x and z until the norm of the residual, which starts as left_f and left_g, is at most `asked`.
-  bool correct(double asked, std::vector<double>& left_f, std::vector<double>& left_g, std::vector<double>& x,
-               std::vector<double>& z) const;
+  bool correct(double asked, const std::vector<double>& left_f, const std::vector<double>& left_g,
+               std::vector<double>& x, std::vector<double>& z) const;
   void reduce_right(const Group& group, std::vector<double>& x, double* right) const;
   void recover(const Group& group, const double* rest, std::vector<double>& x) const;
   void apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const;

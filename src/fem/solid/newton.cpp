@@ -79,7 +79,7 @@ bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::v
   if (D == 3 && has_factors_ &&
       sparse::solve_by_gmres([&](std::vector<double>& x) { return multiply(x); },
                              [&](std::vector<double>& x) { return solver_.solve(x); }, lack_, forcing, most_products,
-                             change))
+                             change) <= forcing)
     return true;
   change = lack_;
   return factorise(sums.symmetric) && solver_.solve(change);

@@ -117,9 +117,9 @@ constexpr double coupled_point_bytes[] = {800, 1000};
 /// Meshing time of an element on one core [s].
 constexpr double element_seconds[] = {6e-5, 1e-4};
 /// Time of a strength reduction with n unknowns, c n^1.3 [s]: with ψ < φ, and with ψ = φ.
-constexpr double reduction_seconds = 1.3e-4, associated_seconds = 4e-5, reduction_power = 1.3, unknowns_per_element = 4;
-/// Bytes of a factorised matrix: c n^1.1.
-constexpr double matrix_bytes = 1600, matrix_power = 1.1;
+constexpr double reduction_seconds = 6e-5, associated_seconds = 2e-5, reduction_power = 1.3, unknowns_per_element = 4;
+/// Bytes of the matrices and factors of n unknowns, c n^k, in 2D and 3D.
+constexpr double matrix_bytes[] = {1600, 900}, matrix_power[] = {1.1, 1.25};
 /// Time of limit analysis up to a last mesh of n triangles, c n^1.5 [s], and bytes per triangle.
 constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
 /// Usual final number of triangles of the referee, and the usual fraction of the allowed triangles of a search for
@@ -191,8 +191,8 @@ MethodForecast forecast_elements(const input::Case& data) {
   if (data.fem.meshes > 1 && plan.file.empty())  // a second mesh, of twice the element size
     f.seconds *= 1 + std::pow(0.25, reduction_power);
   f.most_seconds = f.seconds;
-  f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
-            matrix_bytes * std::pow(unknowns, matrix_power);
+  const std::size_t rank = get_rank(plan.dimension);
+  f.bytes = program_bytes + mesh_bytes[rank] * count.all + matrix_bytes[rank] * std::pow(unknowns, matrix_power[rank]);
   return f;
 }
 
