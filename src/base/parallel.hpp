@@ -14,6 +14,14 @@ namespace talus {
 
 namespace detail {
 
+/// Calls work with the number of the thread too, if it takes it.
+void call(auto& work, int piece, int thread) {
+  if constexpr (requires { work(piece, thread); })
+    work(piece, thread);
+  else
+    work(piece);
+}
+
 /// Runs pieces and stores the exception of the lowest piece, since exceptions must not leave a parallel region.
 template <class Work>
 class GuardedWork {
@@ -21,7 +29,11 @@ class GuardedWork {
   GuardedWork(int pieces, Work& work) : first_piece_(pieces), work_(work) {}
   void run(int piece) {
     try {
-      work_(piece);
+#ifdef _OPENMP
+      call(work_, piece, omp_get_thread_num());
+#else
+      call(work_, piece, 0);
+#endif
     } catch (...) {
 #pragma omp critical(talus_parallel)
       if (piece < first_piece_) {
@@ -56,10 +68,11 @@ void parallel_for(int pieces, int threads, auto&& work) {
   guarded.rethrow();
 }
 
-/// As parallel_for() for few pieces of unequal cost, such as trials, with a dynamic schedule.
+/// As parallel_for() for few pieces of unequal cost, such as trials, with a dynamic schedule. `work` may take the
+/// number of the thread, below `threads`, as a second argument, for memory that the pieces of a thread share.
 void parallel_tasks(int pieces, int threads, auto&& work) {
   if (threads <= 1 || pieces <= 1) {
-    for (int i = 0; i < pieces; ++i) work(i);
+    for (int i = 0; i < pieces; ++i) detail::call(work, i, 0);
     return;
   }
   detail::GuardedWork guarded(pieces, work);

@@ -199,9 +199,11 @@ void link(Elimination& plan) {
     for (const int child : front.children) front.work += plan.fronts[child].work;
     if (front.parent < 0) continue;
     const Front& parent = plan.fronts[front.parent];
-    for (const int unknown : front.rows) {
-      front.row_in_parent.push_back(parent.find(unknown));
-      front.pivots_of_parent += front.row_in_parent.back() < parent.pivots;
+    for (int i = 0; i < static_cast<int>(front.rows.size()); ++i) {
+      const int to = parent.find(front.rows[i]);
+      const bool goes_on = !front.runs.empty() && to == front.runs.back().to + front.runs.back().count;
+      if (!goes_on || to == parent.pivots) front.runs.push_back({i, to, 0});
+      ++front.runs.back().count;
     }
   }
 }

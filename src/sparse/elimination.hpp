@@ -7,18 +7,22 @@
 
 namespace talus::sparse {
 
+/// Successive rows of a front that are successive in the front of its parent too.
+struct Run {
+  int from = 0, to = 0, count = 0;  ///< index of the first one among `rows`, and in the parent
+};
+
 /// The dense matrix in which a group of unknowns, its pivots, is eliminated: rows and columns of the pivots first, then
 /// those of `rows`.
 struct Front {
   int first = 0;  ///< first pivot, in the order of elimination
   int pivots = 0;
-  std::vector<int> rows;           ///< unknowns that the elimination changes, in the order of elimination, increasing
-  int parent = -1;                 ///< front to which the changes are added; -1: none
-  std::vector<int> children;       ///< fronts with this parent
-  int first_of_subtree = 0;        ///< a subtree consists of the fronts from here to its root
-  std::vector<int> row_in_parent;  ///< index of each of `rows` in the front of the parent
-  int pivots_of_parent = 0;        ///< number of `rows` that are pivots of the parent: the first ones
-  double work = 0;                 ///< multiplications of LU in the subtree
+  std::vector<int> rows;      ///< unknowns that the elimination changes, in the order of elimination, increasing
+  int parent = -1;            ///< front to which the changes are added; -1: none
+  std::vector<int> children;  ///< fronts with this parent
+  int first_of_subtree = 0;   ///< a subtree consists of the fronts from here to its root
+  std::vector<Run> runs;      ///< of all `rows`, within the pivots of the parent or beyond them
+  double work = 0;            ///< multiplications of LU in the subtree
 
   int size() const { return pivots + static_cast<int>(rows.size()); }
   /// Returns the index in the front of an unknown in the order of elimination.

@@ -19,6 +19,7 @@ using Column = Eigen::Map<Eigen::VectorXd>;
 
 constexpr int small_block = 16;       ///< pivots that are eliminated one by one
 constexpr int chunk = 128;            ///< columns of a product that are one piece of work
+constexpr int kept = 2;               ///< place of the changes of the roots of subtrees, beside the two stacks
 constexpr double least_share = 0.02;  ///< work of the largest subtree that is not divided, over all
 
 /// Factorises the lower triangle of a block as L D Lᵀ without exchanges; D replaces the diagonal of ones. Returns false
@@ -80,19 +81,19 @@ Elimination plan_stored(const std::vector<int>& column_start, const std::vector<
 SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads,
                            Stored stored)
     : plan_(plan_stored(column_start, row, stored)), threads_(threads > 0 ? threads : default_threads()) {
+  stacks_.resize(static_cast<std::size_t>(threads_));
   std::size_t lower = 0, upper = 0;
   std::vector<int> front_of(plan_.position.size());
   for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
     const Front& front = plan_.fronts[f];
     places_.push_back({lower, upper});
     lower += static_cast<std::size_t>(front.size()) * static_cast<std::size_t>(front.pivots);
-    upper += front.rows.size() * static_cast<std::size_t>(front.pivots);
+    if (stored == Stored::all) upper += front.rows.size() * static_cast<std::size_t>(front.pivots);
     std::fill_n(front_of.begin() + front.first, front.pivots, static_cast<int>(f));
   }
   lower_.resize(lower);
-  upper_.resize(stored == Stored::all ? upper : 0);
+  upper_.resize(upper);
   exchanged_.resize(plan_.position.size());
-  changes_.resize(plan_.fronts.size());
   negative_.resize(plan_.fronts.size());
   std::vector<std::vector<std::array<int, 2>>> entries(plan_.fronts.size());  // of each front: value and slot
   for (std::size_t j = 0; j + 1 < column_start.size(); ++j)
@@ -120,6 +121,40 @@ SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vect
   // The largest ones first, so that no thread ends long after the others.
   std::stable_sort(subtrees_.begin(), subtrees_.end(),
                    [&](int a, int b) { return plan_.fronts[a].work > plan_.fronts[b].work; });
+  place_changes();
+}
+
+/// Plans where the changes of each front wait until its parent has added them. In postorder, the fronts of one level
+/// whose changes wait are added last in, first out, so two stacks suffice: for even and for odd levels.
+void SparseSolver::place_changes() {
+  std::vector<int> level(plan_.fronts.size(), 0);
+  for (std::size_t f = plan_.fronts.size(); f-- > 0;)
+    for (const int child : plan_.fronts[f].children) level[child] = 1 - level[f];
+  std::array<std::size_t, 3> top{}, most{};
+  const auto put = [&](int f, int stack) {
+    const std::size_t count = plan_.fronts[f].rows.size();
+    places_[f].changes = top[stack];
+    places_[f].stack = stack;
+    top[stack] += (count * count + 7) / 8 * 8;  // so that every start is aligned
+    most[stack] = std::max(most[stack], top[stack]);
+    for (const int child : plan_.fronts[f].children)
+      if (places_[child].stack == 1 - stack) top[1 - stack] = std::min(top[1 - stack], places_[child].changes);
+  };
+  for (const int root : subtrees_) {
+    top[0] = top[1] = 0;
+    for (int f = plan_.fronts[root].first_of_subtree; f < root; ++f) put(f, level[f]);
+    put(root, kept);
+  }
+  top[0] = top[1] = 0;
+  for (const int f : tops_) put(f, level[f]);
+  for (auto& stacks : stacks_)
+    for (std::size_t s = 0; s < 2; ++s) stacks[s].resize(most[s]);
+  kept_.resize(most[kept]);
+}
+
+double* SparseSolver::find_changes(int f, int thread) {
+  const Place& place = places_[f];
+  return (place.stack == kept ? kept_ : stacks_[thread][place.stack]).data() + place.changes;
 }
 
 /// Sets a front to the values of the matrix that enter it.
@@ -137,41 +172,39 @@ void SparseSolver::add_values(const std::vector<double>& values, int f) {
 }
 
 /// Adds to a front what its children have left to it.
-void SparseSolver::add_changes_of_children(int f) {
+void SparseSolver::add_changes_of_children(int f, int thread) {
   const Front& front = plan_.fronts[f];
   const bool symmetric = factors_ == Factors::ldlt;
   const std::ptrdiff_t pivots = front.pivots, size = front.size(), count = size - pivots;
-  double *lower = lower_.data() + places_[f].lower, *upper = upper_.data() + places_[f].upper;
-  changes_[f].assign(static_cast<std::size_t>(count * count), 0);
+  double *lower = lower_.data() + places_[f].lower, *upper = upper_.data() + places_[f].upper,
+         *changes = find_changes(f, thread);
+  for (std::ptrdiff_t j = 0; j < count; ++j)
+    std::fill(changes + j * count + (symmetric ? j : 0), changes + (j + 1) * count, 0.0);
   for (const int c : front.children) {
     const Front& child = plan_.fronts[c];
-    const int* place = child.row_in_parent.data();
-    const int rows = static_cast<int>(child.rows.size()), shared = child.pivots_of_parent;
-    const double* from = changes_[c].data();
-    for (int j = 0; j < rows; ++j, from += rows) {
-      const std::ptrdiff_t column = place[j];
-      if (column < pivots) {
-        double* to = lower + column * size;
-        for (int i = symmetric ? j : 0; i < rows; ++i) to[place[i]] += from[i];
-        continue;
+    const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(child.rows.size());
+    const double* from = find_changes(c, thread);
+    for (const Run& across : child.runs)
+      for (int j = 0; j < across.count; ++j, from += rows) {
+        const std::ptrdiff_t column = across.to + j;
+        for (const Run& down : child.runs) {
+          const int first = symmetric ? std::max(0, across.from + j - down.from) : 0;
+          if (first >= down.count) continue;
+          double* to = column < pivots    ? lower + column * size + down.to
+                       : down.to < pivots ? upper + (column - pivots) * pivots + down.to
+                                          : changes + (column - pivots) * count + down.to - pivots;
+          for (int i = first; i < down.count; ++i) to[i] += from[down.from + i];
+        }
       }
-      if (!symmetric) {
-        double* to = upper + (column - pivots) * pivots;
-        for (int i = 0; i < shared; ++i) to[place[i]] += from[i];
-      }
-      double* to = changes_[f].data() + (column - pivots) * count - pivots;
-      for (int i = symmetric ? j : shared; i < rows; ++i) to[place[i]] += from[i];
-    }
-    AlignedVector<double>().swap(changes_[c]);
   }
 }
 
-bool SparseSolver::eliminate_ldlt(int f, int threads) {
+bool SparseSolver::eliminate_ldlt(int f, int threads, int thread) {
   const Front& front = plan_.fronts[f];
   const int pivots = front.pivots, size = front.size(), count = size - pivots;
   double* at = lower_.data() + places_[f].lower;
   Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
-      changes(changes_[f].data(), count, count, Stride(count));
+      changes(find_changes(f, thread), count, count, Stride(count));
   if (!factorise_ldlt(own)) return false;
   negative_[f] = static_cast<int>((own.diagonal().array() < 0).count());
   if (count == 0) return true;
@@ -189,13 +222,13 @@ bool SparseSolver::eliminate_ldlt(int f, int threads) {
   return true;
 }
 
-bool SparseSolver::eliminate_lu(int f, int threads) {
+bool SparseSolver::eliminate_lu(int f, int threads, int thread) {
   const Front& front = plan_.fronts[f];
   const int pivots = front.pivots, size = front.size(), count = size - pivots;
   double* at = lower_.data() + places_[f].lower;
   Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
       right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots)),
-      changes(changes_[f].data(), count, count, Stride(count));
+      changes(find_changes(f, thread), count, count, Stride(count));
   Eigen::Ref<Eigen::MatrixXd, 0, Stride> in_place(own);
   const Eigen::PartialPivLU<decltype(in_place)> lu(in_place);
   if (!own.diagonal().allFinite() || (own.diagonal().array() == 0).any()) return false;
@@ -218,23 +251,23 @@ bool SparseSolver::eliminate_lu(int f, int threads) {
   return true;
 }
 
-bool SparseSolver::eliminate(const std::vector<double>& values, int f, int threads) {
+bool SparseSolver::eliminate(const std::vector<double>& values, int f, int threads, int thread) {
   add_values(values, f);
-  add_changes_of_children(f);
-  return factors_ == Factors::ldlt ? eliminate_ldlt(f, threads) : eliminate_lu(f, threads);
+  add_changes_of_children(f, thread);
+  return factors_ == Factors::ldlt ? eliminate_ldlt(f, threads, thread) : eliminate_lu(f, threads, thread);
 }
 
 bool SparseSolver::factorise(const std::vector<double>& values, Factors factors) {
   factors_ = factors;
   ++factorisations_;
   std::vector<char> good(subtrees_.size(), 1);
-  parallel_tasks(static_cast<int>(subtrees_.size()), threads_, [&](int s) {
+  parallel_tasks(static_cast<int>(subtrees_.size()), threads_, [&](int s, int thread) {
     for (int f = plan_.fronts[subtrees_[s]].first_of_subtree; f <= subtrees_[s] && good[s]; ++f)
-      good[s] = eliminate(values, f, 1);
+      good[s] = eliminate(values, f, 1, thread);
   });
   if (std::find(good.begin(), good.end(), 0) != good.end()) return false;
   for (const int f : tops_)
-    if (!eliminate(values, f, threads_)) return false;
+    if (!eliminate(values, f, threads_, 0)) return false;
   negative_pivots_ = factors == Factors::ldlt ? std::accumulate(negative_.begin(), negative_.end(), 0) : 0;
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 // Direct solution of sparse linear systems with one pattern and varying values, by multifrontal factorisation.
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -44,13 +45,16 @@ class SparseSolver {
   /// Places of the factors of a front in `lower_` (all rows of the pivots' columns) and `upper_` (the columns of its
   /// other unknowns in the pivots' rows), and of its first value in `order_`.
   struct Place {
-    std::size_t lower = 0, upper = 0, value = 0;
+    std::size_t lower = 0, upper = 0, value = 0, changes = 0;
+    int stack = 0;  ///< where its changes wait
   };
-  bool eliminate(const std::vector<double>& values, int f, int threads);
+  void place_changes();
+  bool eliminate(const std::vector<double>& values, int f, int threads, int thread);
   void add_values(const std::vector<double>& values, int f);
-  bool eliminate_ldlt(int f, int threads);
-  bool eliminate_lu(int f, int threads);
-  void add_changes_of_children(int f);
+  bool eliminate_ldlt(int f, int threads, int thread);
+  bool eliminate_lu(int f, int threads, int thread);
+  void add_changes_of_children(int f, int thread);
+  double* find_changes(int f, int thread);
 
   Elimination plan_;
   std::vector<Place> places_;
@@ -58,10 +62,12 @@ class SparseSolver {
   std::vector<int> tops_;      ///< fronts above them, in postorder
   std::vector<int> order_;     ///< values, by the fronts that they enter
   std::vector<int> slots_;     ///< of each of them: index in the front's `lower_`, or -1 - that in its `upper_`
-  AlignedVector<double> lower_, upper_;         ///< aligned, because Eigen sums in the order of the places in memory
-  std::vector<int> exchanged_;                  ///< row of its front's pivots that was moved to each pivot
-  std::vector<AlignedVector<double>> changes_;  ///< of each front, until its parent has added them
-  std::vector<int> negative_;                   ///< negative pivots of each front
+  AlignedVector<double> lower_, upper_;  ///< aligned, because Eigen sums in the order of the places in memory
+  std::vector<int> exchanged_;           ///< row of its front's pivots that was moved to each pivot
+  /// Changes of each front until its parent has added them: two stacks for each thread, and the roots of subtrees.
+  std::vector<std::array<AlignedVector<double>, 2>> stacks_;
+  AlignedVector<double> kept_;
+  std::vector<int> negative_;  ///< negative pivots of each front
   Factors factors_ = Factors::lu;
   int threads_ = 1, factorisations_ = 0, negative_pivots_ = 0;
 };
