@@ -31,6 +31,24 @@ void for_strain(const Vec<D>& g, F&& f) {
   }
 }
 
+/// Adds w Bᵀ C B of an integration point to the matrix of its element.
+template <int D>
+void add_stiffness(const std::array<Vec<D>, Quadratic<D>::nodes>& g,
+                   const std::array<double, Quadratic<D>::strains * Quadratic<D>::strains>& c, double w,
+                   double* matrix) {
+  constexpr std::size_t n = SolidSystem<D>::locals, ns = Quadratic<D>::strains;
+  std::array<std::array<double, n>, ns> cb{};  // w C B
+  for (std::size_t b = 0; b < Quadratic<D>::nodes; ++b)
+    for_strain<D>(g[b], [&](std::size_t axis, std::size_t s, double v) {
+      for (std::size_t t = 0; t < ns; ++t) cb[t][b * D + axis] += w * v * c[t * ns + s];
+    });
+  for (std::size_t a = 0; a < Quadratic<D>::nodes; ++a)
+    for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) {
+      double* row = matrix + (a * D + axis) * n;
+      for (std::size_t j = 0; j < n; ++j) row[j] += v * cb[s][j];
+    });
+}
+
 }  // namespace
 
 template <int D>
@@ -71,7 +89,7 @@ template <int D>
 void SolidAssembly<D>::evaluate_element(std::size_t k, const SolidState<D>& start, const std::vector<Vec<D>>& u,
                                         bool with_matrix, SolidState<D>& end, Element& sum) const {
   using Q = Quadratic<D>;
-  constexpr std::size_t n = Element::n, ns = Q::strains;
+  constexpr std::size_t ns = Q::strains;
   sum.force.fill(0);
   if (with_matrix) sum.matrix.fill(0);
   sum.symmetric = true;
@@ -106,16 +124,7 @@ void SolidAssembly<D>::evaluate_element(std::size_t k, const SolidState<D>& star
     for (std::size_t a = 0; a < Q::nodes; ++a)
       for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) { sum.force[a * D + axis] += v * total[s]; });
     if (!with_matrix) continue;
-    for (std::size_t b = 0; b < Q::nodes; ++b) {
-      std::array<std::array<double, D>, ns> cb{};  // C B of node b
-      for_strain<D>(g[b], [&](std::size_t axis, std::size_t s, double v) {
-        for (std::size_t t = 0; t < ns; ++t) cb[t][axis] += w * v * c[t * ns + s];
-      });
-      for (std::size_t a = 0; a < Q::nodes; ++a)
-        for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) {
-          for (std::size_t e = 0; e < D; ++e) sum.matrix[(a * D + axis) * n + b * D + e] += v * cb[s][e];
-        });
-    }
+    add_stiffness<D>(g, c, w, sum.matrix.data());
   }
   if (system_.turned[k]) turn(k, with_matrix, sum);
 }
@@ -196,7 +205,7 @@ void SolidAssembly<D>::evaluate(const SolidState<D>& start, const std::vector<Ve
 template <int D>
 void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<double>& matrix) const {
   using Q = Quadratic<D>;
-  constexpr std::size_t ns = Q::strains, n = Element::n;
+  constexpr std::size_t ns = Q::strains;
   SolidSums sums;
   const std::size_t size = static_cast<std::size_t>(state_size_);
   for_batches(
@@ -212,16 +221,7 @@ void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<
           std::array<double, ns * ns> c;
           find_elastic_stiffness<static_cast<int>(ns)>(laws_[static_cast<std::size_t>(system_.region(k))],
                                                        at.stress[p].data(), &at.state[p * size], c.data());
-          for (std::size_t b = 0; b < Q::nodes; ++b) {
-            std::array<std::array<double, D>, ns> cb{};
-            for_strain<D>(g[b], [&](std::size_t axis, std::size_t s, double v) {
-              for (std::size_t t = 0; t < ns; ++t) cb[t][axis] += system_.mesh.weights[p] * v * c[t * ns + s];
-            });
-            for (std::size_t a = 0; a < Q::nodes; ++a)
-              for_strain<D>(g[a], [&](std::size_t axis, std::size_t s, double v) {
-                for (std::size_t e = 0; e < D; ++e) sum.matrix[(a * D + axis) * n + b * D + e] += v * cb[s][e];
-              });
-          }
+          add_stiffness<D>(g, c, system_.mesh.weights[p], sum.matrix.data());
         }
         if (system_.turned[k]) turn(k, true, sum);
       },
