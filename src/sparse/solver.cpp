@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/parallel.hpp"
@@ -17,10 +18,9 @@ using Block = Eigen::Map<Eigen::MatrixXd, 0, Stride>;
 using ConstBlock = Eigen::Map<const Eigen::MatrixXd, 0, Stride>;
 using Column = Eigen::Map<Eigen::VectorXd>;
 
-constexpr int small_block = 16;       ///< pivots that are eliminated one by one
-constexpr int chunk = 128;            ///< columns of a product that are one piece of work
-constexpr int kept = 2;               ///< place of the changes of the roots of subtrees, beside the two stacks
-constexpr double least_share = 0.02;  ///< work of the largest subtree that is not divided, over all
+constexpr int small_block = 16;  ///< pivots that are eliminated one by one
+constexpr int chunk = 128;       ///< columns of a product that are one piece of work
+constexpr int kept = 2;          ///< place of the changes of the roots of subtrees, beside the two stacks
 
 /// Factorises the lower triangle of a block as L D Lᵀ without exchanges; D replaces the diagonal of ones. Returns false
 /// if a pivot is zero or not finite.
@@ -76,6 +76,38 @@ Elimination plan_stored(const std::vector<int>& column_start, const std::vector<
   return plan_elimination(whole.column_start, whole.row);
 }
 
+/// Fronts in subtrees that are factorised side by side, the largest first, and fronts above them in postorder.
+struct Division {
+  std::vector<int> subtrees, tops;
+};
+
+/// Divides the fronts so that no subtree has more than a share of the work.
+Division divide(const Elimination& plan, double share) {
+  Division division;
+  for (int f = static_cast<int>(plan.fronts.size()) - 1; f >= 0;) {
+    const Front& front = plan.fronts[f];
+    const bool is_small = front.work <= share * plan.work * (1 + 1e-9);
+    (is_small ? division.subtrees : division.tops).push_back(f);
+    f = is_small ? front.first_of_subtree - 1 : f - 1;
+  }
+  std::reverse(division.tops.begin(), division.tops.end());
+  // The largest ones first, so that no thread ends long after the others.
+  std::stable_sort(division.subtrees.begin(), division.subtrees.end(),
+                   [&](int a, int b) { return plan.fronts[a].work > plan.fronts[b].work; });
+  return division;
+}
+
+/// Returns the work of the thread that ends last, and that of the fronts above the subtrees.
+double estimate_time(const Elimination& plan, const Division& division, int threads) {
+  std::vector<double> busy(static_cast<std::size_t>(threads), 0);
+  double in_subtrees = 0;
+  for (const int root : division.subtrees) {
+    *std::min_element(busy.begin(), busy.end()) += plan.fronts[root].work;
+    in_subtrees += plan.fronts[root].work;
+  }
+  return *std::max_element(busy.begin(), busy.end()) + plan.work - in_subtrees;
+}
+
 }  // namespace
 
 SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads,
@@ -111,16 +143,12 @@ SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vect
     for (const auto& [value, slot] : entries[f]) order_.push_back(value), slots_.push_back(slot);
   }
   places_.push_back({lower, upper, order_.size()});
-  for (int f = static_cast<int>(plan_.fronts.size()) - 1; f >= 0;) {
-    const Front& front = plan_.fronts[f];
-    const bool is_small = front.work <= least_share * plan_.work;
-    (is_small ? subtrees_ : tops_).push_back(f);
-    f = is_small ? front.first_of_subtree - 1 : f - 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.06, 0.04, 0.03, 0.02}) {
+    Division tried = divide(plan_, share);
+    const double time = estimate_time(plan_, tried, threads_);
+    if (time < least * (1 - 1e-9)) least = time, subtrees_ = std::move(tried.subtrees), tops_ = std::move(tried.tops);
   }
-  std::reverse(tops_.begin(), tops_.end());
-  // The largest ones first, so that no thread ends long after the others.
-  std::stable_sort(subtrees_.begin(), subtrees_.end(),
-                   [&](int a, int b) { return plan_.fronts[a].work > plan_.fronts[b].work; });
   place_changes();
 }
 
