@@ -17,6 +17,9 @@ namespace talus {
 /// Allocates zeroed bytes at a cache line. Throws std::bad_alloc.
 void* allocate_zeros(std::size_t bytes);
 void free_zeros(void* start, std::size_t bytes);
+/// From now on, arrays are in small pages. A rank writes only parts of the arrays of the whole body, and a huge page
+/// takes its memory with the first of its bytes that is written.
+void avoid_huge_pages();
 /// Copies the non-zero pages to memory that is zero.
 void copy_to_zeros(void* to, const void* from, std::size_t bytes);
 

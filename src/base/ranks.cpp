@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/aligned.hpp"
 #include "base/error.hpp"
 #include "base/foreign_code.hpp"
 
@@ -62,6 +63,7 @@ int count_started() {
 void join_ranks() {
   const int count = count_started();
   if (count <= 1) return;
+  avoid_huge_pages();
   std::string why;
   // Plugins that MPI loads need its symbols, so the module is loaded with global symbols.
   void* maker = load_module("libtalus_ranks.so", "talus_make_ranks", true, why);
