@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // One kernel source for SIMD on the CPU and threads on a GPU: kernels are templates on T, either Pack (lane_width
-// doubles, one element of the mesh per lane) or the double of one thread. Only this file depends on the instruction
-// set. std::experimental::simd is not used: under clang with AVX-512 its masked assignment gave wrong results silently
-// (docs/decisions/0004).
+// doubles, one element of the mesh per lane) or the double of one thread. Only this file and rows.hpp depend on the
+// instruction set. std::experimental::simd is not used: under clang with AVX-512 its masked assignment gave wrong
+// results silently (docs/decisions/0004).
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 
@@ -56,28 +57,79 @@ inline constexpr int lane_width = 2;
 #if defined(__CUDACC__)  // nvcc has no vector types
 struct Pack;
 #else
-/// One Boolean per lane.
+namespace detail {
+typedef double Doubles __attribute__((vector_size(8 * lane_width)));
+typedef std::int64_t Integers __attribute__((vector_size(8 * lane_width)));
+}  // namespace detail
+
+#if defined(__AVX512DQ__)
+/// One Boolean per lane, in a mask register. The operators are intrinsics, because GCC moves the operands of plain ones
+/// to general registers and back.
 struct Mask {
-  typedef std::int64_t Vector __attribute__((vector_size(8 * lane_width)));
-  Vector bits;  ///< -1 where true, 0 where false
+  __mmask8 bits;  ///< one bit per lane, lane 0 lowest
 
   Mask() = default;
-  TALUS_KERNEL Mask(Vector b) : bits(b) {}
-  TALUS_KERNEL explicit Mask(bool b) : bits(Vector{} - static_cast<std::int64_t>(b)) {}
+  template <std::same_as<__mmask8> Bits>  // not a bool
+  TALUS_KERNEL Mask(Bits b) : bits(b) {}
+  TALUS_KERNEL explicit Mask(bool b) : bits(b ? 0xff : 0) {}
+  TALUS_KERNEL friend Mask operator&&(Mask a, Mask b) { return _kand_mask8(a.bits, b.bits); }
+  TALUS_KERNEL friend Mask operator||(Mask a, Mask b) { return _kor_mask8(a.bits, b.bits); }
+  TALUS_KERNEL Mask operator!() const { return _knot_mask8(bits); }
+  TALUS_KERNEL bool operator[](int lane) const { return (bits >> lane & 1) != 0; }
+};
+
+namespace detail {
+TALUS_KERNEL Doubles broadcast(double s) {
+  return static_cast<Doubles>(_mm512_set1_pd(s));
+}
+TALUS_KERNEL Mask is_less(Doubles a, Doubles b) {
+  return _mm512_cmp_pd_mask(static_cast<__m512d>(a), static_cast<__m512d>(b), _CMP_LT_OQ);
+}
+TALUS_KERNEL Mask is_equal(Doubles a, Doubles b) {
+  return _mm512_cmp_pd_mask(static_cast<__m512d>(a), static_cast<__m512d>(b), _CMP_EQ_OQ);
+}
+TALUS_KERNEL Doubles select(Mask c, Doubles a, Doubles b) {
+  return static_cast<Doubles>(_mm512_mask_blend_pd(c.bits, static_cast<__m512d>(b), static_cast<__m512d>(a)));
+}
+}  // namespace detail
+#else
+/// One Boolean per lane.
+struct Mask {
+  detail::Integers bits;  ///< -1 where true, 0 where false
+
+  Mask() = default;
+  TALUS_KERNEL Mask(detail::Integers b) : bits(b) {}
+  TALUS_KERNEL explicit Mask(bool b) : bits(detail::Integers{} - static_cast<std::int64_t>(b)) {}
   TALUS_KERNEL friend Mask operator&&(Mask a, Mask b) { return a.bits & b.bits; }
   TALUS_KERNEL friend Mask operator||(Mask a, Mask b) { return a.bits | b.bits; }
   TALUS_KERNEL Mask operator!() const { return ~bits; }
   TALUS_KERNEL bool operator[](int lane) const { return bits[lane] != 0; }
 };
 
+namespace detail {
+TALUS_KERNEL Doubles broadcast(double s) {
+  return Doubles{} + s;
+}
+TALUS_KERNEL Mask is_less(Doubles a, Doubles b) {
+  return static_cast<Integers>(a < b);
+}
+TALUS_KERNEL Mask is_equal(Doubles a, Doubles b) {
+  return static_cast<Integers>(a == b);
+}
+TALUS_KERNEL Doubles select(Mask c, Doubles a, Doubles b) {
+  return c.bits ? a : b;
+}
+}  // namespace detail
+#endif
+
 /// lane_width doubles with the operators of a double.
 struct Pack {
-  typedef double Vector __attribute__((vector_size(8 * lane_width)));
+  using Vector = detail::Doubles;
   Vector value;
 
   Pack() = default;
   TALUS_KERNEL Pack(Vector v) : value(v) {}
-  TALUS_KERNEL Pack(double s) : value(Vector{} + s) {}
+  TALUS_KERNEL Pack(double s) : value(detail::broadcast(s)) {}
   TALUS_KERNEL double operator[](int lane) const { return value[lane]; }
 
   TALUS_KERNEL friend Pack operator+(Pack a, Pack b) { return a.value + b.value; }
@@ -97,9 +149,9 @@ struct Pack {
     value *= b.value;
     return *this;
   }
-  TALUS_KERNEL friend Mask operator<(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value < b.value)); }
-  TALUS_KERNEL friend Mask operator>(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value > b.value)); }
-  TALUS_KERNEL friend Mask operator==(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value == b.value)); }
+  TALUS_KERNEL friend Mask operator<(Pack a, Pack b) { return detail::is_less(a.value, b.value); }
+  TALUS_KERNEL friend Mask operator>(Pack a, Pack b) { return detail::is_less(b.value, a.value); }
+  TALUS_KERNEL friend Mask operator==(Pack a, Pack b) { return detail::is_equal(a.value, b.value); }
 };
 
 #endif
@@ -161,7 +213,7 @@ TALUS_KERNEL void store(double* p, double a) {
 
 #if !defined(__CUDACC__)
 TALUS_KERNEL Pack select(Mask c, Pack a, Pack b) {
-  return c.bits ? a.value : b.value;
+  return detail::select(c, a.value, b.value);
 }
 TALUS_KERNEL Pack lane_max(Pack a, Pack b) {
   return a.value > b.value ? a.value : b.value;
@@ -194,9 +246,16 @@ TALUS_KERNEL void set_lane(Pack& a, int lane, double value) {
   a.value[lane] = value;
 }
 
+TALUS_KERNEL void set_lane(Mask& m, int lane, bool value) {
+#if defined(__AVX512DQ__)
+  m.bits = static_cast<__mmask8>((m.bits & ~(1u << lane)) | static_cast<unsigned>(value) << lane);
+#else
+  m.bits[lane] = value ? -1 : 0;
+#endif
+}
 TALUS_KERNEL unsigned to_bits(Mask m) {
 #if defined(__AVX512DQ__)
-  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m.bits));
+  return m.bits;
 #elif defined(__AVX512F__)
   return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(m.bits), reinterpret_cast<__m512i>(m.bits));
 #elif defined(__AVX__)
@@ -279,10 +338,10 @@ TALUS_KERNEL double to_lanes(std::int64_t a) {
   return r;
 }
 #if !defined(__CUDACC__)
-TALUS_KERNEL Mask::Vector to_integer(Pack a) {
-  return reinterpret_cast<Mask::Vector>(a.value);
+TALUS_KERNEL Integers to_integer(Pack a) {
+  return reinterpret_cast<Integers>(a.value);
 }
-TALUS_KERNEL Pack to_lanes(Mask::Vector a) {
+TALUS_KERNEL Pack to_lanes(Integers a) {
   return reinterpret_cast<Pack::Vector>(a);
 }
 #endif

@@ -38,7 +38,7 @@ std::array<Case<NS>, lane_width> update_pack(const RootedCamClay& law, std::arra
   for (int l = 0; l < lane_width; ++l) {
     const auto& c = cases[static_cast<std::size_t>(l)];
     const bool in = (active >> l & 1) != 0;
-    mask.bits[l] = in ? -1 : 0;
+    set_lane(mask, l, in);
     const double nothing = std::nan("");
     for (std::size_t i = 0; i < NS; ++i) stress[i].value[l] = in ? c.point.stress[i] : nothing;
     for (std::size_t i = 0; i < NS; ++i) d[i].value[l] = in ? c.d_epsilon[i] : nothing;

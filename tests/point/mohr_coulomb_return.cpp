@@ -202,7 +202,7 @@ void expect_lanes_to_agree(unsigned seed) {
     }
     const int idle = n % lane_width;
     Mask active(true);
-    active.bits[idle] = 0;
+    set_lane(active, idle, false);
     for (Pack& s : sigma) s.value[idle] = std::nan("");
     const auto response = law.template update<NS>(sigma, d_epsilon, &state, active);
     bool any_yields = false;

@@ -25,7 +25,7 @@ struct NodePack {
       rows[l] = layout.node_rows[start];
       if (layout.row_start[i + 1] - start == 1 && body.water.axes_of_node[i] < 0 && dot(facing, facing) == 0) continue;
       special |= 1u << l;
-      free.bits[l] = 0;
+      set_lane(free, l, false);
     }
   }
   bool has_free() const { return special != (1u << lane_width) - 1; }
