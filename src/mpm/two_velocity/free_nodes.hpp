@@ -101,7 +101,7 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
   work.damped += select(mine, o.dt * damped, zero);
   work.drag += select(mine, o.dt * rubbed, zero);
   work.mapping += select(mine, 0.5 * lost - o.dt * (damped + rubbed), zero);
-  store_rows<wet_motion_stride<D>>(body.water.motion.data(), nodes.rows, out);
+  store_rows<8, wet_motion_stride<D>>(body.water.motion.data(), nodes.rows, out);
 }
 
 }  // namespace talus::mpm
