@@ -237,6 +237,15 @@ TALUS_KERNEL Pack lane_sqrt(Pack a) {
 #endif
 }
 
+/// Returns `a`. The compiler does not fuse a product that is rounded so with a later sum.
+TALUS_KERNEL Pack round_lanes(Pack a) {
+#if defined(__x86_64__)
+  __asm__("" : "+v"(a.value));
+#elif defined(__aarch64__)
+  __asm__("" : "+w"(a.value));
+#endif
+  return a;
+}
 TALUS_KERNEL double sum_lanes(Pack a) {
   double sum = 0;
   for (int l = 0; l < lane_width; ++l) sum += a.value[l];

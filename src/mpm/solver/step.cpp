@@ -7,6 +7,7 @@
 #include "mpm/darcy/darcy_step.hpp"
 #include "mpm/kernels/averages.hpp"
 #include "mpm/kernels/element_kernels.hpp"
+#include "mpm/kernels/free_node_kernels.hpp"
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/grid_solve_kernels.hpp"
 #include "mpm/state/body.hpp"
@@ -116,8 +117,16 @@ template MoverLists advance_points<3>(Dry, Body<3>&, const StepOptions<3>&);
 
 template <int D>
 void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
-  solve_pieces(body, o.threads, body.nodes.sums, sums_stride, o.monitor,
-               [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
+  const bool by_packs = !o.monitor && body.nodes.load.empty();
+  solve_pieces(body, o.threads, body.nodes.sums, sums_stride, o.monitor, [&](int begin, int end, PieceSums& sums) {
+    if (!by_packs) return solve_nodes(body, o, begin, end, sums);
+    Pack works[2] = {Pack(0.0), Pack(0.0)};
+    for_node_packs(
+        body, begin, end, [&](const NodeRows& nodes) { solve_free_nodes(body, o, nodes, works); },
+        [&](int first, int last) { solve_nodes(body, o, first, last, sums); });
+    sums.damped += sum_lanes(works[0]);
+    sums.mapping += sum_lanes(works[1]);
+  });
 }
 
 template <int D>
@@ -142,11 +151,20 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
     }
   });
   std::vector<std::array<double, 2>> works(static_cast<std::size_t>(layout.chunks));  // external, lost in the mapping
+  const bool by_packs = o.moving && body.nodes.load.empty();  // frozen geometry also sums displacements
   for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
-    std::array<double, 2> lost{};
-    remap_nodes(body, o, begin, end, lost);
+    std::array<double, 2> of_piece{};
+    Pack by_lane[2] = {Pack(0.0), Pack(0.0)};
+    if (by_packs) {
+      for_node_packs(
+          body, begin, end, [&](const NodeRows& nodes) { remap_free_nodes(body, o, nodes, by_lane); },
+          [&](int first, int last) { remap_nodes(body, o, first, last, of_piece); });
+    } else {
+      remap_nodes(body, o, begin, end, of_piece);
+    }
     if (c < 0) return;
-    works[static_cast<std::size_t>(c)] = lost;
+    for (std::size_t w = 0; w < 2; ++w)
+      works[static_cast<std::size_t>(c)][w] = of_piece[w] + o.dt * sum_lanes(by_lane[w]);
   });
   complete_chunks(body, works);
   for (const auto& work : works) {
