@@ -111,6 +111,17 @@ double constrained_modulus(const Law& law, const double* sigma, const double* st
   return std::visit([&](const auto& l) { return l.constrained_modulus(sigma, state); }, law);
 }
 
+std::optional<double> find_constant_modulus(const Law& law) {
+  return std::visit(
+      [](const auto& l) -> std::optional<double> {
+        if constexpr (requires { l.constrained_modulus(); })
+          return l.constrained_modulus();
+        else
+          return std::nullopt;
+      },
+      law);
+}
+
 template <int NS>
 double elastic_energy(const Law& law, const double* sigma, const double* state) {
   return std::visit([&](const auto& l) { return l.template elastic_energy<NS>(sigma, state); }, law);

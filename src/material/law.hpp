@@ -131,6 +131,8 @@ void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& 
 void read_roots(const Law& law, const double* state, StateStart& start);
 /// Returns E_c of (2.84) at stress `sigma` and state variables `state` [Pa].
 double constrained_modulus(const Law& law, const double* sigma, const double* state);
+/// Returns E_c where it depends on neither.
+std::optional<double> find_constant_modulus(const Law& law);
 /// Returns the elastic energy density [J/m³].
 template <int NS>
 double elastic_energy(const Law& law, const double* sigma, const double* state);

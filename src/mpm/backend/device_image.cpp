@@ -59,7 +59,9 @@ void slice_rows(const NodeGraph<D>& graph, WaterImage<D>& image) {
   image.column.assign(static_cast<std::size_t>(begin), 0);
   for (std::size_t n = 0; n < now.size(); ++n)
     if (now[n] >= 0) image.column[now[n]] = graph.column[n];
-  for (const int place : graph.place) image.place.push_back(now[place]);
+  for (int i = 0; i < nodes; ++i)
+    for (int t = graph.touch_start[i]; t < graph.touch_end(i); t += graph.touch_stride)
+      for (int k = 0; k <= D; ++k) image.place.push_back(now[graph.place[static_cast<std::size_t>(t) * (D + 1) + k]]);
 }
 
 bool loads(const SurfaceCondition& c) {
@@ -115,7 +117,7 @@ std::size_t count_bytes(const WaterImage<D>& image) {
   if (image.laws.empty()) return 0;
   const auto of = [](const auto&... lists) { return ((lists.size() * sizeof *lists.data()) + ...); };
   const std::size_t soils = image.laws.size(), lanes = image.volume.size(), nodes = image.node_size.size();
-  const std::size_t element_work = 2 * soils + 8 + D + 1 + 2 * D + (D + 1) + (image.loads ? D * (D + 1) : 0),
+  const std::size_t element_work = 2 * soils + 10 + D + 1 + 2 * D + (D + 1) + (image.loads ? D * (D + 1) : 0),
                     node_work = 2 * soils + 20 + 5 * D;
   std::size_t weights = 0;
   for (const DeviceUptake& uptake : image.uptakes) weights += uptake.weight.size() * sizeof(double);

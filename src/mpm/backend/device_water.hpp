@@ -51,7 +51,8 @@ class DeviceWaterBody {
     launch(nodes(), LoadNode<D>{body_, tractions, load_rows_.read(), load_.view()});
     body_.nodes.load = load_.read();
     for (std::size_t k = 0; k < host_laws_.size(); ++k)
-      if (host_laws_[k].wet) launch(nodes(), FindRelative<D>{body_, k, relative_});
+      if (host_laws_[k].wet)
+        launch(nodes(), FindRelative<D>{body_, k, find_relative_at(host_laws_[k], 0.0), relative_});
     launch(elements(), FindFlow<D>{body_, o, relative_});
     pore_force_.assign_zeros(pore_force_.size());
     launch(nodes(), PressNode<D>{body_});
@@ -60,8 +61,8 @@ class DeviceWaterBody {
   /// Solves for the pressures at the end of the step, after the grid solve with those of its start. Returns false
   /// without convergence.
   bool solve(const StepOptions<D>& o, View<ElementAccount> accounts, DeviceOutput<D>& output) {
-    launch(elements(), FindOwnMass<D>{body_, own_mass_.view()});
-    launch(nodes(), PredictNode<D>{body_, o, own_mass_.read()});
+    launch(elements(), FindOwnMass<D>{body_});
+    launch(nodes(), PredictNode<D>{body_, o});
     if (o.moving && uptakes_.size() > 0)
       launch(elements(), DrawElement<D>{body_, uptakes_.read(), rates_.read(), o.dt, accounts});
     const PressureSystem<D> system = assemble(o);
@@ -186,6 +187,8 @@ class DeviceWaterBody {
     m.coupling = put(coupling_, lanes);
     m.conductive = put(conductive_, lanes);
     m.soft = put(soft_, lanes);
+    m.pressing = put(pressing_, lanes);
+    m.own_mass = put(own_mass_, lanes * (D + 1));
     m.node_water = put(node_water_, nodes);
     m.out = put(out_, nodes);
     m.passed = put(passed_, nodes);
@@ -208,7 +211,6 @@ class DeviceWaterBody {
     open_.assign_zeros(lanes);
     load_.resize(nodes);
     load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
-    own_mass_.resize(lanes);
     for (Array<double>* array :
          {&drive_, &storage_, &diagonal_, &inverse_, &of_node_, &r_, &z_, &q_, &grown_, &drained_, &d_})
       array->assign_zeros(nodes);
@@ -216,9 +218,11 @@ class DeviceWaterBody {
     fixed_.assign_zeros(nodes);
     surface_.resize(nodes);
     lines_.resize(nodes);
-    divergence_.resize(lanes);
-    seeping_.resize(lanes);
-    lift_.resize(lanes);
+    for (Array<double>* array : {&growth_of_, &lost_}) array->resize(lanes);
+    for (int d = 0; d < D; ++d) {
+      seeping_[d].resize(lanes);
+      lift_[d].resize(lanes);
+    }
     through_.resize(column_.size());
     growth_.resize(column_.size() * D);
     push_.resize(column_.size() * D);
@@ -241,17 +245,40 @@ class DeviceWaterBody {
 
   PressureSystem<D> assemble(const StepOptions<D>& o) {
     for (Array<double>* array : {&through_, &growth_, &push_, &d_}) array->assign_zeros(array->size());
-    const PressureSystem<D> system{
-        body_,
-        o,
-        {through_.view(),    growth_.view(),  push_.view(),    drive_.view(),   storage_.view(), diagonal_.view(),
-         inverse_.view(),    grown_.view(),   drained_.view(), of_node_.view(), r_.view(),       z_.view(),
-         d_.view(),          q_.view(),       carried_.view(), fixed_.view(),   surface_.view(), lines_.view(),
-         divergence_.view(), seeping_.view(), lift_.view()},
-        gradients_.view()};
+    PressureSystem<D> system{body_,
+                             o,
+                             {through_.view(),
+                              growth_.view(),
+                              push_.view(),
+                              drive_.view(),
+                              storage_.view(),
+                              diagonal_.view(),
+                              inverse_.view(),
+                              grown_.view(),
+                              drained_.view(),
+                              of_node_.view(),
+                              r_.view(),
+                              z_.view(),
+                              d_.view(),
+                              q_.view(),
+                              carried_.view(),
+                              fixed_.view(),
+                              surface_.view(),
+                              lines_.view(),
+                              growth_of_.view(),
+                              {},
+                              {},
+                              lost_.view(),
+                              {}},
+                             gradients_.view()};
+    for (int d = 0; d < D; ++d) {
+      system.arrays.flux[d] = seeping_[d].view();
+      system.arrays.lift[d] = lift_[d].view();
+    }
     launch(nodes(), SumPores<D>{system});
     for_nodes<NodeLine::find_surface>(system);
     launch(elements(), ForElements<D, ElementLine::assemble>{system});
+    for_nodes<NodeLine::find_source>(system);
     for_nodes<NodeLine::assemble>(system);
     for_nodes<NodeLine::find_diagonal>(system);
     return system;
@@ -322,9 +349,9 @@ class DeviceWaterBody {
   Array<double> rates_, node_size_;
   // By element.
   Array<double> volume_, stretch_, mean_saturation_, mean_pressure_, pores_, volumes_, content_, share_, flux_[D],
-      drawn_, saturated_, effective_, coupling_, conductive_, soft_, divergence_;
-  Array<Vec<D>> seeping_, lift_, load_rows_;
-  Array<std::array<double, D + 1>> own_mass_;
+      drawn_, saturated_, effective_, coupling_, conductive_, soft_, pressing_, own_mass_, growth_of_, lost_,
+      seeping_[D], lift_[D];
+  Array<Vec<D>> load_rows_;
   Array<std::uint8_t> outside_, open_;
   // By node.
   Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, drive_,

@@ -87,8 +87,35 @@ struct DeviceGraph {
   View<const double> size;
   View<const int> row_start, row_ends, column, place;
 
-  static constexpr int row_stride = device_width;
+  static constexpr int row_stride = device_width, touch_stride = 1;
   TALUS_PORTABLE int row_end(int i) const { return row_ends[i]; }
+  TALUS_PORTABLE int touch_end(int i) const { return touch_start[static_cast<std::size_t>(i) + 1]; }
+  /// Corners are the rows of sums.
+  TALUS_PORTABLE std::size_t find_corner(int e, int k) const {
+    return static_cast<std::size_t>(e) * (D + 1) + static_cast<std::size_t>(k);
+  }
+  template <class T>
+  TALUS_PORTABLE int find_touch_end(int i) const {
+    return touch_end(i);
+  }
+  template <class T>
+  TALUS_PORTABLE bool are_touches(int /*i*/, int /*t*/) const {
+    return true;
+  }
+  template <class T>
+  TALUS_PORTABLE T gather_element(const auto& field, int t) const {
+    return field[static_cast<std::size_t>(element[static_cast<std::size_t>(t)])];
+  }
+  template <class T>
+  TALUS_PORTABLE T gather_corner(const auto& field, int t) const {
+    return field[static_cast<std::size_t>(element.rows[static_cast<std::size_t>(t)])];
+  }
+  template <class T>
+  TALUS_PORTABLE void load_gradient(const auto& mesh, int t, T* b) const {
+    const auto gradient =
+        mesh::find_shape_gradient(mesh, element[static_cast<std::size_t>(t)], local[static_cast<std::size_t>(t)]);
+    for (int d = 0; d < D; ++d) b[d] = gradient[static_cast<std::size_t>(d)];
+  }
 };
 
 template <int D>
@@ -100,7 +127,7 @@ struct DeviceDarcy {
   View<std::uint8_t> ponded;
   // By element.
   TableView pores, volume;
-  View<double> water, share, flux[D], drawn, saturated, effective, coupling, conductive, soft;
+  View<double> water, share, flux[D], drawn, saturated, effective, coupling, conductive, soft, pressing, own_mass;
   // By node.
   TableView node_pores;
   View<double> node_water, out, passed, mobility;

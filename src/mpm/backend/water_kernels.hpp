@@ -34,7 +34,7 @@ struct StartNode {
   ThreadBody<D> body;
   bool first;
 
-  TALUS_PORTABLE void operator()(int i) const { start_node(body, i, first); }
+  TALUS_PORTABLE void operator()(int i) const { start_nodes<double>(body, i, first); }
 };
 
 // The surface.
@@ -48,7 +48,7 @@ struct MarkWetNode {
   TALUS_PORTABLE void operator()(int i) const {
     const auto& graph = *body.water.darcy.graph;
     bool wet = false;
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t)
+    for (int t = graph.touch_start[i]; t < graph.touch_end(i); ++t)
       wet = wet || body.water.volume[graph.element[t]] > 0;
     touches[static_cast<std::size_t>(i)] = wet;
   }
@@ -111,7 +111,7 @@ struct FindArea {
   TALUS_PORTABLE void operator()(int i) const {
     const auto& graph = *body.water.darcy.graph;
     Vec<D> area{};
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
+    for (int t = graph.touch_start[i]; t < graph.touch_end(i); ++t) {
       const int e = graph.element[t];
       for (int side = 0; side <= D; ++side) {
         if (!(open[static_cast<std::size_t>(e)] >> side & 1) || !has_share(body, e, side, graph.local[t])) continue;
@@ -178,9 +178,12 @@ template <int D>
 struct FindRelative {
   ThreadBody<D> body;
   std::size_t soil;
+  double full;  ///< k_r without suction
   TableView relative;
 
-  TALUS_PORTABLE void operator()(int i) const { relative[soil][i] = find_relative_at_node<double>(body, soil, i); }
+  TALUS_PORTABLE void operator()(int i) const {
+    relative[soil][i] = find_relative_at_node<double>(body, soil, full, i);
+  }
 };
 
 template <int D>
@@ -189,14 +192,14 @@ struct FindFlow {
   StepOptions<D> options;
   TableView relative;
 
-  TALUS_PORTABLE void operator()(int e) const { find_flow_through(body, options, relative, e); }
+  TALUS_PORTABLE void operator()(int e) const { find_flow_through<double>(body, options, relative, e); }
 };
 
 template <int D>
 struct PressNode {
   ThreadBody<D> body;
 
-  TALUS_PORTABLE void operator()(int i) const { press_node(body, i); }
+  TALUS_PORTABLE void operator()(int i) const { press_nodes_at<double>(body, i); }
 };
 
 /// Work of the pressure forces over `seconds`, counted as for the mapping loss [J].
@@ -214,18 +217,16 @@ struct CountPorePower {
 template <int D>
 struct FindOwnMass {
   ThreadBody<D> body;
-  View<std::array<double, D + 1>> own_mass;
 
-  TALUS_PORTABLE void operator()(int e) const { own_mass[static_cast<std::size_t>(e)] = find_own_mass(body, e); }
+  TALUS_PORTABLE void operator()(int e) const { find_own_mass<double>(body, e, body.water.darcy.own_mass); }
 };
 
 template <int D>
 struct PredictNode {
   ThreadBody<D> body;
   StepOptions<D> options;
-  View<const std::array<double, D + 1>> own_mass;
 
-  TALUS_PORTABLE void operator()(int i) const { predict_node(body, options, own_mass, i); }
+  TALUS_PORTABLE void operator()(int i) const { predict_nodes<double>(body, options, body.water.darcy.own_mass, i); }
 };
 
 /// Root uptake of an element.
@@ -291,6 +292,7 @@ struct PressureSystem {
 // Kernels by name, because the stubs of nvcc do not support pointers to members.
 enum class NodeLine {
   find_surface,
+  find_source,
   assemble,
   find_diagonal,
   start_line,
@@ -311,14 +313,15 @@ struct ForWetNodes {
     if (!system.is_wet(i)) return;
     const auto lines = system.lines();
     if constexpr (Line == NodeLine::find_surface) lines.find_surface(i);
+    if constexpr (Line == NodeLine::find_source) lines.template find_source<double>(i);
     if constexpr (Line == NodeLine::assemble) lines.assemble_node(i);
-    if constexpr (Line == NodeLine::find_diagonal) lines.find_diagonal(i);
+    if constexpr (Line == NodeLine::find_diagonal) lines.template find_diagonal<double>(i);
     if constexpr (Line == NodeLine::start_line) lines.start_line(i);
     if constexpr (Line == NodeLine::fix) lines.fix_node(i);
     if constexpr (Line == NodeLine::start_residual) lines.template start_residual<double>(i);
     if constexpr (Line == NodeLine::find_passed) lines.find_passed(i);
     if constexpr (Line == NodeLine::find_out) lines.find_out(i);
-    if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
+    if constexpr (Line == NodeLine::keep_own) lines.template keep_own<double>(i);
   }
 };
 /// Runs a kernel of PressureLines for each element.
@@ -328,9 +331,9 @@ struct ForElements {
 
   TALUS_PORTABLE void operator()(int e) const {
     const auto lines = system.lines();
-    if constexpr (Line == ElementLine::assemble) lines.assemble_element(e);
-    if constexpr (Line == ElementLine::distribute_water) lines.distribute_water(e);
-    if constexpr (Line == ElementLine::find_end) lines.find_end(e);
+    if constexpr (Line == ElementLine::assemble) lines.template assemble_elements<double>(e);
+    if constexpr (Line == ElementLine::distribute_water) lines.template distribute_water<double>(e);
+    if constexpr (Line == ElementLine::find_end) lines.template find_end<double>(e);
   }
 };
 

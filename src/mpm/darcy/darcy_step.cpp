@@ -62,14 +62,14 @@ void allocate(Body<D>& body) {
   m.pores.assign(materials, AlignedVector<double>(lanes, 0.0));
   m.volume = m.pores;
   m.water.assign(lanes, 0.0);
-  for (auto* field : {&m.share, &m.drawn}) field->assign(lanes, 0.0);
+  for (auto* field : {&m.share, &m.drawn, &m.saturated, &m.effective, &m.coupling, &m.conductive, &m.soft, &m.pressing})
+    field->assign(lanes, 0.0);
+  m.own_mass.assign(lanes * (D + 1), 0.0);
   for (auto& component : m.flux) component.assign(lanes, 0.0);
   m.node_pores.assign(materials, std::vector<double>(nodes, 0.0));
   for (auto* field : {&m.node_water, &m.out, &m.passed, &m.mobility}) field->assign(nodes, 0.0);
   m.velocity.assign(nodes, {});
   m.acceleration = m.area = m.velocity;
-  for (auto* field : {&m.saturated, &m.effective, &m.coupling, &m.conductive, &m.soft})
-    field->assign(body.mesh().elements.size(), 0.0);
 }
 
 /// sum_element() for the elements of block `b`, whose points are all of soil `soil`. Returns whether an element lost
@@ -99,11 +99,12 @@ template <int D>
   }
   const Pack wet = law.wet ? all : Pack(0.0);
   const Mask full = Mask(mixed) && all > Pack(0.0) && all > load<Pack>(&body.elements.fill_limit[first]);
-  const Pack stretch = select(full, load<Pack>(&body.layout->volumes[first]) / all, Pack(1.0));
+  const Pack whole = load<Pack>(&body.layout->volumes[first]), stretch = select(full, whole / all, Pack(1.0)),
+             integrated = law.wet ? select(full, whole, all) : Pack(0.0);
   for (std::size_t k = 0; k < water.laws.size(); ++k) {
     const bool is_this = static_cast<int>(k) == soil;
     store(&m.pores[k][first], is_this ? pores : Pack(0.0));
-    store(&m.volume[k][first], is_this ? wet * stretch : Pack(0.0));
+    store(&m.volume[k][first], is_this ? integrated : Pack(0.0));
   }
   store(&m.water[first], content);
   store(&water.mean_pressure[first],
@@ -144,7 +145,7 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
   update_elements(body, water.volume, water.mean_pressure, m.water);
   for (auto& pores : m.pores) update_elements(body, pores);
-  for_nodes(body, o.threads, [&](int i) { start_node(body, i, first); });
+  for_slices_of_nodes(body, o.threads, [&]<class T>(int i) { start_nodes<T>(body, i, first); });
   update_nodes(body, m.pressure);
 }
 
@@ -161,13 +162,14 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
   for (std::size_t k = 0; k < water.laws.size(); ++k) {
     if (!water.laws[k].wet) continue;
     relative[k].resize(body.mesh().nodes.size());
-    for_lanes_of_nodes(body, o.threads, [&, k]<class T>(int i) {
-      store_unaligned(&relative[k][static_cast<std::size_t>(i)], find_relative_at_node<T>(body, k, i));
+    const double full = find_relative_at(water.laws[k], 0.0);
+    for_slices_of_nodes(body, o.threads, [&, k, full]<class T>(int i) {
+      store_unaligned(&relative[k][static_cast<std::size_t>(i)], find_relative_at_node<T>(body, k, full, i));
     });
     update_nodes(body, relative[k]);
   }
-  for_elements(body, o.threads, [&](int e) { find_flow_through(body, o, relative, e); });
-  update_elements(body, m.saturated, m.effective, m.coupling, m.conductive, m.soft, water.mean_pressure);
+  for_blocks_of_elements(body, o.threads, [&](int e) { find_flow_through<Pack>(body, o, relative, e); });
+  update_elements(body, m.coupling, m.conductive, m.soft, m.pressing);
 }
 
 template <int D>
@@ -183,7 +185,7 @@ void load_darcy(Body<D>& body, const StepOptions<D>& o) {
 
 template <int D>
 void press_nodes(Body<D>& body, const StepOptions<D>& o) {
-  for_nodes(body, o.threads, [&](int i) { press_node(body, i); });
+  for_slices_of_nodes(body, o.threads, [&]<class T>(int i) { press_nodes_at<T>(body, i); });
 }
 
 template <int D>
@@ -212,10 +214,13 @@ void update_pressed(Body<D>& body) {
 template <int D>
 void predict_motion(Body<D>& body, const StepOptions<D>& o) {
   DarcyWater<D>& m = body.water.darcy;
-  std::vector<std::array<double, D + 1>> own_mass(body.mesh().elements.size());
-  for_elements(body, o.threads, [&](int e) { own_mass[e] = find_own_mass(body, e); });
-  update_elements(body, own_mass);
-  for_nodes(body, o.threads, [&](int i) { predict_node(body, o, own_mass, i); });
+  for_blocks_of_elements(body, o.threads, [&](int e) { find_own_mass<Pack>(body, e, m.own_mass); });
+  if (body.partition) {
+    std::vector<HaloArray> by_corner;
+    for (int k = 0; k <= D; ++k) by_corner.push_back({&m.own_mass[m.graph->find_corner(0, k)], 1});
+    body.partition->elements->update(by_corner);
+  }
+  for_slices_of_nodes(body, o.threads, [&]<class T>(int i) { predict_nodes<T>(body, o, m.own_mass, i); });
   update_nodes(body, m.velocity, m.acceleration, m.mobility);
   update_pressed(body);
 }

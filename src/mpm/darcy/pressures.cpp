@@ -30,11 +30,16 @@ class PressureEquation {
     find_area();
     for_nodes([&](int i) { lines_.find_surface(i); });
     surface_nodes_ = list_nodes(body_, [&](int i) { return s_.pores[i] > 0 && s_.surface[i].may_pond; });
-    for_elements([&](int e) { lines_.assemble_element(e); });
-    update_elements(body_, s_.divergence, s_.flux, m_.drawn);
+    for_blocks([&](int e) { lines_.template assemble_elements<Pack>(e); });
+    update_elements(body_, s_.growth_of, m_.drawn);
+    for (auto& flux : s_.flux) update_elements(body_, flux);
     for_slices([&]<class T>(int i) { lines_.template clear<T>(i); });
-    for_nodes([&](int i) { lines_.assemble_node(i); });
-    for_nodes([&](int i) { lines_.find_diagonal(i); });
+    for_slices([&]<class T>(int i) { lines_.template find_source<T>(i); });
+    for_blocks([&, all = s_.assembled_from.dt != o_.dt](int e) { lines_.template mark_changed<Pack>(e, all); });
+    s_.assembled_from.dt = o_.dt;
+    update_elements(body_, s_.assembled_from.changed);
+    for_slices([&]<class T>(int i) { lines_.template assemble_rows<T>(i); });
+    for_slices([&]<class T>(int i) { lines_.template find_diagonal<T>(i); });
   }
 
   void solve() {
@@ -64,17 +69,17 @@ class PressureEquation {
 
   /// Water lost per pore volume of the elements (T22.6), and the part that stays with the nodes (T22.7).
   void distribute_water() {
-    update_nodes(body_, m_.out);
-    for_elements([&](int e) { lines_.distribute_water(e); });
-    update_elements(body_, m_.share);
-    for_nodes([&](int i) { lines_.keep_own(i); });
+    update_nodes(body_, s_.z);
+    for_blocks([&](int e) { lines_.template distribute_water<Pack>(e); });
+    update_elements(body_, s_.lost);
+    for_slices([&]<class T>(int i) { lines_.template keep_own<T>(i); });
   }
 
   void find_end() {
     for_nodes([&](int i) { m_.pressure[i] += m_.change[i]; });
     update_nodes(body_, m_.pressure);
-    for_elements([&](int e) { lines_.find_end(e); });
-    update_elements(body_, water_.mean_pressure);
+    for_blocks([&](int e) { lines_.template find_end<Pack>(e); });
+    update_elements(body_, m_.pressing);
   }
 
   void count_water() {
@@ -91,7 +96,7 @@ class PressureEquation {
  private:
   using Arrays = PressureArrays<D, ArrayHere>;
   void for_nodes(const auto& work) const { wet_nodes_.for_each(o_.threads, work); }
-  void for_elements(const auto& work) const { mpm::for_elements(body_, o_.threads, work); }
+  void for_blocks(const auto& work) const { for_blocks_of_elements(body_, o_.threads, work); }
   void for_slices(const auto& work) const { slices_.for_each(o_.threads, work); }
   double sum(const auto& work) const { return slices_.sum(body_, o_.threads, work); }
 
@@ -100,7 +105,7 @@ class PressureEquation {
     return *static_cast<Arrays*>(m_.work.arrays.get());
   }
   void allocate() {
-    const std::size_t nodes = mesh_.nodes.size(), elements = mesh_.elements.size(), entries = m_.graph->column.size();
+    const std::size_t nodes = mesh_.nodes.size(), lanes = m_.graph->lanes, entries = m_.graph->column.size();
     for (auto* field : {&s_.drive, &s_.storage, &s_.diagonal, &s_.inverse, &s_.grown, &s_.drained, &s_.pores, &s_.r,
                         &s_.z, &s_.d, &s_.q})
       field->resize(nodes);
@@ -108,9 +113,13 @@ class PressureEquation {
     s_.fixed.resize(nodes);
     s_.surface.resize(nodes);
     s_.lines.resize(nodes);
-    s_.divergence.resize(elements);
-    s_.flux.resize(elements);
-    s_.lift.resize(elements);
+    for (auto* field : {&s_.growth_of, &s_.lost, &s_.assembled_from.coupling, &s_.assembled_from.conductive,
+                        &s_.assembled_from.soft, &s_.assembled_from.changed})
+      field->resize(lanes);
+    for (int d = 0; d < D; ++d) {
+      s_.flux[d].resize(lanes);
+      s_.lift[d].resize(lanes);
+    }
     s_.through.resize(entries);
     s_.growth.resize(entries * D);
     s_.push.resize(entries * D);

@@ -133,32 +133,28 @@ NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
   return list;
 }
 
-/// Calls work(e) for every element of this rank.
+/// Calls work(e) with the first element of each block of this rank.
 template <int D, class Work>
-void for_elements(const Body<D>& body, int threads, const Work& work) {
+void for_blocks_of_elements(const Body<D>& body, int threads, const Work& work) {
   const Layout<D>& layout = *body.layout;
-  const int elements = body.mesh().element_count();
   for_chunks(body, threads, [&](int c) {
-    detail::run_each(layout.chunk_start[c] * lane_width, std::min(elements, layout.chunk_start[c + 1] * lane_width),
-                     work);
+    detail::run_each(layout.chunk_start[c], layout.chunk_start[c + 1], [&](int b) { work(b * lane_width); });
   });
 }
 
-/// Calls work.operator()<Pack>(i) and, for the last nodes of a chunk, work.operator()<double>(i) for the nodes of this
-/// rank.
+/// Calls work.operator()<Pack>(i) for the whole slices of a chunk (NodeGraph) and work.operator()<double>(i) for its
+/// other nodes.
 template <int D, class Work>
-void for_lanes_of_nodes(const Body<D>& body, int threads, const Work& work) {
+void for_slices_of_nodes(const Body<D>& body, int threads, const Work& work) {
   for_chunks(body, threads, [&](int c) {
-    const int begin = first_node(body, c), end = first_node(body, c + 1), packs = (end - begin) / lane_width;
-    detail::run_each(0, packs, [&](int k) { work.template operator()<Pack>(begin + k * lane_width); });
-    detail::run_each(begin + packs * lane_width, end, [&](int i) { work.template operator()<double>(i); });
+    const int begin = first_node(body, c), end = first_node(body, c + 1),
+              first = std::min(end, (begin + lane_width - 1) / lane_width * lane_width),
+              packs = (end - first) / lane_width;
+    const auto single = [&](int i) { work.template operator()<double>(i); };
+    detail::run_each(begin, first, single);
+    detail::run_each(0, packs, [&](int k) { work.template operator()<Pack>(first + k * lane_width); });
+    detail::run_each(first + packs * lane_width, end, single);
   });
-}
-
-/// Calls work(i) for every node of this rank.
-template <int D, class Work>
-void for_nodes(const Body<D>& body, int threads, const Work& work) {
-  for_chunks(body, threads, [&](int c) { detail::run_each(first_node(body, c), first_node(body, c + 1), work); });
 }
 
 }  // namespace talus::mpm

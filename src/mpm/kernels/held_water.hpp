@@ -10,29 +10,32 @@
 
 namespace talus::mpm {
 
-/// H_i(p) for the soils at one node. Laws, Pores: the types of the body, [material] and [material][node].
-template <class Laws, class Pores>
+/// H_i(p) for the soils at the nodes of T from one on. Laws, Pores: the types of the body, [material] and
+/// [material][node].
+template <class Laws, class Pores, class T = double>
 class HeldWater {
  public:
   struct Value {
-    double held = 0, storage = 0;  ///< [m³]; −d held/dp [m³/Pa]
+    T held{0.0}, storage{0.0};  ///< [m³]; −d held/dp [m³/Pa]
   };
 
   TALUS_PORTABLE HeldWater(const Laws& laws, const Pores& pores, int node) : laws_(laws), pores_(pores), node_(node) {}
 
-  TALUS_PORTABLE Value find(double p) const {
+  TALUS_PORTABLE Value find(T p) const {
     Value sum;
-    visit([&](const WaterLaw& law, double pores) {
-      const material::SoilWater<double> water = material::find_water(law.retention, p);
-      const double modulus = law.bulk_modulus, stretched = pores * std::exp(-p / modulus);
-      double saturation = water.saturation, slope = water.slope;
-      if (p > law.dry) {  // H falls with ln p to zero at 1 GPa, where all soil is dry
-        const double decades = std::log(driest / law.dry), left = std::max(0.0, std::log(driest / p) / decades);
-        slope = slope * left - saturation / (p * decades);
-        saturation *= left;
+    visit([&](const WaterLaw& law, T pores) {
+      const material::SoilWater<T> water = material::find_water(law.retention, p);
+      const T stretched = pores * lane_exp(p * (-1 / law.bulk_modulus));
+      T saturation = water.saturation, slope = water.slope;
+      const MaskOf<T> dry = p > T(law.dry);
+      if (any(dry)) {  // H falls with ln p to zero at 1 GPa, where all soil is dry
+        const double decades = std::log(driest / law.dry);
+        const T suction = lane_max(p, T(law.dry)), left = lane_max(T(0.0), lane_log(driest / suction) * (1 / decades));
+        slope = select(dry, slope * left - saturation / (suction * decades), slope);
+        saturation = select(dry, saturation * left, saturation);
       }
       sum.held += stretched * saturation;
-      sum.storage += stretched * (saturation / modulus - slope);
+      sum.storage += stretched * (saturation * (1 / law.bulk_modulus) - slope);
     });
     return sum;
   }
@@ -40,43 +43,49 @@ class HeldWater {
   /// Value at zero pressure, with the storage of full pores under positive pressure.
   TALUS_PORTABLE Value find_full() const {
     Value sum;
-    visit([&](const WaterLaw& law, double pores) {
+    visit([&](const WaterLaw& law, T pores) {
       sum.held += pores * law.full;
-      sum.storage += pores * law.full / law.bulk_modulus;
+      sum.storage += pores * (law.full / law.bulk_modulus);
     });
     return sum;
   }
 
   /// Returns whether a soil releases water under suction; otherwise the compressibility of water is the only storage.
-  TALUS_PORTABLE bool drains() const {
-    bool any = false;
-    visit([&](const WaterLaw& law, double) { any = any || law.drains; });
+  TALUS_PORTABLE MaskOf<T> drains() const {
+    MaskOf<T> any(false);
+    visit([&](const WaterLaw& law, T pores) { any = any || (MaskOf<T>(law.drains) && pores > T(0.0)); });
     return any;
   }
 
-  /// Suction [Pa] at which the pores hold `water`, less than at zero pressure; Newton's method, safeguarded by
-  /// bisection.
-  TALUS_PORTABLE double find_suction(double water, double guess) const {
+  /// Suction [Pa] at which the pores of the nodes `wanted` hold `water`, less than at zero pressure; Newton's method,
+  /// safeguarded by bisection. Undefined at other nodes.
+  TALUS_PORTABLE T find_suction(T water, T guess, MaskOf<T> wanted) const {
     constexpr double accuracy = 1e-12;  // of the last step; the remaining error is of its square
-    if (water <= 0) return driest;
-    double low = 0, high = driest, p = std::clamp(guess, 1.0, high);
-    for (int i = 0; i < 200; ++i) {
+    const MaskOf<T> empty = !(water > T(0.0));
+    MaskOf<T> runs = wanted && !empty;
+    T low(0.0), high(driest), p = lane_max(T(1.0), lane_min(guess, high));
+    for (int i = 0; i < 200 && any(runs); ++i) {
       const Value v = find(p);
-      (v.held > water ? low : high) = p;
-      double next = p + (v.held - water) / v.storage;
-      if (!(next > low && next < high))
-        next = high == driest ? std::min(4 * p, 0.5 * (low + high)) : 0.5 * (low + high);
-      if (std::abs(next - p) <= accuracy * next) return next;
-      p = next;
+      const MaskOf<T> more = v.held > water;
+      low = select(more, p, low);
+      high = select(more, high, p);
+      const T newton = p + (v.held - water) / v.storage, middle = 0.5 * (low + high),
+              other = select(high == T(driest), lane_min(4.0 * p, middle), middle),
+              next = select(newton > low && newton < high, newton, other);
+      const MaskOf<T> moves = lane_abs(next - p) > accuracy * next;
+      p = select(runs, next, p);
+      runs = runs && moves;
     }
-    return p;
+    return select(empty, T(driest), p);
   }
 
  private:
   TALUS_PORTABLE void visit(auto&& work) const {
-    for (std::size_t k = 0; k < laws_.size(); ++k)
-      if (laws_[k].wet && pores_[k][static_cast<std::size_t>(node_)] > 0)
-        work(laws_[k], pores_[k][static_cast<std::size_t>(node_)]);
+    for (std::size_t k = 0; k < laws_.size(); ++k) {
+      if (!laws_[k].wet) continue;
+      const T pores = load_unaligned<T>(&pores_[k][static_cast<std::size_t>(node_)]);
+      if (any(pores > T(0.0))) work(laws_[k], pores);
+    }
   }
 
   const Laws& laws_;

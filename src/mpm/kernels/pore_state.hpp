@@ -87,7 +87,8 @@ TALUS_PORTABLE PoreState<T> find_state_at_pressure(const WaterLaw& law, T pressu
 }
 
 /// Bishop's χ [-] at a pressure and its saturation.
-TALUS_PORTABLE inline double find_chi(const WaterLaw& law, double pressure, double saturation) {
+template <class T>
+TALUS_KERNEL T find_chi(const WaterLaw& law, T pressure, T saturation) {
   return law.chi_air_entry <= 0 ? saturation : find_suction_share(law, pressure);
 }
 

@@ -11,6 +11,7 @@
 #include "base/aligned.hpp"
 #include "base/rows.hpp"
 #include "mesh/mesh.hpp"
+#include "mpm/kernels/flow_kernels.hpp"
 #include "mpm/kernels/held_water.hpp"
 #include "mpm/kernels/water_surface.hpp"
 #include "mpm/state/body.hpp"
@@ -32,6 +33,14 @@ struct SurfaceWater {
   double inflow = 0;    ///< supplied [m³/s]
 };
 
+/// Coefficients of the elements from which the rows were assembled. A GPU assembles all rows in every step.
+template <template <class> class Array>
+struct AssembledFrom {
+  Array<double> coupling, conductive, soft;
+  Array<double> changed;  ///< 1 where the coefficients of the step differ
+  double dt = 0;          ///< [s]
+};
+
 /// Equation of one step: matrix, residual and search direction. Array: a list here, a view on a GPU. Matrix entries
 /// are stored like the columns of the graph, entries with D components by slice, component and lane (find_component()).
 template <int D, template <class> class Array>
@@ -48,17 +57,25 @@ struct PressureArrays {
   Array<SurfaceWater> surface;
   Array<HeldLine> lines;
   // By element.
-  Array<double> divergence;
-  Array<Vec<D>> flux, lift;
+  Array<double> growth_of, flux[D], lift[D];  ///< growth of a node's pores in it [m³]; Darcy flux; its part by gravity
+  Array<double> lost;                         ///< a node's part of the water lost (T22.6) [m³]
+  AssembledFrom<Array> assembled_from;
 };
 template <class T>
 using ArrayHere = AlignedVector<T>;
 
-/// Place of component `d` of entry `n` in rows of slices of `width` nodes.
-template <int D, int width>
-TALUS_KERNEL std::size_t find_component(int n, int d) {
-  const auto entry = static_cast<unsigned>(n);
-  return static_cast<std::size_t>(entry / width) * (D * width) + static_cast<unsigned>(d) * width + entry % width;
+/// Returns whether base[index[lane]] is negative in all lanes.
+template <class T>
+TALUS_KERNEL bool are_negative(const int* base, const int* index) {
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+  if constexpr (LaneTraits<T>::width == 8) {
+    const __m256i places = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    return _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_i32gather_epi32(base, places, 4))) == 0xff;
+  }
+#endif
+  for (int l = 0; l < LaneTraits<T>::width; ++l)
+    if (base[index[l]] >= 0) return false;
+  return true;
 }
 
 /// Kernels of the equation. S: PressureArrays.
@@ -102,33 +119,62 @@ struct PressureLines {
     of_node.inflow = -area * find_offered_flux<D>(condition, normal, m.pressure[i], outer.up, body.time);
   }
 
-  /// Divergence of the predicted velocity and Darcy flux of element `e` at p^n (T22.4).
-  TALUS_PORTABLE void assemble_element(int e) const {
+  /// Growth of the pores with the predicted velocity, and Darcy flux at p^n, of the elements of T from `e` on (T22.4).
+  template <class T>
+  TALUS_PORTABLE void assemble_elements(int e) const {
     const auto& m = body.water.darcy;
-    const auto& mesh = body.mesh();
-    s.divergence[e] = 0;
-    s.flux[e] = Vec<D>{};
-    if (!(body.water.volume[e] > 0)) return;
-    Vec<D> gradient{}, mean{};
-    for (int k = 0; k <= D; ++k) {
-      const int node = mesh.elements[e][k];
-      const Vec<D> b = mesh::find_shape_gradient(mesh, e, k);
-      s.divergence[e] += dot(b, m.velocity[node]);
+    const MaskOf<T> wet = load_unaligned<T>(&body.water.volume[e]) > T(0.0);
+    T growth(0.0), flux[D] = {};
+    if (any(wet)) {
+      T b[D + 1][D], divergence(0.0), gradient[D] = {}, mean[D] = {};
+      load_gradients<T>(body, e, b);
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) {
+        const int* nodes = find_nodes<T>(body, e, k);
+        const T pressure = gather<T>(m.pressure.data(), nodes);
+        TALUS_UNROLL
+        for (int d = 0; d < D; ++d) {
+          divergence += b[k][d] * gather_component<T>(m.velocity, nodes, d);
+          gradient[d] += b[k][d] * pressure;
+          mean[d] += gather_component<T>(m.acceleration, nodes, d);
+        }
+      }
+      const T conductive = load_unaligned<T>(&m.conductive[e]);
+      growth = select(wet, load_unaligned<T>(&m.saturated[e]) * divergence * (o.dt / (D + 1)), T(0.0));
       for (int d = 0; d < D; ++d) {
-        gradient[d] += b[d] * m.pressure[node];
-        mean[d] += m.acceleration[node][d] / (D + 1);
+        const T lift = body.water.density * (o.gravity[d] - mean[d] * (1.0 / (D + 1)));
+        store_unaligned(&s.lift[d][e], lift);
+        flux[d] = select(wet, conductive * (gradient[d] + lift), T(0.0));
       }
     }
-    for (int d = 0; d < D; ++d) {
-      s.lift[e][d] = body.water.density * (o.gravity[d] - mean[d]);
-      s.flux[e][d] = m.conductive[e] * (gradient[d] + s.lift[e][d]);
-    }
+    store_unaligned(&s.growth_of[e], growth);
+    for (int d = 0; d < D; ++d) store_unaligned(&s.flux[d][e], flux[d]);
   }
 
-  /// Sets the rows and vectors of the nodes of T from `i` on to zero; those of dry nodes stay zero.
+  /// Marks the elements of T from `e` on whose coefficients are not bitwise those of their rows, with `all` every one.
   template <class T>
-  void clear(int i) const {
+  void mark_changed(int e, bool all) const {
+    const auto& m = body.water.darcy;
+    MaskOf<T> same(!all);
+    const auto compare = [&](auto& of_rows, const auto& now) {
+      const T value = load_unaligned<T>(&now[e]);
+      same = same && load_unaligned<T>(&of_rows[e]) == value;
+      store_unaligned(&of_rows[e], value);
+    };
+    compare(s.assembled_from.coupling, m.coupling);
+    compare(s.assembled_from.conductive, m.conductive);
+    compare(s.assembled_from.soft, m.soft);
+    store_unaligned(&s.assembled_from.changed[e], select(same, T(0.0), T(1.0)));
+  }
+  /// Assembles the rows of the nodes of T from `i` on, if an element around them has changed; those of dry nodes are
+  /// zero.
+  template <class T>
+  void assemble_rows(int i) const {
     const auto& graph = *body.water.darcy.graph;
+    T changed(0.0);
+    for (int t = graph.touch_start[i], end = graph.template find_touch_end<T>(i); t < end; t += graph.touch_stride)
+      changed += graph.template gather_element<T>(s.assembled_from.changed, t);
+    if (!any(changed > T(0.0))) return;
     for (int n = graph.row_start[i], end = find_row_end<T>(i); n < end; n += width) {
       store_unaligned(&s.through[n], T(0.0));
       for (int d = 0; d < D; ++d) {
@@ -136,21 +182,41 @@ struct PressureLines {
         store_unaligned(&s.growth[find_component<D, width>(n, d)], T(0.0));
       }
     }
+    for (int l = i; l < i + LaneTraits<T>::width; ++l) assemble_node(l);
+  }
+  /// Sets the vectors of the nodes of T from `i` on to zero; those of dry nodes stay zero.
+  template <class T>
+  void clear(int i) const {
     for (auto* field : {&s.drive, &s.storage, &s.diagonal, &s.inverse, &s.r, &s.z, &s.d})
       store_unaligned(&(*field)[i], T(0.0));
   }
-  /// Adds row and source of node `i` (T22.5); the row must be zero before.
+  /// Source of the nodes of T from `i` on (T22.5).
+  template <class T>
+  TALUS_PORTABLE void find_source(int i) const {
+    const auto& m = body.water.darcy;
+    const auto& graph = *m.graph;
+    T grown(0.0), drawn(0.0), flow(0.0);
+    for (int t = graph.touch_start[i], end = graph.template find_touch_end<T>(i); t < end; t += graph.touch_stride) {
+      const MaskOf<T> are = graph.template are_touches<T>(i, t);
+      grown += select(are, graph.template gather_element<T>(s.growth_of, t), T(0.0));
+      drawn += select(are, graph.template gather_element<T>(m.drawn, t), T(0.0));
+      T b[D];
+      graph.template load_gradient<T>(body.mesh(), t, b);
+      TALUS_UNROLL
+      for (int d = 0; d < D; ++d) flow += b[d] * graph.template gather_element<T>(s.flux[d], t);
+    }
+    store_unaligned(&s.grown[i], grown);
+    store_unaligned(&s.drained[i], drawn * (1.0 / (D + 1)) - o.dt * flow);
+  }
+  /// Adds the row of node `i` (T22.5), which must be zero before.
   TALUS_PORTABLE void assemble_node(int i) const {
     const auto& m = body.water.darcy;
     const auto& mesh = body.mesh();
     const auto& graph = *m.graph;
-    double grown = 0, drained = 0;
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
+    for (int t = graph.touch_start[i]; t < graph.touch_end(i); t += graph.touch_stride) {
       const int e = graph.element[t], local = graph.local[t];
       if (!(body.water.volume[e] > 0)) continue;
       const Vec<D> b = mesh::find_shape_gradient(mesh, e, local);
-      grown += o.dt * m.saturated[e] * s.divergence[e] / (D + 1);
-      drained += m.drawn[e] / (D + 1) - o.dt * dot(b, s.flux[e]);
       const double squeeze = m.coupling[e] / (D + 1), conductive = o.dt * m.conductive[e],
                    soft = m.soft[e] / ((D + 1) * (D + 2));
       for (int k = 0; k <= D; ++k) {
@@ -164,21 +230,31 @@ struct PressureLines {
         }
       }
     }
-    s.grown[i] = grown;
-    s.drained[i] = drained;
   }
 
+  template <class T>
   TALUS_PORTABLE void find_diagonal(int i) const {
     const auto& m = body.water.darcy;
     const auto& graph = *m.graph;
-    double sum = s.through[graph.row_start[i]];
-    for (int n = graph.row_start[i]; n < graph.row_end(i); n += width) {
-      const int j = graph.column[n];
-      Vec<D> growth;
-      for (int d = 0; d < D; ++d) growth[d] = s.growth[find_component<D, width>(n, d)];
-      sum += m.mobility[j] * dot(hold(j, growth), growth);
+    T sum = load_unaligned<T>(&s.through[graph.row_start[i]]);
+    for (int n = graph.row_start[i], end = find_row_end<T>(i); n < end; n += width) {
+      T square(0.0);
+      TALUS_UNROLL
+      for (int d = 0; d < D; ++d) {
+        const T growth = load_unaligned<T>(&s.growth[find_component<D, width>(n, d)]);
+        square += growth * growth;
+      }
+      const bool are_free = are_negative<T>(body.conditions.constraint_of_node.data(), &graph.column[n]);
+      for (int l = 0; l < LaneTraits<T>::width && !are_free; ++l) {
+        const int j = graph.column[n + l];
+        if (body.conditions.constraint_of_node[j] < 0) continue;
+        Vec<D> growth;
+        for (int d = 0; d < D; ++d) growth[d] = s.growth[find_component<D, width>(n + l, d)];
+        set_lane(square, l, dot(hold(j, growth), growth));
+      }
+      sum += gather<T>(m.mobility.data(), &graph.column[n]) * square;
     }
-    s.diagonal[i] = sum;
+    store_unaligned(&s.diagonal[i], sum);
   }
 
   /// Returns whether the content of node `i` is not linear in the pressure.
@@ -320,25 +396,32 @@ struct PressureLines {
   TALUS_PORTABLE void find_out(int i) const {
     auto& m = body.water.darcy;
     m.out[i] = s.drained[i] - s.q[i] + m.passed[i];
+    s.z[i] = m.out[i] / s.pores[i];
   }
-  /// Water lost per pore volume of element `e` (T22.6).
+  /// Water lost per pore volume of the elements of T from `e` on (T22.6); z must be the outflow per pore volume.
+  template <class T>
   TALUS_PORTABLE void distribute_water(int e) const {
     auto& m = body.water.darcy;
-    m.share[e] = 0;
-    if (!(body.water.volume[e] > 0)) return;
-    for (int node : body.mesh().elements[e]) m.share[e] += m.out[node] / s.pores[node] / (D + 1);
+    const MaskOf<T> wet = load_unaligned<T>(&body.water.volume[e]) > T(0.0);
+    const T share = any(wet) ? select(wet, find_mean_of_nodes<T>(body, s.z, e), T(0.0)) : T(0.0);
+    T pores(0.0);
+    for (std::size_t k = 0; k < m.pores.size(); ++k) pores += load_unaligned<T>(&m.pores[k][e]);
+    store_unaligned(&m.share[e], share);
+    store_unaligned(&s.lost[e], pores * share * (1.0 / (D + 1)));
   }
-  /// Water that the elements of node `i` do not represent: it stays with the node, and decreases as the soil moves over
-  /// the size of an element (T22.7).
+  /// Water that the elements of the nodes of T from `i` on do not represent: it stays with the node, and decreases as
+  /// the soil moves over the size of an element (T22.7).
+  template <class T>
   TALUS_PORTABLE void keep_own(int i) const {
     auto& m = body.water.darcy;
     const auto& graph = *m.graph;
-    m.own[i] -= m.out[i];
-    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
-      const int e = graph.element[t];
-      for (std::size_t k = 0; k < m.pores.size(); ++k) m.own[i] += m.pores[k][e] * m.share[e] / (D + 1);
-    }
-    if (o.moving) m.own[i] *= std::max(0.0, 1 - o.dt * norm(m.velocity[i]) / graph.size[i]);
+    T own = load_unaligned<T>(&m.own[i]) - load_unaligned<T>(&m.out[i]);
+    for (int t = graph.touch_start[i], end = graph.template find_touch_end<T>(i); t < end; t += graph.touch_stride)
+      own += select(graph.template are_touches<T>(i, t), graph.template gather_element<T>(s.lost, t), T(0.0));
+    store_unaligned(&m.own[i], own);
+    if (!o.moving) return;
+    for (int l = i; l < i + LaneTraits<T>::width; ++l)
+      m.own[l] *= std::max(0.0, 1 - o.dt * norm(m.velocity[l]) / graph.size[l]);
   }
   /// Water [kg] that has passed the surface at node `i` in this step.
   TALUS_PORTABLE SurfaceBudget count_water(int i) const {
@@ -351,25 +434,33 @@ struct PressureLines {
     budget.runoff = offered - std::max(0.0, -out);
     return budget;
   }
-  /// Darcy flux at the end of the step, and pressure, of element `e`.
+  /// Darcy flux at the end of the step, and pressure, of the elements of T from `e` on.
+  template <class T>
   TALUS_PORTABLE void find_end(int e) const {
     auto& water = body.water;
     auto& m = water.darcy;
-    const auto& mesh = body.mesh();
-    for (int d = 0; d < D; ++d) m.flux[d][e] = 0;
-    if (!(water.volume[e] > 0)) return;
-    double mean = 0;
-    Vec<D> gradient{};
-    for (int k = 0; k <= D; ++k) {
-      const double p = m.pressure[mesh.elements[e][k]];
-      const Vec<D> b = mesh::find_shape_gradient(mesh, e, k);
-      mean += p / (D + 1);
-      for (int d = 0; d < D; ++d) gradient[d] += p * b[d];
+    const MaskOf<T> wet = load_unaligned<T>(&water.volume[e]) > T(0.0);
+    T flux[D] = {};
+    if (any(wet)) {
+      T b[D + 1][D], mean(0.0), gradient[D] = {};
+      load_gradients<T>(body, e, b);
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) {
+        const T p = gather<T>(m.pressure.data(), find_nodes<T>(body, e, k));
+        mean += p * (1.0 / (D + 1));
+        TALUS_UNROLL
+        for (int d = 0; d < D; ++d) gradient[d] += p * b[k][d];
+      }
+      mean = select(wet, mean, load_unaligned<T>(&water.mean_pressure[e]));
+      store_unaligned(&water.mean_pressure[e], mean);
+      store_unaligned(&m.pressing[e], select(wet, load_unaligned<T>(&m.effective[e]) * mean, T(0.0)));
+      const T content = load_unaligned<T>(&m.water[e]), conductive = load_unaligned<T>(&m.conductive[e]),
+              factor = conductive / (load_unaligned<T>(&water.stretch[e]) * content);
+      const MaskOf<T> flows = wet && content > T(0.0);
+      for (int d = 0; d < D; ++d)
+        flux[d] = select(flows, factor * (gradient[d] + load_unaligned<T>(&s.lift[d][e])), T(0.0));
     }
-    water.mean_pressure[e] = mean;
-    if (!(m.water[e] > 0)) return;
-    for (int d = 0; d < D; ++d)
-      m.flux[d][e] = m.conductive[e] / (water.stretch[e] * m.water[e]) * (gradient[d] + s.lift[e][d]);
+    for (int d = 0; d < D; ++d) store_unaligned(&m.flux[d][e], flux[d]);
   }
 
  private:
