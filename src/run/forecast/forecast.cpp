@@ -108,8 +108,8 @@ std::optional<Pace> probe(const input::Case& data) {
 
 namespace {
 
-// Peak memory of the dry slope with 2,000 to 690,000 elements (docs/performance.md); a mesh takes most memory while
-// Gmsh generates it.
+// Peak memory of the dry slope with 2,000 to 690,000 elements (docs/verification_data/speed.md); a mesh takes most
+// memory while Gmsh generates it.
 constexpr double program_bytes = 65e6;
 constexpr double mesh_bytes[] = {1600, 2500};  ///< of a triangle, a tetrahedron
 constexpr double point_bytes[] = {560, 800};   ///< including the copies for a retry
