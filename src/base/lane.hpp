@@ -325,6 +325,35 @@ TALUS_KERNEL T gather(const double* base, const int* index) {
   }
 }
 
+/// Returns whether base[index[lane]] is negative in all lanes.
+template <class T>
+TALUS_KERNEL bool are_negative(const int* base, const int* index) {
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+  if constexpr (LaneTraits<T>::width == 8) {
+    const __m256i places = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    return _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_i32gather_epi32(base, places, 4))) == 0xff;
+  }
+#endif
+  for (int l = 0; l < LaneTraits<T>::width; ++l)
+    if (base[index[l]] >= 0) return false;
+  return true;
+}
+
+/// Returns in which lanes p[lane] is above a limit.
+template <class T>
+TALUS_KERNEL MaskOf<T> are_above(const int* p, int limit) {
+  if constexpr (LaneTraits<T>::width == 1) {
+    return *p > limit;
+  } else {
+#if !defined(__CUDACC__)
+    typedef int Ints __attribute__((vector_size(4 * lane_width)));
+    Ints values;
+    std::memcpy(&values, p, sizeof values);
+    return T(__builtin_convertvector(values, typename T::Vector)) > T(static_cast<double>(limit));
+#endif
+  }
+}
+
 }  // namespace talus
 
 namespace talus {

@@ -64,20 +64,6 @@ struct PressureArrays {
 template <class T>
 using ArrayHere = AlignedVector<T>;
 
-/// Returns whether base[index[lane]] is negative in all lanes.
-template <class T>
-TALUS_KERNEL bool are_negative(const int* base, const int* index) {
-#if defined(__AVX512F__) && !defined(__CUDACC__)
-  if constexpr (LaneTraits<T>::width == 8) {
-    const __m256i places = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
-    return _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_i32gather_epi32(base, places, 4))) == 0xff;
-  }
-#endif
-  for (int l = 0; l < LaneTraits<T>::width; ++l)
-    if (base[index[l]] >= 0) return false;
-  return true;
-}
-
 /// Kernels of the equation. S: PressureArrays.
 template <class B, class S>
 struct PressureLines {

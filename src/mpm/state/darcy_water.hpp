@@ -65,18 +65,10 @@ struct NodeGraph {
   int find_touch_end(int i) const {
     return LaneTraits<T>::width == 1 ? touch_ends[i] : touch_start[i + LaneTraits<T>::width];
   }
-#if !defined(__CUDACC__)
-  /// Whether the touches are no gaps.
+  /// Returns in which lanes the touches are no gaps.
   template <class T>
   TALUS_KERNEL MaskOf<T> are_touches(int i, int t) const {
-    if constexpr (LaneTraits<T>::width == 1) {
-      return true;
-    } else {
-      typedef int Ints __attribute__((vector_size(4 * lane_width)));
-      Ints ends;
-      std::memcpy(&ends, &touch_ends[i], sizeof ends);
-      return T(__builtin_convertvector(ends, typename T::Vector)) > T(t + lane_width - 1.0);
-    }
+    return LaneTraits<T>::width == 1 ? MaskOf<T>(true) : are_above<T>(&touch_ends[i], t + LaneTraits<T>::width - 1);
   }
   template <class T>
   TALUS_KERNEL T gather_element(const auto& field, int t) const {
@@ -91,7 +83,6 @@ struct NodeGraph {
     TALUS_UNROLL
     for (int d = 0; d < D; ++d) b[d] = load_unaligned<T>(&gradient[find_component<D, lane_width>(t, d)]);
   }
-#endif
 };
 
 template <int D>
