@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Transfer between node rows in memory and packs of elements: whole rows are loaded and transposed in registers, which
-// is faster than one gather per component (docs/performance.md).
+// is faster than one gather per component (docs/verification_data/speed.md).
 
 #include <cstdint>
 
