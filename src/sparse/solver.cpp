@@ -14,9 +14,14 @@ namespace talus::sparse {
 namespace {
 
 using Stride = Eigen::OuterStride<>;
-using Block = Eigen::Map<Eigen::MatrixXd, 0, Stride>;
-using ConstBlock = Eigen::Map<const Eigen::MatrixXd, 0, Stride>;
-using Column = Eigen::Map<Eigen::VectorXd>;
+template <class Real>
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Real>
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+template <class Real>
+using Block = Eigen::Map<Matrix<Real>, 0, Stride>;
+template <class Real>
+using ConstBlock = Eigen::Map<const Matrix<Real>, 0, Stride>;
 
 constexpr int small_block = 16;  ///< pivots that are eliminated one by one
 constexpr int chunk = 128;       ///< columns of a product that are one piece of work
@@ -24,14 +29,15 @@ constexpr int kept = 2;          ///< place of the changes of the roots of subtr
 
 /// Factorises the lower triangle of a block as L D Lᵀ without exchanges; D replaces the diagonal of ones. Returns false
 /// if a pivot is zero or not finite.
-bool factorise_ldlt(Eigen::Ref<Eigen::MatrixXd, 0, Stride> a) {
+template <class Real>
+bool factorise_ldlt(Eigen::Ref<Matrix<Real>, 0, Stride> a) {
   const Eigen::Index n = a.rows();
   if (n <= small_block) {
     for (Eigen::Index k = 0; k < n; ++k) {
-      const double pivot = a(k, k);
+      const Real pivot = a(k, k);
       if (pivot == 0 || !std::isfinite(pivot)) return false;
       for (Eigen::Index j = k + 1; j < n; ++j) {
-        const double factor = a(j, k) / pivot;
+        const Real factor = a(j, k) / pivot;
         for (Eigen::Index i = j; i < n; ++i) a(i, j) -= a(i, k) * factor;
       }
       for (Eigen::Index i = k + 1; i < n; ++i) a(i, k) /= pivot;
@@ -39,13 +45,16 @@ bool factorise_ldlt(Eigen::Ref<Eigen::MatrixXd, 0, Stride> a) {
     return true;
   }
   const Eigen::Index h = n / 2, rest = n - h;
-  if (!factorise_ldlt(a.topLeftCorner(h, h))) return false;
+  if (!factorise_ldlt<Real>(a.topLeftCorner(h, h))) return false;
   auto below = a.bottomLeftCorner(rest, h);
-  a.topLeftCorner(h, h).triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-  const Eigen::MatrixXd scaled = below;  // L D
+  a.topLeftCorner(h, h)
+      .template triangularView<Eigen::UnitLower>()
+      .transpose()
+      .template solveInPlace<Eigen::OnTheRight>(below);
+  const Matrix<Real> scaled = below;  // L D
   below = scaled * a.diagonal().head(h).cwiseInverse().asDiagonal();
-  a.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() -= scaled * below.transpose();
-  return factorise_ldlt(a.bottomRightCorner(rest, rest));
+  a.bottomRightCorner(rest, rest).template triangularView<Eigen::Lower>() -= scaled * below.transpose();
+  return factorise_ldlt<Real>(a.bottomRightCorner(rest, rest));
 }
 
 struct Pattern {
@@ -110,8 +119,9 @@ double estimate_time(const Elimination& plan, const Division& division, int thre
 
 }  // namespace
 
-SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads,
-                           Stored stored)
+template <class Real>
+SparseSolver<Real>::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row, int threads,
+                                 Stored stored)
     : plan_(plan_stored(column_start, row, stored)), threads_(threads > 0 ? threads : default_threads()) {
   stacks_.resize(static_cast<std::size_t>(threads_));
   std::size_t lower = 0, upper = 0;
@@ -154,7 +164,8 @@ SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vect
 
 /// Plans where the changes of each front wait until its parent has added them. In postorder, the fronts of one level
 /// whose changes wait are added last in, first out, so two stacks suffice: for even and for odd levels.
-void SparseSolver::place_changes() {
+template <class Real>
+void SparseSolver<Real>::place_changes() {
   std::vector<int> level(plan_.fronts.size(), 0);
   for (std::size_t f = plan_.fronts.size(); f-- > 0;)
     for (const int child : plan_.fronts[f].children) level[child] = 1 - level[f];
@@ -163,7 +174,7 @@ void SparseSolver::place_changes() {
     const std::size_t count = plan_.fronts[f].rows.size();
     places_[f].changes = top[stack];
     places_[f].stack = stack;
-    top[stack] += (count * count + 7) / 8 * 8;  // so that every start is aligned
+    top[stack] += (count * count + 15) / 16 * 16;  // so that every start is aligned
     most[stack] = std::max(most[stack], top[stack]);
     for (const int child : plan_.fronts[f].children)
       if (places_[child].stack == 1 - stack) top[1 - stack] = std::min(top[1 - stack], places_[child].changes);
@@ -180,68 +191,72 @@ void SparseSolver::place_changes() {
   kept_.resize(most[kept]);
 }
 
-double* SparseSolver::find_changes(int f, int thread) {
+template <class Real>
+Real* SparseSolver<Real>::find_changes(int f, int thread) {
   const Place& place = places_[f];
   return (place.stack == kept ? kept_ : stacks_[thread][place.stack]).data() + place.changes;
 }
 
 /// Sets a front to the values of the matrix that enter it.
-void SparseSolver::add_values(const std::vector<double>& values, int f) {
+template <class Real>
+void SparseSolver<Real>::add_values(const std::vector<double>& values, int f) {
   const Place &from = places_[f], &to = places_[f + 1];
-  double *lower = lower_.data() + from.lower, *upper = upper_.data() + from.upper;
-  std::fill(lower, lower_.data() + to.lower, 0.0);
-  if (factors_ == Factors::lu) std::fill(upper, upper_.data() + to.upper, 0.0);
+  Real *lower = lower_.data() + from.lower, *upper = upper_.data() + from.upper;
+  std::fill(lower, lower_.data() + to.lower, Real(0));
+  if (factors_ == Factors::lu) std::fill(upper, upper_.data() + to.upper, Real(0));
   for (std::size_t k = from.value; k < to.value; ++k) {
     if (slots_[k] >= 0)
-      lower[slots_[k]] = values[order_[k]];
+      lower[slots_[k]] = static_cast<Real>(values[order_[k]]);
     else if (factors_ == Factors::lu)
-      upper[-1 - slots_[k]] = values[order_[k]];
+      upper[-1 - slots_[k]] = static_cast<Real>(values[order_[k]]);
   }
 }
 
 /// Adds to a front what its children have left to it.
-void SparseSolver::add_changes_of_children(int f, int thread) {
+template <class Real>
+void SparseSolver<Real>::add_changes_of_children(int f, int thread) {
   const Front& front = plan_.fronts[f];
   const bool symmetric = factors_ == Factors::ldlt;
   const std::ptrdiff_t pivots = front.pivots, size = front.size(), count = size - pivots;
-  double *lower = lower_.data() + places_[f].lower, *upper = upper_.data() + places_[f].upper,
-         *changes = find_changes(f, thread);
+  Real *lower = lower_.data() + places_[f].lower, *upper = upper_.data() + places_[f].upper,
+       *changes = find_changes(f, thread);
   for (std::ptrdiff_t j = 0; j < count; ++j)
-    std::fill(changes + j * count + (symmetric ? j : 0), changes + (j + 1) * count, 0.0);
+    std::fill(changes + j * count + (symmetric ? j : 0), changes + (j + 1) * count, Real(0));
   for (const int c : front.children) {
     const Front& child = plan_.fronts[c];
     const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(child.rows.size());
-    const double* from = find_changes(c, thread);
+    const Real* from = find_changes(c, thread);
     for (const Run& across : child.runs)
       for (int j = 0; j < across.count; ++j, from += rows) {
         const std::ptrdiff_t column = across.to + j;
         for (const Run& down : child.runs) {
           const int first = symmetric ? std::max(0, across.from + j - down.from) : 0;
           if (first >= down.count) continue;
-          double* to = column < pivots    ? lower + column * size + down.to
-                       : down.to < pivots ? upper + (column - pivots) * pivots + down.to
-                                          : changes + (column - pivots) * count + down.to - pivots;
+          Real* to = column < pivots    ? lower + column * size + down.to
+                     : down.to < pivots ? upper + (column - pivots) * pivots + down.to
+                                        : changes + (column - pivots) * count + down.to - pivots;
           for (int i = first; i < down.count; ++i) to[i] += from[down.from + i];
         }
       }
   }
 }
 
-bool SparseSolver::eliminate_ldlt(int f, int threads, int thread) {
+template <class Real>
+bool SparseSolver<Real>::eliminate_ldlt(int f, int threads, int thread) {
   const Front& front = plan_.fronts[f];
   const int pivots = front.pivots, size = front.size(), count = size - pivots;
-  double* at = lower_.data() + places_[f].lower;
-  Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+  Real* at = lower_.data() + places_[f].lower;
+  Block<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
       changes(find_changes(f, thread), count, count, Stride(count));
-  if (!factorise_ldlt(own)) return false;
+  if (!factorise_ldlt<Real>(own)) return false;
   negative_[f] = static_cast<int>((own.diagonal().array() < 0).count());
   if (count == 0) return true;
-  own.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-  const Eigen::MatrixXd scaled = below;  // L D
+  own.template triangularView<Eigen::UnitLower>().transpose().template solveInPlace<Eigen::OnTheRight>(below);
+  const Matrix<Real> scaled = below;  // L D
   below = scaled * own.diagonal().cwiseInverse().asDiagonal();
   parallel_tasks((count + chunk - 1) / chunk, threads, [&](int piece) {
     const int first = piece * chunk, width = std::min(chunk, count - first), rest = count - first - width;
-    changes.block(first, first, width, width).triangularView<Eigen::Lower>() -=
+    changes.block(first, first, width, width).template triangularView<Eigen::Lower>() -=
         scaled.middleRows(first, width) * below.middleRows(first, width).transpose();
     if (rest > 0)
       changes.block(first + width, first, rest, width).noalias() -=
@@ -250,14 +265,15 @@ bool SparseSolver::eliminate_ldlt(int f, int threads, int thread) {
   return true;
 }
 
-bool SparseSolver::eliminate_lu(int f, int threads, int thread) {
+template <class Real>
+bool SparseSolver<Real>::eliminate_lu(int f, int threads, int thread) {
   const Front& front = plan_.fronts[f];
   const int pivots = front.pivots, size = front.size(), count = size - pivots;
-  double* at = lower_.data() + places_[f].lower;
-  Block own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+  Real* at = lower_.data() + places_[f].lower;
+  Block<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
       right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots)),
       changes(find_changes(f, thread), count, count, Stride(count));
-  Eigen::Ref<Eigen::MatrixXd, 0, Stride> in_place(own);
+  Eigen::Ref<Matrix<Real>, 0, Stride> in_place(own);
   const Eigen::PartialPivLU<decltype(in_place)> lu(in_place);
   if (!own.diagonal().allFinite() || (own.diagonal().array() == 0).any()) return false;
   std::copy_n(lu.permutationP().indices().data(), pivots, exchanged_.begin() + front.first);
@@ -268,9 +284,9 @@ bool SparseSolver::eliminate_lu(int f, int threads, int thread) {
     const int first = piece * chunk, width = std::min(chunk, count - first);
     auto columns = right.middleCols(first, width);
     if (is_exchanged) columns = (lu.permutationP() * columns).eval();
-    own.triangularView<Eigen::UnitLower>().solveInPlace(columns);
+    own.template triangularView<Eigen::UnitLower>().solveInPlace(columns);
     auto rows = below.middleRows(first, width);
-    own.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(rows);
+    own.template triangularView<Eigen::Upper>().template solveInPlace<Eigen::OnTheRight>(rows);
   });
   parallel_tasks((count + chunk - 1) / chunk, threads, [&](int piece) {
     const int first = piece * chunk, width = std::min(chunk, count - first);
@@ -279,13 +295,15 @@ bool SparseSolver::eliminate_lu(int f, int threads, int thread) {
   return true;
 }
 
-bool SparseSolver::eliminate(const std::vector<double>& values, int f, int threads, int thread) {
+template <class Real>
+bool SparseSolver<Real>::eliminate(const std::vector<double>& values, int f, int threads, int thread) {
   add_values(values, f);
   add_changes_of_children(f, thread);
   return factors_ == Factors::ldlt ? eliminate_ldlt(f, threads, thread) : eliminate_lu(f, threads, thread);
 }
 
-bool SparseSolver::factorise(const std::vector<double>& values, Factors factors) {
+template <class Real>
+bool SparseSolver<Real>::factorise(const std::vector<double>& values, Factors factors) {
   factors_ = factors;
   ++factorisations_;
   std::vector<char> good(subtrees_.size(), 1);
@@ -300,23 +318,24 @@ bool SparseSolver::factorise(const std::vector<double>& values, Factors factors)
   return true;
 }
 
-bool SparseSolver::solve(std::vector<double>& x) const {
-  AlignedVector<double> y(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) y[plan_.position[i]] = x[i];
-  Eigen::VectorXd work;
+template <class Real>
+bool SparseSolver<Real>::solve(std::vector<double>& x) const {
+  AlignedVector<Real> y(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) y[plan_.position[i]] = static_cast<Real>(x[i]);
+  Vector<Real> work;
   const bool symmetric = factors_ == Factors::ldlt;
   for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
     const Front& front = plan_.fronts[f];
     const int pivots = front.pivots, size = front.size(), count = size - pivots;
-    const double* at = lower_.data() + places_[f].lower;
-    const ConstBlock own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size));
-    Column b(y.data() + front.first, pivots);
+    const Real* at = lower_.data() + places_[f].lower;
+    const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size));
+    Eigen::Map<Vector<Real>> b(y.data() + front.first, pivots);
     if (!symmetric) {
       work.resize(pivots);
       for (int i = 0; i < pivots; ++i) work[exchanged_[front.first + i]] = b[i];
       b = work;
     }
-    own.triangularView<Eigen::UnitLower>().solveInPlace(b);
+    own.template triangularView<Eigen::UnitLower>().solveInPlace(b);
     if (count == 0) continue;
     work.noalias() = below * b;
     for (int i = 0; i < count; ++i) y[front.rows[i]] -= work[i];
@@ -324,19 +343,19 @@ bool SparseSolver::solve(std::vector<double>& x) const {
   for (std::size_t f = plan_.fronts.size(); f-- > 0;) {
     const Front& front = plan_.fronts[f];
     const int pivots = front.pivots, size = front.size(), count = size - pivots;
-    const double* at = lower_.data() + places_[f].lower;
-    const ConstBlock own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+    const Real* at = lower_.data() + places_[f].lower;
+    const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
         right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots));
-    Column b(y.data() + front.first, pivots);
+    Eigen::Map<Vector<Real>> b(y.data() + front.first, pivots);
     work.resize(count);
     for (int i = 0; i < count; ++i) work[i] = y[front.rows[i]];
     if (symmetric) {
       b = b.cwiseQuotient(own.diagonal());
       b.noalias() -= below.transpose() * work;
-      own.triangularView<Eigen::UnitLower>().transpose().solveInPlace(b);
+      own.template triangularView<Eigen::UnitLower>().transpose().solveInPlace(b);
     } else {
       b.noalias() -= right * work;
-      own.triangularView<Eigen::Upper>().solveInPlace(b);
+      own.template triangularView<Eigen::Upper>().solveInPlace(b);
     }
   }
   bool finite = true;
@@ -346,5 +365,8 @@ bool SparseSolver::solve(std::vector<double>& x) const {
   }
   return finite;
 }
+
+template class SparseSolver<double>;
+template class SparseSolver<float>;
 
 }  // namespace talus::sparse

@@ -22,7 +22,9 @@ enum class Stored {
   lower  ///< the lower triangle of a symmetric matrix, for L D Lᵀ
 };
 
-/// Results are bitwise identical for any number of threads.
+/// Real: number type of the factors. Single precision halves their memory and the time to read it; its solutions are
+/// approximations, for the preconditioning of an iteration. Results are bitwise identical for any number of threads.
+template <class Real = double>
 class SparseSolver {
  public:
   /// Takes a square pattern by compressed columns with sorted rows; it must be symmetric, or half of
@@ -54,19 +56,19 @@ class SparseSolver {
   bool eliminate_ldlt(int f, int threads, int thread);
   bool eliminate_lu(int f, int threads, int thread);
   void add_changes_of_children(int f, int thread);
-  double* find_changes(int f, int thread);
+  Real* find_changes(int f, int thread);
 
   Elimination plan_;
   std::vector<Place> places_;
-  std::vector<int> subtrees_;  ///< roots of the subtrees that are factorised side by side
-  std::vector<int> tops_;      ///< fronts above them, in postorder
-  std::vector<int> order_;     ///< values, by the fronts that they enter
-  std::vector<int> slots_;     ///< of each of them: index in the front's `lower_`, or -1 - that in its `upper_`
-  AlignedVector<double> lower_, upper_;  ///< aligned, because Eigen sums in the order of the places in memory
-  std::vector<int> exchanged_;           ///< row of its front's pivots that was moved to each pivot
+  std::vector<int> subtrees_;          ///< roots of the subtrees that are factorised side by side
+  std::vector<int> tops_;              ///< fronts above them, in postorder
+  std::vector<int> order_;             ///< values, by the fronts that they enter
+  std::vector<int> slots_;             ///< of each of them: index in the front's `lower_`, or -1 - that in its `upper_`
+  AlignedVector<Real> lower_, upper_;  ///< aligned, because Eigen sums in the order of the places in memory
+  std::vector<int> exchanged_;         ///< row of its front's pivots that was moved to each pivot
   /// Changes of each front until its parent has added them: two stacks for each thread, and the roots of subtrees.
-  std::vector<std::array<AlignedVector<double>, 2>> stacks_;
-  AlignedVector<double> kept_;
+  std::vector<std::array<AlignedVector<Real>, 2>> stacks_;
+  AlignedVector<Real> kept_;
   std::vector<int> negative_;  ///< negative pivots of each front
   Factors factors_ = Factors::lu;
   int threads_ = 1, factorisations_ = 0, negative_pivots_ = 0;

@@ -165,6 +165,28 @@ TEST(SparseSolver, ExchangesRowsWithinAFront) {
   EXPECT_NEAR(x[1], 1, 1e-15);
 }
 
+/// Factors in single precision solve to that precision, and precondition GMRES to the precision of the matrix.
+TEST(Gmres, RefinesSolutionsInSinglePrecision) {
+  Matrix m = make_cube(6, 3);
+  for (const auto factors : {Factors::lu, Factors::ldlt}) {
+    fill(m, 90, factors == Factors::ldlt, false, 4);
+    SparseSolver<float> solver(m.start, m.row);
+    ASSERT_TRUE(solver.factorise(m.values, factors));
+    const std::vector<double> b = draw_right(m.size());
+    std::vector<double> x = b;
+    ASSERT_TRUE(solver.solve(x));
+    EXPECT_LT(find_residual(m, x, b), 1e-5);
+    EXPECT_GT(find_residual(m, x, b), 1e-9);
+    const LinearMap apply = [&](std::vector<double>& y) {
+      y = m.times(y);
+      return true;
+    };
+    const LinearMap invert = [&](std::vector<double>& y) { return solver.solve(y); };
+    EXPECT_LE(solve_by_gmres(apply, invert, b, 1e-13, 4, x), 1e-13);
+    EXPECT_LT(find_residual(m, x, b), 1e-12);
+  }
+}
+
 TEST(Gmres, ReducesTheResidualWithTheFactorsOfAnotherMatrix) {
   Matrix m = make_cube(5, 2);
   SparseSolver solver(m.start, m.row);

@@ -33,7 +33,7 @@ std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
 struct Kkt::Library {
   std::vector<int> first{0}, row;  ///< pattern of the lower triangle: first entry of each column, and rows
   std::vector<double> values;
-  std::unique_ptr<sparse::SparseSolver> solver;
+  std::unique_ptr<sparse::SparseSolver<>> solver;
   std::vector<double> fixed;  ///< values of the rows of the equations
 };
 
@@ -227,7 +227,7 @@ void Kkt::find_pattern() {
       for (std::size_t j = 0; j <= i; ++j)
         group.places.push_back(
             find_place(static_cast<std::size_t>(group.neighbours[j]), static_cast<std::size_t>(group.neighbours[i])));
-  m.solver = std::make_unique<sparse::SparseSolver>(m.first, m.row, 1, sparse::Stored::lower);
+  m.solver = std::make_unique<sparse::SparseSolver<>>(m.first, m.row, 1, sparse::Stored::lower);
 }
 
 // Adds Aᵀ H⁻¹ A of a block as the product of W⁻¹ A with itself, which is symmetric and positive semidefinite in spite

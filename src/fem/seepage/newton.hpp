@@ -44,7 +44,7 @@ class SeepageNewton {
 
   const SeepageSystem<D>& system_;
   SeepageOptions options_;
-  sparse::SparseSolver solver_;
+  sparse::SparseSolver<> solver_;
   const std::vector<NodeCondition>* conditions_ = nullptr;
   StepInput input_;
   NodalSums sums_;

@@ -21,7 +21,8 @@ constexpr int most_solves = 7;        ///< linear systems in a creep step
 constexpr double hopeless = 100;      ///< growth of the out-of-balance force at which the iteration is abandoned
 constexpr double least_gain = 0.9;    ///< largest ratio of residuals from the third iteration on
 constexpr double forcing = 0.1;       ///< residual of a linear system in 3D, over its right-hand side
-constexpr int most_products = 30;     ///< GMRES iterations before new factors
+constexpr double exact = 1e-10;       ///< the same where no soil yields
+constexpr int most_products = 12;     ///< GMRES iterations before new factors
 constexpr double steady_share = 0.8;  ///< fraction of the residual left when u has doubled (T19.8)
 constexpr double steady_from = 3;     ///< smallest displacement of steady flow, over u_el (T19.8)
 
@@ -29,6 +30,31 @@ double find_norm(const std::vector<double>& v) {
   double s = 0;
   for (double x : v) s += x * x;
   return std::sqrt(s);
+}
+
+/// Adds `factor` times the product of a matrix and x to y.
+template <int D>
+void add_product(const SolidSystem<D>& system, const std::vector<double>& matrix, double factor,
+                 const std::vector<double>& x, std::vector<double>& y) {
+  const auto add_columns = [&]<int Count>(std::integral_constant<int, Count>, int first) {
+    const int start = system.column_start[first], rows = system.column_start[first + 1] - start;
+    std::array<double, Count> scaled;
+    for (int c = 0; c < Count; ++c) scaled[c] = factor * x[first + c];
+    for (int k = 0; k < rows; ++k) {
+      double& sum = y[system.row[start + k]];
+      for (int c = 0; c < Count; ++c) sum += scaled[c] * matrix[start + c * rows + k];
+    }
+  };
+  // The columns of a node's unknowns have the same rows: taken together, they load and store y once.
+  for (const auto& node : system.nodes) {
+    const int free =
+        static_cast<int>(std::count_if(node.unknown.begin(), node.unknown.end(), [](int u) { return u >= 0; }));
+    if (free == 0) continue;
+    const int last = *std::max_element(node.unknown.begin(), node.unknown.end());
+    if (free == 1) add_columns(std::integral_constant<int, 1>(), last);
+    if (free == 2) add_columns(std::integral_constant<int, 2>(), last - 1);
+    if (free == 3) add_columns(std::integral_constant<int, 3>(), last - 2);
+  }
 }
 
 }  // namespace
@@ -57,30 +83,32 @@ bool SolidNewton<D>::factorise(bool symmetric) {
   return has_factors_;
 }
 
-/// Replaces x by matrix_ times x.
+/// Solves the system of matrix_ by GMRES with the last factors. Returns true if the residual is at most `tolerance`
+/// times the right-hand side.
 template <int D>
-bool SolidNewton<D>::multiply(std::vector<double>& x) const {
-  std::vector<double> product(x.size(), 0);
-  for (std::size_t j = 0; j < x.size(); ++j)
-    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
-      product[static_cast<std::size_t>(system_.row[static_cast<std::size_t>(k)])] +=
-          matrix_[static_cast<std::size_t>(k)] * x[j];
-  x.swap(product);
-  return true;
+bool SolidNewton<D>::solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x) const {
+  const auto apply = [&](std::vector<double>& y) {
+    std::vector<double> product(y.size(), 0);
+    add_product(system_, matrix_, 1, y, product);
+    y.swap(product);
+    return true;
+  };
+  const auto invert = [&](std::vector<double>& y) { return solver_.solve(y); };
+  return sparse::solve_by_gmres(apply, invert, b, tolerance, most_products, x) <= tolerance;
 }
 
-/// Solves the linear system of a Newton iteration for lack_. In 3D factors are expensive: those of an earlier system
-/// serve until GMRES needs too many iterations with them, and the solution is inexact, as in the inexact Newton method
-/// of Dembo, Eisenstat and Steihaug (1982).
+/// Solves the linear system of a Newton iteration for lack_. In 3D factors are expensive and large: they are in single
+/// precision, those of an earlier system serve until GMRES needs too many iterations with them, and the solution is
+/// inexact, as in the inexact Newton method of Dembo, Eisenstat and Steihaug (1982).
 template <int D>
 bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::vector<double>& change) {
   matrix_ = sums.matrix;
   for (std::size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += viscosity * elastic_[i];
-  if (D == 3 && has_factors_ &&
-      sparse::solve_by_gmres([&](std::vector<double>& x) { return multiply(x); },
-                             [&](std::vector<double>& x) { return solver_.solve(x); }, lack_, forcing, most_products,
-                             change) <= forcing)
-    return true;
+  if constexpr (D == 3) {
+    const double tolerance = sums.yielding > 0 ? forcing : exact;
+    return (has_factors_ && solve_approximately(lack_, tolerance, change)) ||
+           (factorise(sums.symmetric) && solve_approximately(lack_, tolerance, change));
+  }
   change = lack_;
   return factorise(sums.symmetric) && solver_.solve(change);
 }
@@ -89,12 +117,7 @@ bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::v
 template <int D>
 double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, double viscosity) {
   lack_ = at.residual;
-  for (std::size_t j = 0; j < q.size(); ++j) {
-    const double v = viscosity * q[j];
-    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
-      lack_[static_cast<std::size_t>(system_.row[static_cast<std::size_t>(k)])] -=
-          v * elastic_[static_cast<std::size_t>(k)];
-  }
+  add_product(system_, elastic_, -viscosity, q, lack_);
   return find_norm(lack_);
 }
 
@@ -142,7 +165,8 @@ void SolidNewton<D>::find_elastic_displacement() {
   std::vector<double> q = system_.load;
   elastic_displacement_ = 0;
   matrix_ = elastic_;
-  if (load_size_ == 0 || !factorise(true) || !solver_.solve(q)) return;
+  if (load_size_ == 0 || !factorise(true)) return;
+  if (!(D == 2 ? solver_.solve(q) : solve_approximately(system_.load, exact, q))) return;
   for (double x : q) elastic_displacement_ = std::max(elastic_displacement_, std::abs(x));
 }
 

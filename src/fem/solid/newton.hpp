@@ -46,14 +46,14 @@ class SolidNewton {
                              double viscosity, Place& next, std::vector<double>& q);
   bool find_change(const SolidSums& sums, double viscosity, std::vector<double>& change);
   bool factorise(bool symmetric);
-  bool multiply(std::vector<double>& x) const;
+  bool solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x) const;
   double find_lack(const Place& at, const std::vector<double>& q, double viscosity);
   bool is_steady(double moved, double fault);
   void find_elastic_displacement();
 
   const SolidSystem<D>& system_;
   SolidOptions options_;
-  sparse::SparseSolver solver_;
+  sparse::SparseSolver<std::conditional_t<D == 2, double, float>> solver_;
   bool has_factors_ = false;
   double load_size_;  ///< ‖f_ext‖, or without loads the norm of the first residual [N]
   double scale_ = 0;

@@ -119,7 +119,7 @@ constexpr double element_seconds[] = {6e-5, 1e-4};
 /// Time of a strength reduction with n unknowns, c n^1.3 [s]: with ψ < φ, and with ψ = φ.
 constexpr double reduction_seconds = 6e-5, associated_seconds = 2e-5, reduction_power = 1.3, unknowns_per_element = 4;
 /// Bytes of the matrices and factors of n unknowns, c n^k, in 2D and 3D.
-constexpr double matrix_bytes[] = {1600, 900}, matrix_power[] = {1.1, 1.25};
+constexpr double matrix_bytes[] = {1600, 640}, matrix_power[] = {1.1, 1.25};
 /// Time of limit analysis up to a last mesh of n triangles, c n^1.5 [s], and bytes per triangle.
 constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
 /// Usual final number of triangles of the referee, and the usual fraction of the allowed triangles of a search for
