@@ -76,6 +76,25 @@ TEST(Bilinear, RefinedStretchesDoNotCountMore) {
   EXPECT_NEAR(*construct_bilinear(fine)->criterion.factor, *construct_bilinear(coarse)->criterion.factor, 1e-9);
 }
 
+TEST(Bilinear, GivesNoFactorBeyondTheComputedOnes) {
+  const auto b = construct_bilinear({{1.0, 1.0}, {1.1, 1.1}, {1.2, 2.2}, {1.3, 4.2}}, {1.0, 1.1}, {1.2, 1.3});
+  ASSERT_TRUE(b && b->criterion.factor);
+  const auto outside = construct_bilinear({{1.0, 1.0}, {1.1, 1.1}, {1.2, 5.0}, {1.3, 6.0}}, {1.0, 1.1}, {1.2, 1.3});
+  ASSERT_TRUE(outside);
+  EXPECT_FALSE(outside->criterion.factor);
+  EXPECT_NE(outside->criterion.note.find("no factor was computed"), std::string::npos);
+}
+
+TEST(Criteria, GiveNoFactorWhereTheSlopeHasFailedAtTheSmallest) {
+  const std::vector<CurvePoint> failed{{0.9, 299.4}, {0.95, 300.1}, {1.0, 300.7}, {1.05, 350}, {1.1, 400}};
+  const auto criteria = find_criteria(failed, construct_bilinear(failed), 0.03, 10, {"m", 1});
+  ASSERT_EQ(criteria.size(), 3u);
+  for (const results::Criterion& c : criteria) {
+    EXPECT_FALSE(c.factor);
+    EXPECT_NE(c.note.find("already the smallest computed factor, 0.9, moves the slope by 299 m"), std::string::npos);
+  }
+}
+
 TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
   const results::Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3, {"m", 1});
   ASSERT_TRUE(c.factor);

@@ -12,6 +12,8 @@ namespace {
 
 /// A bend smaller than this fraction of the total rise of the curve is not refined.
 constexpr double smallest_bend = 0.02;
+/// A displacement below this fraction of the slope height is elastic and no jump.
+constexpr double elastic_share = 1e-3;
 
 struct Fit {
   results::Branch branch;
@@ -102,6 +104,10 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
     return b;
   }
   const double factor = (b.first.intercept - b.last.intercept) / difference;
+  if (factor < curve.front().factor || factor > curve.back().factor) {
+    b.criterion.note = fmt::format("the lines meet at {:.3f}, where no factor was computed", factor);
+    return b;
+  }
   b.criterion.factor = factor;
   set_bracket(curve, factor, b.criterion);
   return b;
@@ -141,6 +147,31 @@ results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, dou
   }
   if (!c.factor) c.note = "no two trials moved the slope noticeably";
   return c;
+}
+
+std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& curve,
+                                              const std::optional<Bilinear>& bilinear, double displacement_ratio,
+                                              double slope_height, const ShownUnit& length) {
+  using results::CriterionKind;
+  const double limit = displacement_ratio * slope_height;
+  std::vector<results::Criterion> criteria;
+  if (!curve.empty() && curve.front().displacement > limit) {
+    const std::string note = fmt::format("already the smallest computed factor, {:g}, moves the slope by {}",
+                                         curve.front().factor, format_value(curve.front().displacement, length, 3));
+    for (const CriterionKind kind : {CriterionKind::bilinear, CriterionKind::displacement, CriterionKind::jump})
+      criteria.push_back({kind, {}, {}, {}, note});
+    return criteria;
+  }
+  if (bilinear)
+    criteria.push_back(bilinear->criterion);
+  else
+    criteria.push_back({CriterionKind::bilinear, {}, {}, {}, "too few factors in the branches"});
+  criteria.push_back(find_displacement_criterion(curve, limit, length));
+  if (criteria.back().factor)
+    criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {}", displacement_ratio,
+                                       format_value(slope_height, length));
+  criteria.push_back(find_jump_criterion(curve, elastic_share * slope_height));
+  return criteria;
 }
 
 std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, double smallest) {

@@ -37,6 +37,12 @@ results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& cu
 /// Returns the interval in which ln u grows fastest; displacements below `floor` [m] are elastic and disregarded.
 results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
 
+/// Returns what the three criteria make of a curve; none gives a factor if the slope has failed at the smallest one, by
+/// a displacement of more than `displacement_ratio` times its height [m].
+std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& curve,
+                                              const std::optional<Bilinear>& bilinear, double displacement_ratio,
+                                              double slope_height, const ShownUnit& length);
+
 /// Returns factors that halve the two intervals beside every point at which the curve bends noticeably (change of
 /// slope times length, relative to the total rise). Intervals as short as `smallest` are not halved.
 std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, double smallest);

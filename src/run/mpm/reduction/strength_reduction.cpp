@@ -151,9 +151,6 @@ template CurveResult compute_curve<3>(const mpm::Body<3>&, const TrialContext&, 
 
 namespace {
 
-/// A displacement below this fraction of the slope height is elastic and no jump.
-constexpr double elastic_share = 1e-3;
-
 /// Smallest and largest angle of dilatancy [deg]; zero if no soil has one.
 std::pair<double, double> find_dilatancy_range(const input::Case& data) {
   double low = 1e9, high = -1e9;
@@ -163,23 +160,6 @@ std::pair<double, double> find_dilatancy_range(const input::Case& data) {
     high = std::max(high, m.dilatancy_angle * 180 / std::numbers::pi);
   }
   return low <= high ? std::pair{low, high} : std::pair{0.0, 0.0};
-}
-
-std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& points,
-                                              const std::optional<Bilinear>& bilinear,
-                                              const input::DisplacementCurve& settings, double slope_height,
-                                              const ShownUnit& length) {
-  std::vector<results::Criterion> criteria;
-  if (bilinear)
-    criteria.push_back(bilinear->criterion);
-  else
-    criteria.push_back({results::CriterionKind::bilinear, {}, {}, {}, "too few factors in the branches"});
-  criteria.push_back(find_displacement_criterion(points, settings.displacement_ratio * slope_height, length));
-  if (criteria.back().factor)
-    criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {}", settings.displacement_ratio,
-                                       format_value(slope_height, length));
-  criteria.push_back(find_jump_criterion(points, elastic_share * slope_height));
-  return criteria;
 }
 
 void write_curve_table(const std::vector<results::Trial>& trials, const std::filesystem::path& path) {
@@ -203,9 +183,10 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     const std::vector<CurvePoint> points = found.points();
     const auto bilinear = construct_bilinear(points, settings.curve.initial_branch, settings.curve.final_branch);
     results::DisplacementCurve& curve = run.curve.emplace();
-    curve.criteria = find_criteria(points, bilinear, settings.curve, slope_height, data.units().length);
+    curve.criteria =
+        find_criteria(points, bilinear, settings.curve.displacement_ratio, slope_height, data.units().length);
     factors.criteria = curve.criteria;
-    if (bilinear && bilinear->criterion.factor)
+    if (bilinear && curve.criteria.front().factor)
       curve.bilinear = results::BilinearLines{*bilinear->criterion.factor, bilinear->first, bilinear->last};
     curve.points = std::move(found.trials);
     write_curve_table(curve.points, context.folder / "curve.csv");
