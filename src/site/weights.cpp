@@ -42,6 +42,8 @@ bool uses_saturation(const input::Material& soil) {
 }
 
 double find_suction_stress(const input::Material& soil, double suction) {
+  if (suction > 0 && soil.slices.suction_strength == input::SuctionStrength::phi_b && soil.friction_angle > 0)
+    return suction * std::tan(soil.slices.phi_b) / std::tan(soil.friction_angle);
   if (suction <= 0 || !uses_saturation(soil)) return 0;
   if (soil.water.chi == input::BishopChi::khalili_khabbaz) {
     const double entry = soil.water.chi_air_entry;

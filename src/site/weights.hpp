@@ -19,7 +19,8 @@ double find_unit_weight(const input::Case& data, const input::Material& soil, do
 double find_saturated_weight(const input::Case& data, const input::Material& soil);
 
 /// Returns χ s of Bishop's effective stress at a suction s >= 0 [Pa]: χ = S_w, or after Khalili and Khabbaz; s if the
-/// pores stay saturated, 0 if the soil has no retention curve or its suction is to be ignored.
+/// pores stay saturated, 0 if the soil has no retention curve or its suction is to be ignored. By φ_b, χ = tan φ_b /
+/// tan φ, which adds s tan φ_b to the strength (Fredlund et al. 1978).
 double find_suction_stress(const input::Material& soil, double suction);
 
 /// Returns true if suction adds to the strength through χ.

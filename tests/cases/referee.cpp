@@ -143,6 +143,37 @@ TEST_F(RefereeTest, ASubmergedSlopeIsABuoyantOne) {
   EXPECT_LE(high / low, 1.1);
 }
 
+/// The same suction throughout is a cohesion of s tan φ_b, in every method.
+TEST_F(RefereeTest, SuctionByAngleIsTheCohesionThatItGives) {
+  constexpr double suction = 10, cohesion = 5;  // kPa
+  const std::string rough =
+      "[bounds]\ngap = 0.08\ntriangles = 700\nsize = 2.5\n[fem]\nsize = 2.5\n[initial]\npore_pressure = "
+      "\"water_table\"\n"
+      "water_table = [[0, 0], [44, 0]]\nlargest_suction = " +
+      fmt::format("\"{} kPa\"\n", suction);
+  const auto run_with = [&](double c, const char* how) {  // tension up to the apex, c / tan 30°
+    std::vector<input::Override> changes{
+        {"materials.sand.cohesion", fmt::format("\"{} kPa\"", c)},
+        {"materials.sand.suction_strength", how},
+        {"materials.sand.tensile_strength", fmt::format("\"{} kPa\"", 0.9999 * c * std::sqrt(3.0))},
+        {"lem.methods", "[\"bishop\"]"},
+        {"lem.noncircular", "false"},
+        {"lem.referee", "false"}};
+    if (std::string(how) == "phi_b") changes.push_back({"materials.sand.phi_b", "15"});
+    return run(write_case(R"("lem", "fem", "bounds")", rough), changes);
+  };
+  const json by_angle = run_with(cohesion, "phi_b"), none = run_with(cohesion, "none"),
+             cohesive = run_with(cohesion + suction * std::tan(15 * 3.14159265358979 / 180), "none");
+  const auto find_fem = [](const json& summary) { return summary.at("fem").at("runs").at(0).at("factor").get<double>(); };
+  EXPECT_NEAR(find_factor(by_angle, "bishop"), find_factor(cohesive, "bishop"), 1e-6);
+  EXPECT_NEAR(find_fem(by_angle), find_fem(cohesive), 0.006);  // the bracket
+  EXPECT_GT(find_fem(by_angle), find_fem(none) + 0.05);
+  const auto [lower, upper] = read_interval(by_angle, "bounds");
+  const auto [low, high] = read_interval(cohesive, "bounds");
+  EXPECT_NEAR(lower, low, 0.02);
+  EXPECT_NEAR(upper, high, 0.02);
+}
+
 /// A rigid footing bears no less on its strength: 10⁵ and 10⁶ kPa give one interval.
 TEST_F(RefereeTest, AStrongBlockIsAsStrongAsItNeedsToBe) {
   std::vector<std::pair<double, double>> intervals;

@@ -64,7 +64,8 @@ void describe_slice_soil(auto& v, SliceSoil& s) {
         "r_u, pore pressure over the weight of the soil above, instead of a water table. MPM keeps it, at frozen "
         "geometry.");
   v.key("suction_strength", s.suction_strength, plain(),
-        "Strength due to suction s above the water table, for LEM and FEM only. MPM uses [materials.NAME.water].");
+        "Strength due to suction s above the water table, for LEM, FEM and limit analysis. MPM uses "
+        "[materials.NAME.water].");
   v.key("phi_b", s.phi_b,
         quantity("deg")
             .at_least(0)

@@ -238,7 +238,7 @@ class Reading {
           by_saturation || how == input::SuctionStrength::from_water || how == input::SuctionStrength::saturation;
     }
     say("Suction gives {} of the resistance on {}{}.", format_share(suction / all), place_,
-        by_angle && given_ ? "; FEM has no φ_b and neglects it"
+        by_angle && (given_ || associated_) ? "; FEM takes it as an effective stress, s tan φ_b / tan φ"
         : by_saturation && (given_ != nullptr || associated_ != nullptr || frozen_)
             ? "; every method takes it as χ s with the same χ"
             : "");
