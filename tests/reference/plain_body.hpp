@@ -34,6 +34,7 @@ struct Point {
   double gap = 0;                   ///< volumetric strain of the gap in separated soil [-]
   double volume = 0;                ///< V_p [m³], in 2D per metre of thickness
   double mass = 0;                  ///< m_p [kg]
+  bool at_surface = false;          ///< for Settings::surface_points
 };
 
 /// Constraints of a node. The fixed components are removed first, then the motion along `normal` (zero: none).
@@ -63,6 +64,11 @@ struct Settings {
   Smoothing smoothing = Smoothing::none;
   bool objective = true;  ///< rotate the stress with the soil
   bool frozen = false;    ///< points and volumes stay as they are
+  // Rules of other codes in the place of those of the engine (bench/plain_runout.cpp).
+  bool fixed_nodes_brake = true;  ///< points take the speed of what holds a node; false: keep theirs beside it
+  bool separates = true;          ///< soil that separates keeps a gap
+  bool surface_points = false;    ///< an element is at the free surface where it holds a marked point
+  bool smooths_three = false;     ///< smoothing changes ε_zz in plane strain too
 };
 
 /// The nodal fields of one step.

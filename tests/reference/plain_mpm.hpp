@@ -39,7 +39,9 @@ void classify_elements(Body<D>& body, const Settings& settings) {
       if (body.points[p].material != body.points[cell.points[0]].material) one_material = false;
     }
     for (int neighbour : at(body.mesh.neighbours, e))
-      if (neighbour >= 0 && !at(body.cells, neighbour).is_active()) at_free_surface = true;
+      if (neighbour >= 0 && !at(body.cells, neighbour).is_active()) at_free_surface = !settings.surface_points;
+    for (std::size_t p : cell.points)
+      if (settings.surface_points && body.points[p].at_surface) at_free_surface = true;
     cell.full = settings.mixed && one_material && (!at_free_surface || volume > full_share * at(body.mesh.volumes, e));
   }
   note_gaps(body, settings);
@@ -96,10 +98,11 @@ void solve_momentum(Body<D>& body, const Settings& settings) {
       const double sign = node.momentum[d] > 0 ? 1 : node.momentum[d] < 0 ? -1 : 0;
       force[d] -= settings.damping * sign * std::abs(force[d]);
     }
+    node.acceleration = body.constraints[i].apply(force / (settings.mass_scaling * node.mass));
+    if (!settings.fixed_nodes_brake) continue;
     // In its fixed directions the node moves as what holds it: it takes the speed that its points bring there.
     const Vector<D> brought = node.momentum / node.mass;
-    node.acceleration = body.constraints[i].apply(force / (settings.mass_scaling * node.mass)) -
-                        (brought - body.constraints[i].hold(brought)) / settings.time_step;
+    node.acceleration -= (brought - body.constraints[i].hold(brought)) / settings.time_step;
   }
 }
 

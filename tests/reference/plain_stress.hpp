@@ -47,7 +47,8 @@ void note_gaps(Body& body, const Settings& settings) {
 /// Distributes a change of the volumetric strain over the in-plane directions. In plane strain these are two: with
 /// three, as in the text of 2.5.4, an out-of-plane strain remains, and a third of the change becomes a deviator.
 template <int D>
-Tensor spread_volumetric(double change) {
+Tensor spread_volumetric(double change, bool over_three = false) {
+  if (over_three) return change / 3 * Tensor::Identity();
   Tensor strain = Tensor::Zero();
   strain.topLeftCorner<D, D>().diagonal().setConstant(change / D);
   return strain;
@@ -91,7 +92,8 @@ void compute_strain_increments(Body<D>& body, const Settings& settings) {
   if (settings.smoothing == Smoothing::none) return;
   const std::vector<double> change = find_smoothing_change(
       body, settings.smoothing, volumetric, [&](const auto& field) { return smooth_over_nodes(body, field); });
-  for (std::size_t e = 0; e < body.cells.size(); ++e) body.cells[e].strain_increment += spread_volumetric<D>(change[e]);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    body.cells[e].strain_increment += spread_volumetric<D>(change[e], settings.smooths_three);
 }
 
 /// R of Hughes and Winget (1980) for the spin W = (L − Lᵀ)Δt/2: orthogonal for any W.
@@ -122,6 +124,8 @@ template <class Point, class Settings, int D = Point::dimension>
 StressUpdate update_moving_stress(const Material& material, const Tensor& sigma, const Tensor& strain_increment,
                                   const Settings& settings, Point& point) {
   if (settings.frozen) return update_stress(material, sigma, strain_increment);
+  if constexpr (requires { settings.separates; })
+    if (!settings.separates) return update_stress(material, sigma, strain_increment);
   StressUpdate update = update_separating(material, sigma, strain_increment, point.gap, D);
   point.gap += update.opened;
   return update;
