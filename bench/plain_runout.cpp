@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/gmsh_mesh.hpp"
+#include "mesh/generate.hpp"
 #include "reference/bodies.hpp"
 #include "reference/plain_mpm.hpp"
 
@@ -107,7 +107,9 @@ void print_heading(const char* what) {
 
 /// The slope at rest by the rules of Talus.
 reference::Body<2> settle_slope() {
-  const auto mesh = mesh::read_mesh_file<2>(TALUS_SOURCE_DIR "/examples/data/dry_slope_h075.msh");
+  mesh::Plan plan;
+  plan.file = TALUS_SOURCE_DIR "/examples/data/dry_slope_h075.msh";
+  const auto mesh = mesh::generate<2>(plan);
   reference::Body<2> body = reference::make_body(mesh, {45e6, 0.3, true, 200e3, 30 * degree, 0, 0});
   body.gravity[1] = -gravity;
   const reference::Slope outline{32, 5, 12, 15};

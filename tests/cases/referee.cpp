@@ -164,7 +164,9 @@ TEST_F(RefereeTest, SuctionByAngleIsTheCohesionThatItGives) {
   };
   const json by_angle = run_with(cohesion, "phi_b"), none = run_with(cohesion, "none"),
              cohesive = run_with(cohesion + suction * std::tan(15 * 3.14159265358979 / 180), "none");
-  const auto find_fem = [](const json& summary) { return summary.at("fem").at("runs").at(0).at("factor").get<double>(); };
+  const auto find_fem = [](const json& summary) {
+    return summary.at("fem").at("runs").at(0).at("factor").get<double>();
+  };
   EXPECT_NEAR(find_factor(by_angle, "bishop"), find_factor(cohesive, "bishop"), 1e-6);
   EXPECT_NEAR(find_fem(by_angle), find_fem(cohesive), 0.006);  // the bracket
   EXPECT_GT(find_fem(by_angle), find_fem(none) + 0.05);
