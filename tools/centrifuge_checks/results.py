@@ -3,8 +3,9 @@
 import csv
 import json
 
-import h5py
 import numpy as np
+
+from water_checks.runs import read_frames
 
 TRANSDUCERS = "ABCD"
 STAGES = ("initial", "rise 1", "rise 2", "rise 3", "rise 4")
@@ -55,17 +56,7 @@ class Results:
         return float(np.interp(time, self.time, self.displacement))
 
     def frames(self, names=("id", "displacement", "deviatoric_strain")):
-        frames = []
-        with h5py.File(self.folder / "results.vtkhdf") as file:
-            grid, steps = file["VTKHDF"], file["VTKHDF/Steps"]
-            for i, time in enumerate(steps["Values"]):
-                n, at = grid["NumberOfPoints"][steps["PartOffsets"][i]], steps["PointOffsets"][i]
-                fields = {"time": float(time), "points": grid["Points"][at:at + n, :2]}
-                for name in names:
-                    first = steps["PointDataOffsets"][name][i]
-                    fields[name] = grid["PointData"][name][first:first + n]
-                frames.append(fields)
-        return frames
+        return [{"time": frame.time, "points": frame.points[:, :2]} | frame.fields for frame in read_frames(self.folder / "results.vtkhdf", names)]
 
     def highest_moved(self, frames):
         """For every frame: the height above the base from which soil of the face has moved, at the start (0.08 m: none), and

@@ -42,6 +42,21 @@ class Frame:
         return self.fields[name]
 
 
+def read_frames(path, names):
+    """The stored frames of a run or a trial, with the named fields."""
+    frames = []
+    with h5py.File(path) as file:
+        grid, steps = file["VTKHDF"], file["VTKHDF/Steps"]
+        for i, time in enumerate(steps["Values"]):
+            n, at = grid["NumberOfPoints"][steps["PartOffsets"][i]], steps["PointOffsets"][i]
+            fields = {}
+            for name in names:
+                first = steps["PointDataOffsets"][name][i]
+                fields[name] = grid["PointData"][name][first:first + n]
+            frames.append(Frame(float(time), grid["Points"][at:at + n], fields))
+    return frames
+
+
 class Run:
     """A finished run: its command, what it cost, and its results in SI units."""
 
@@ -65,17 +80,7 @@ class Run:
                 for i, head in enumerate(rows[0])}
 
     def frames(self, names=("id", "pore_pressure", "strain", "stress", "volume", "saturation", "velocity", "water_velocity")):
-        frames = []
-        with h5py.File(self.folder / "results.vtkhdf") as file:
-            grid, steps = file["VTKHDF"], file["VTKHDF/Steps"]
-            for i, time in enumerate(steps["Values"]):
-                n, at = grid["NumberOfPoints"][steps["PartOffsets"][i]], steps["PointOffsets"][i]
-                fields = {}
-                for name in names:
-                    first = steps["PointDataOffsets"][name][i]
-                    fields[name] = grid["PointData"][name][first:first + n]
-                frames.append(Frame(float(time), grid["Points"][at:at + n], fields))
-        return frames
+        return read_frames(self.folder / "results.vtkhdf", names)
 
 
 class Runner:
