@@ -4,11 +4,12 @@ import dataclasses
 
 import numpy as np
 
+from .quantities import (compare_preconsolidation, count_parts, find_face_strain, find_front, find_lower_face, find_moving_strain, find_wetted,
+                         read_suction)
 from .runs import MONITORS
 
 ROOTED = ("0.51 %", "0.94 %", "1.29 %")
 FOOT = 4 * 6e-4 * 560  # rain on the level foot [m³/m]
-WETTED = ((2, 4.5), (3, 4.5), (4, 3.5), (5, 2.5))  # x, and the height above which the section is wetted at 230 s [m]
 
 
 @dataclasses.dataclass
@@ -38,16 +39,14 @@ def band_ratio(values, low, high):
 
 def find_setup(slopes):
     bare = slopes["bare"]
-    mesh, start = bare.summary["mesh"], bare.frame(0)
-    layer = int((start["material"] == start["material"].max()).sum())
-    points_differ = abs(mesh["points"] / 3009 - 1)
+    elements, nodes, active, points, layer = count_parts(bare)
+    points_differ = abs(points / 3009 - 1)
     yield Statement("4.4.1", "1,798 triangles, 959 nodes; 1,003 with soil, 3,009 points, 990 of them in the layer",
-                    f"{mesh['elements']:,}, {mesh['nodes']:,}; {mesh['soil_elements']}, {mesh['points']:,}, {layer}",
+                    f"{elements:,}, {nodes:,}; {active}, {points:,}, {layer}",
                     judge(points_differ < 0.02, points_differ < 0.1),
                     "the layer of 0.5 m takes two rows of elements; of 0.21 m each it would be 990 points; size of the box not printed")
-    suction, table = -start["pore_pressure"].min() / 1e3, bare.table()
-    time, largest = table["time"] - bare.start, table["largest_suction"] / 1e3
-    below = float(time[(time > 0) & (largest < 30)][0])
+    start, (time, largest) = bare.frame(0), read_suction(bare)
+    suction, below = -start["pore_pressure"].min() / 1e3, float(time[largest < 30][0])
     saturation = float(start["saturation"].min())
     yield Statement("4.4.1", "computed suctions stay below about 30 kPa, where S ≥ 0.7",
                     f"{suction:.1f} kPa, S = {saturation:.2f} at the crest before the rain; below 30 kPa after {below:.0f} s",
@@ -65,37 +64,16 @@ def find_water(slopes):
     yield Statement("–", "water: stored – (start + in – out), over the water", f"at most {error:.0e}", judge(error < 1e-9))
 
 
-def find_wetted(r, time=230):
-    """Smallest and largest p'_c of the wetted soil [kPa], and the fraction of it within 30 % of 50 kPa."""
-    values = []
-    for x, height in WETTED:
-        y, value = r.profile(time, "preconsolidation_pressure", x)
-        values += list(value[y > height] / 1e3)
-    return min(values), max(values), sum(35 <= v <= 65 for v in values) / len(values)
-
-
-def find_front(r, x=2, time=230, saturation=0.9):
-    """Depth to which the section is wetter than this [m]."""
-    y, s = r.profile(time, "saturation", x)
-    top, dry = y.max(), y[(s < saturation) & (y > 2.5)]
-    return top - dry.max() if len(dry) else top
-
-
 def find_preconsolidation(slopes):
     bare, rooted = slopes["bare"], slopes["1.29 %"]
-    y, value = bare.profile(0, "preconsolidation_pressure", 2)
-    wet = y < 0.95
-    line = np.polyfit(y[wet], value[wet], 1)
-    off = np.abs(np.polyval(line, y[wet]) / value[wet] - 1).max()
+    found = compare_preconsolidation(bare, rooted)
+    wet = found["wet"]
     yield Statement("4.4.2", "before rainfall $p'_c$ increases linearly with depth below the water table",
-                    f"{value[wet].min() / 1e3:.0f} to {value[wet].max() / 1e3:.0f} kPa at x = 2 m, within {100 * off:.1f} % of a line", judge(off < 0.03))
-    crest, middle = value[np.argmax(y)] / 1e3, np.interp(3, y, value) / 1e3
+                    f"{wet.min():.0f} to {wet.max():.0f} kPa at x = 2 m, within {100 * found['off']:.1f} % of a line", judge(found["off"] < 0.03))
     yield Statement("", "suction strengthens above it, most strongly near the crest",
-                    f"{np.interp(1.5, y, value) / 1e3:.0f}, {middle:.0f}, {crest:.0f} kPa at heights of 1.5, 3, {y.max():.1f} m",
-                    judge(crest > middle > value[wet].max() / 1e3), "$\\exp(b(1-S))$ is 35 at the crest")
-    yr, with_roots = rooted.profile(0, "preconsolidation_pressure", 2)
-    ratio = with_roots[np.argmax(yr)] / 1e3 / crest
-    yield Statement("", "roots enlarge it further in the layer", f"{ratio:.3f} times at 1.29 %", judge(ratio > 1.1),
+                    f"{found['low']:.0f}, {found['middle']:.0f}, {found['crest']:.0f} kPa at heights of 1.5, 3, {found['top']:.1f} m",
+                    judge(found["crest"] > found["middle"] > wet.max()), "$\\exp(b(1-S))$ is 35 at the crest")
+    yield Statement("", "roots enlarge it further in the layer", f"{found['roots']:.3f} times at 1.29 %", judge(found["roots"] > 1.1),
                     f"$\\exp(0.4\\cdot1.29)$ = {np.exp(0.4 * 1.29):.3f}")
     low, high, share = find_wetted(bare)
     yield Statement("", "$p'_c$ collapses to its saturated value; much of the upper profile falls to about 50 kPa",
@@ -146,31 +124,19 @@ def find_movement(slopes, longer, lower_conductivity):
 
 def find_strain(slopes, on_face):
     """on_face: the bare slope with the rain on the face itself, or None."""
-    def moving(r, time):
-        frame = r.frame(time)
-        return frame, np.linalg.norm(frame["displacement"], axis=1) > 0.1
-
     bare = slopes["bare"]
-    face = bare.frame(200)
-    lower = (face.points[:, 0] > 5) & (face.points[:, 0] < 7.5) & (face["material"] == face["material"].max())
-    largest, toe = face["deviatoric_strain"][lower].max(), np.interp(200, *bare.history("toe"))
+    largest, toe = find_lower_face(bare)
     yield Statement("Fig. 4.8", "by 200 s the lower face of the bare slope has failed",
                     f"largest strain there {largest:.3f}, toe moved {100 * toe:.1f} cm; it fails at {seconds(bare.onset('toe'))} s", judge(toe > 0.1),
                     "" if on_face is None else f"{seconds(on_face.onset('toe'))} s if the rain falls on the face itself: see the other readings")
-    strains = []
-    for name in ROOTED:
-        frame = slopes[name].frame(200)
-        strains.append(frame["deviatoric_strain"][frame.points[:, 0] > 3].max())
+    strains = [find_face_strain(slopes[name]) for name in ROOTED]
     yield Statement("Figs. 4.9–4.11", "rooted faces show no localization at 200 s", f"largest strain from the crest's edge on {max(strains):.3f}",
                     judge(max(strains) < 0.1))
-    frame, mask = moving(bare, 560)
-    spread = float(np.median(frame["deviatoric_strain"][mask]))
+    spread = find_moving_strain(bare)[0]
     yield Statement("Fig. 4.8", "bare: shear strain spreads through the entire moving mass", f"median of the moving mass at 560 s {spread:.2f}", judge(spread > 0.3))
     texts, kept = [], []
     for name in ROOTED:
-        frame, mask = moving(slopes[name], 560)
-        layer = frame["material"] == frame["material"].max()
-        inside, below = (float(np.median(frame["deviatoric_strain"][mask & part])) for part in (layer, ~layer))
+        _, inside, below = find_moving_strain(slopes[name])
         texts.append(f"{name}: {inside:.2f} in the layer, {below:.2f} below")
         kept.append(inside < 0.25 * below)
     yield Statement("Figs. 4.9–4.11", "rooted: a continuous band at the base, the material above it moves with little strain",
