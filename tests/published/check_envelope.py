@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The design and the effects of verify_envelope.py against known values."""
+"""The design, the effects and the statements of verify_envelope.py against known values."""
 import collections
 import pathlib
 import sys
 import tempfile
+import types
 import unittest
 
 import numpy as np
@@ -12,9 +13,18 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from envelope import effects  # noqa: E402
+try:
+    import h5py  # noqa: F401
+except ImportError:
+    print("SKIP: python3-h5py is not here, which the statements read results with")
+    sys.exit(77)
+
+from envelope import centrifuge, effects, unsaturated, vegetated  # noqa: E402
 from envelope.design import SLOPES, make_study, write_design  # noqa: E402
+from envelope.evaluation import Evaluation, format_verdict  # noqa: E402
+from envelope.page import make_page  # noqa: E402
 from envelope.sampling import Levels, Range, draw_hypercube, to_toml  # noqa: E402
+from envelope.statements import ANY, Measured, Statement, format_interval  # noqa: E402
 
 try:
     import tomllib
@@ -139,6 +149,106 @@ class Conflicts(unittest.TestCase):
         self.assertEqual(effects.find_central([0, 1], values, targets)[0], 0)
         self.assertEqual(effects.find_central([0, 1, 2], values, targets), (2, 0))
         self.assertIsNone(effects.find_central([], values, targets))
+
+
+class Statements(unittest.TestCase):
+    statement = Statement("X", "1", "", "", "kPa", (52, 60), (50, ANY))
+
+    def check(self, measured, verdict):
+        self.assertEqual(format_verdict(self.statement, measured), verdict)
+
+    def test_an_interval_and_a_condition_decide(self):
+        self.check(Measured(56), "strict")
+        self.check(Measured(61), "project")
+        self.check(Measured(56, strict=False), "project")
+        self.check(Measured(49), "no")
+        self.check(Measured(float("nan")), "no")
+        self.check(None, "")
+        self.assertEqual([format_interval(self.statement, kind) for kind in ("strict", "project")], ["52 to 60 kPa", "≥ 50 kPa"])
+
+    def test_names_are_given_once(self):
+        for module in (unsaturated, vegetated, centrifuge):
+            names = [s.name for s in module.STATEMENTS]
+            self.assertEqual(len(names), len(set(names)))
+
+
+class Unsaturated(unittest.TestCase):
+    def test_two_lines_cross(self):
+        srf = np.arange(1, 1.501, 0.025)
+        moved = np.maximum(0.1 * (srf - 1), 5 * srf - 6.3)
+        self.assertAlmostEqual(unsaturated.find_crossing(srf, moved), 6.2 / 4.9, 9)
+
+    def test_the_exit_is_the_highest_wet_point_of_the_face(self):
+        points = np.array([[20, 10.9], [28, 6.9], [30, 5.9], [28, 2]])
+        frame = types.SimpleNamespace(points=points, fields={"displacement": np.zeros((4, 2)), "pore_pressure": np.array([-1, 1, 1, 1])})
+        frame_type = type("F", (), {"points": points, "__getitem__": lambda self, name: frame.fields[name]})
+        self.assertEqual(unsaturated.find_exit(frame_type()), 28)
+
+    def test_further_runs_change_one_parameter(self):
+        slope = SLOPES["unsaturated"]
+        design = slope.draw()
+        base = slope.settings(design[4], "")
+        rows = dict(unsaturated.list_extra_rows(slope, design, [4]))
+        self.assertEqual(rows["005 fine"] | {"mesh.size": base["mesh.size"]}, base | {"mesh.points_per_element": 3})
+        curve = rows["005 damping 0"]["strength_reduction.curve"]
+        self.assertEqual((curve["damping"], curve["water_damping"], base["strength_reduction.curve"]["damping"]), (0, 0, 0.05))
+        self.assertEqual(unsaturated.select_nearest({0: 1.2, 1: 1.29, 2: float("nan"), 3: 1.28}, 2), [3, 1])
+
+
+class Vegetated(unittest.TestCase):
+    @staticmethod
+    def make_run(toe, middle, crest):
+        times = {"toe": toe, "mid_face": middle, "crest": crest}
+        return types.SimpleNamespace(first_passing=lambda monitor, threshold: times[monitor], start=30,
+                                     summary={"stages": [{"time": 590}]})
+
+    def test_order_delay_and_one_block(self):
+        block = self.make_run(400, 404, 412)
+        runs = {"bare": self.make_run(200, 260, 380), "0.51": block, "0.94": block, "1.29": self.make_run(440, 430, 450)}
+        found = vegetated.measure_movement(runs, 0.1)
+        self.assertEqual((found["V6"].value, found["V14"].value), (60, 200))
+        self.assertAlmostEqual(found["V7"].value, 20 / 450)
+
+    def test_points_that_do_not_move_are_in_no_order(self):
+        block = self.make_run(None, None, None)
+        found = vegetated.measure_movement({"bare": self.make_run(200, 260, None)} | dict.fromkeys(vegetated.ROOTED, block), 0.1)
+        self.assertTrue(np.isnan(found["V6"].value) and np.isnan(found["V7"].value))
+        self.assertEqual(found["V14"].value, 360)  # to the end of the rain
+
+
+class Centrifuge(unittest.TestCase):
+    def test_steps_of_the_moved_soil_are_blocks(self):
+        heights = [0.08, 0.08, 0.20, 0.25, 0.25, 0.35, 0.36, 0.36, 0.48, 0.48]
+        results = types.SimpleNamespace(highest_moved=lambda frames: (np.array(heights), None))
+        self.assertEqual(centrifuge.count_blocks(results, []), 3)
+
+    def test_a_point_moves_and_comes_to_rest(self):
+        results = types.SimpleNamespace(time=np.array([0, 20, 21, 30, 40, 50, 100.0]), displacement=np.array([0, 0, 0, 2, 6, 245, 245]) * 1e-3,
+                                        summary={"stages": [{"start": 20}]})
+        point = centrifuge.Point(results, [])
+        self.assertAlmostEqual(point.onset, 35)
+        self.assertTrue(point.is_at_rest())
+        self.assertAlmostEqual(point.find_peak_speed(), 0.0239, 2)
+
+    def test_the_layer_follows_the_ground(self):
+        results = types.SimpleNamespace(summary={"input": {"roots": [{"depth": {"value": 0.05}, "along": {"value": [[0.19, 0], [0.61, 0]]}}]}})
+        origin = np.array([[0.4, 0.25], [0.4, 0.2], [0.1, 0.07], [0.6, 0.46]])  # depths normal to the face: 0.02, 0.06; before the toe; at the crest
+        self.assertEqual(centrifuge.find_layer(results, None, origin).tolist(), [True, False, False, True])
+
+
+class Pages(unittest.TestCase):
+    def test_a_page_names_the_central_run_or_the_conflict(self):
+        slope = SLOPES["unsaturated"]
+        design = slope.draw(40)
+        for best, words in ((1.28, "most central one is sample 3 "), (1.40, "hold in no sample (strict): U4")):
+            evaluation = Evaluation("unsaturated", slope, design)
+            for sample in evaluation.samples:
+                values = {s.name: Measured(s.printed or s.strict[0]) for s in evaluation.statements if s.counts}
+                factor = best if sample.number == 2 else 1.35 + 0.001 * sample.number
+                sample.found = {reading: values | {"U4": Measured(factor)} for reading in evaluation.readings}
+            page = make_page(evaluation)
+            self.assertIn(words, page)
+            self.assertIn("| U4 | 3.4.2 |", page)
 
 
 if __name__ == "__main__":
