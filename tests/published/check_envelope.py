@@ -215,6 +215,10 @@ class Vegetated(unittest.TestCase):
         self.assertTrue(np.isnan(found["V6"].value) and np.isnan(found["V7"].value))
         self.assertEqual(found["V14"].value, 360)  # to the end of the rain
 
+    def test_a_prescribed_flux_does_not_run_off(self):
+        self.assertEqual(vegetated.compute_runoff({"supplied": 0, "runoff": 0, "entered": 4.4}), 0)
+        self.assertEqual(vegetated.compute_runoff({"supplied": 4, "runoff": 1, "entered": 3}), 0.25)
+
 
 class Centrifuge(unittest.TestCase):
     def test_steps_of_the_moved_soil_are_blocks(self):

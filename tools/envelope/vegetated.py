@@ -62,6 +62,11 @@ def measure_movement(runs, threshold):
             "V14": Measured(min(first[name] for name in ROOTED) - first["bare"] if moves else float("nan"))}
 
 
+def compute_runoff(water):
+    """Fraction of the rain that runs off; a prescribed flux supplies nothing that could."""
+    return water["runoff"] / water["supplied"] if water["supplied"] else 0.0
+
+
 def compare_counts(run):
     return max(abs(found / printed - 1) / band for found, printed, band in zip(count_parts(run), PRINTED, BANDS))
 
@@ -97,7 +102,7 @@ def measure(folders):
     time, suction = read_suction(bare)
     runouts = [run.runout for run in runs.values()]
     common = {"V1": Measured(compare_counts(bare)), "V2": Measured(float(suction.max()), project=suction[time > 120].max() <= 33),
-              "V3": Measured(water["runoff"] / water["supplied"]), "V4": Measured(count_preconsolidation(runs)),
+              "V3": Measured(compute_runoff(water)), "V4": Measured(count_preconsolidation(runs)),
               "V5": Measured(find_wetted(bare)[2])} | measure_displacement(runs)
     common |= {"V10": Measured(float(max(strain / 0.2, toe / 0.1))), "V11": Measured(float(max(find_face_strain(runs[name]) for name in ROOTED))),
                "V12": Measured(compare_strain(runs)), "V13": Measured(max(runouts, key=lambda r: abs(r - 2)))}
