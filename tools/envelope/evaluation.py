@@ -77,12 +77,20 @@ class Evaluation:
         held = self.judge_all(kind, reading)
         return [i for i in range(len(self.finished)) if all(held[name][i] for name in held)]
 
-    def compute_effects(self, statement):
+    def compute_effects(self, statement, inside=None):
+        """Main effects of all choices, largest first; `inside`: (factor, level) of the samples, for effects beside one that dominates."""
         values = self.get_values(statement.name)
         if statement.log:
             with np.errstate(divide="ignore", invalid="ignore"):
                 values = np.where(values > 0, np.log(np.maximum(values, 1e-300)), np.nan)
-        return effects.compute_effects([s.choices for s in self.finished], values, self.slope.acts)
+        chosen = [i for i, s in enumerate(self.finished) if inside is None or s.choices[inside[0]] == inside[1]]
+        return effects.compute_effects([self.finished[i].choices for i in chosen], values[chosen], self.slope.acts) if chosen else []
+
+    def find_best_level(self, statement, factor):
+        """The level in which the statement holds most often, strict before project."""
+        verdicts = list(zip(self.judge(statement, "strict"), self.judge(statement, "project")))
+        levels = [s.choices[factor] for s in self.finished]
+        return max(sorted(set(levels)), key=lambda level: tuple(np.mean([v for v, at in zip(verdicts, levels) if at == level], axis=0)))
 
     def find_central(self, kind, reading=None):
         """(sample, distance) of the run that is nearest to what is printed; None when no run satisfies everything."""

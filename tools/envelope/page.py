@@ -9,6 +9,7 @@ from .statements import format_interval
 
 TITLES = {"unsaturated": ("Unsaturated slope", "3.4.2"), "vegetated": ("Vegetated slope", "4.4"), "centrifuge": ("Centrifuge slope", "4.5")}
 SHOWN_EFFECTS, SHOWN_PAIRS, SHOWN_SETS = 3, 12, 8
+DOMINANT = 0.5  # fraction of the variance from which the effects beside this one are shown
 WEAK = 0.03  # fraction of the variance below which an effect is not shown
 
 
@@ -25,9 +26,9 @@ def format_share(verdicts):
     return f"{100 * k / n:.0f} % [{100 * low:.0f}, {100 * high:.0f}]"
 
 
-def format_effect(effect, log):
+def format_effect(effect, statement):
     """Means are geometric where the effect is one on the logarithm."""
-    means = "; ".join(f"{name}: {np.exp(value) if log else value:.3g}" for name, value in effect.means.items())
+    means = "; ".join(f"{name}: {np.exp(value) if statement.log else value:.{statement.digits}g}" for name, value in effect.means.items())
     where = f" ({effect.where})" if effect.where else ""
     return f"{effect.factor}{where} {effect.share:.2f} [{effect.low:.2f}, {effect.high:.2f}]: {means}"
 
@@ -53,17 +54,28 @@ Written by `tools/verify_envelope.py PROGRAM FOLDER --only {evaluation.name}` ({
 Section {section} of the source. A Latin hypercube draws the choices that the source leaves open (`tools/envelope/design.py`); nothing that it prints is
 varied. [Every sample](envelope_{evaluation.name}.csv). Intervals are those of 90 %. The fraction of the variance of a quantity that a choice explains (ω²) is computed
 for levels, and for numbers in three bins of equal frequency, with a bootstrap interval; of a ratio, for its logarithm. A choice is tested only where it
-acts, and effects below {WEAK} are noise and not shown. *Strict* is what a careful reader calls reproduced; *project* are the project's bands.
+acts, and effects below {WEAK} are noise and not shown; beside a choice that explains {DOMINANT} or more, effects of the others in its best level are
+shown too. *Strict* is what a careful reader calls reproduced; *project* are the project's bands.
 """
+
+
+def list_effects(evaluation, statement):
+    """The largest effects and, where a choice of levels dominates, those of the others in its level that satisfies the statement most often."""
+    shown = [e for e in evaluation.compute_effects(statement) if e.share >= WEAK][:SHOWN_EFFECTS]
+    lines = [format_effect(e, statement) for e in shown]
+    if shown and shown[0].share >= DOMINANT and isinstance(evaluation.finished[0].choices[shown[0].factor], str) and not shown[0].where:
+        level = evaluation.find_best_level(statement, shown[0].factor)
+        beside = [e for e in evaluation.compute_effects(statement, (shown[0].factor, level)) if e.share >= WEAK][:SHOWN_EFFECTS]
+        lines += [f"with {shown[0].factor} {level}: {format_effect(e, statement)}" for e in beside]
+    return lines
 
 
 def make_statements(evaluation):
     rows = []
     for s in evaluation.statements:
-        strong = [e for e in evaluation.compute_effects(s) if e.share >= WEAK][:SHOWN_EFFECTS]
         rows.append([s.name if s.counts else f"({s.name})", s.place, s.wording, s.quantity, format_interval(s, "strict"),
                      format_share(evaluation.judge(s, "strict")), format_share(evaluation.judge(s, "project")),
-                     format_range(evaluation.get_values(s.name), s.digits), "<br>".join(format_effect(e, s.log) for e in strong) or "–"])
+                     format_range(evaluation.get_values(s.name), s.digits), "<br>".join(list_effects(evaluation, s)) or "–"])
     return "## Statements\n\n" + table_of(["", "source", "it states", "quantity", "accepted, strict", "holds, strict", "holds, project", "5 / 50 / 95 %",
                                            "largest effects"], rows) + "\nStatements in brackets are not among those that a run has to satisfy together.\n"
 
