@@ -86,6 +86,10 @@ class Evaluation:
         chosen = [i for i, s in enumerate(self.finished) if inside is None or s.choices[inside[0]] == inside[1]]
         return effects.compute_effects([self.finished[i].choices for i in chosen], values[chosen], self.slope.acts) if chosen else []
 
+    def count_held(self, kind):
+        """How many counted statements each finished sample satisfies."""
+        return np.sum(list(self.judge_all(kind).values()), axis=0)
+
     def find_best_level(self, statement, factor):
         """The level in which the statement holds most often, strict before project."""
         verdicts = list(zip(self.judge(statement, "strict"), self.judge(statement, "project")))

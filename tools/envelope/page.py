@@ -4,7 +4,7 @@ import numpy as np
 
 from roots_checks.tables import table_of
 
-from .effects import compute_clopper_pearson, group_values, list_conflicts, list_failing_sets
+from .effects import compute_clopper_pearson, compute_effects, group_values, list_conflicts, list_failing_sets
 from .statements import format_interval
 
 TITLES = {"unsaturated": ("Unsaturated slope", "3.4.2"), "vegetated": ("Vegetated slope", "4.4"), "centrifuge": ("Centrifuge slope", "4.5")}
@@ -26,9 +26,9 @@ def format_share(verdicts):
     return f"{100 * k / n:.0f} % [{100 * low:.0f}, {100 * high:.0f}]"
 
 
-def format_effect(effect, statement):
+def format_effect(effect, digits, log=False):
     """Means are geometric where the effect is one on the logarithm."""
-    means = "; ".join(f"{name}: {np.exp(value) if statement.log else value:.{statement.digits}g}" for name, value in effect.means.items())
+    means = "; ".join(f"{name}: {np.exp(value) if log else value:.{digits}g}" for name, value in effect.means.items())
     where = f" ({effect.where})" if effect.where else ""
     return f"{effect.factor}{where} {effect.share:.2f} [{effect.low:.2f}, {effect.high:.2f}]: {means}"
 
@@ -62,11 +62,11 @@ shown too. *Strict* is what a careful reader calls reproduced; *project* are the
 def list_effects(evaluation, statement):
     """The largest effects and, where a choice of levels dominates, those of the others in its level that satisfies the statement most often."""
     shown = [e for e in evaluation.compute_effects(statement) if e.share >= WEAK][:SHOWN_EFFECTS]
-    lines = [format_effect(e, statement) for e in shown]
+    lines = [format_effect(e, statement.digits, statement.log) for e in shown]
     if shown and shown[0].share >= DOMINANT and isinstance(evaluation.finished[0].choices[shown[0].factor], str) and not shown[0].where:
         level = evaluation.find_best_level(statement, shown[0].factor)
         beside = [e for e in evaluation.compute_effects(statement, (shown[0].factor, level)) if e.share >= WEAK][:SHOWN_EFFECTS]
-        lines += [f"with {shown[0].factor} {level}: {format_effect(e, statement)}" for e in beside]
+        lines += [f"with {shown[0].factor} {level}: {format_effect(e, statement.digits, statement.log)}" for e in beside]
     return lines
 
 
@@ -147,8 +147,20 @@ def make_conflicts(evaluation, kind):
     return "\n".join(lines)
 
 
+def make_counts(evaluation):
+    """How many statements are satisfied, and what this number depends on."""
+    lines = []
+    for kind in ("strict", "project"):
+        counts = evaluation.count_held(kind)
+        found = [e for e in compute_effects([s.choices for s in evaluation.finished], counts, evaluation.slope.acts) if e.share >= WEAK][:SHOWN_EFFECTS]
+        numbers = ", ".join(f"{n} in {int((counts == n).sum())}" for n in sorted(set(counts), reverse=True))
+        lines.append(f"- {kind}: of {len(evaluation.counted)} statements hold {numbers} samples. Largest effects on the number: "
+                     + ("; ".join(f"**{e.factor}** {format_effect(e, 3).removeprefix(e.factor)}" for e in found) or "none") + ".")
+    return "\n".join(lines)
+
+
 def make_together(evaluation):
-    parts = ["## All statements together", make_readings(evaluation)]
+    parts = ["## All statements together", make_readings(evaluation), make_counts(evaluation)]
     kinds = [kind for kind in ("strict", "project") if evaluation.list_complete(kind)]
     if kinds:
         parts.append(make_central(evaluation, kinds[0], evaluation.readings[0]))
