@@ -148,7 +148,8 @@ def measure_extra(base, folders):
     runs = {name: Run(folder, "") for name, folder in folders.items()}
     factor = find_factors(Run(base, ""))[0]
     shift = {name: find_factors(run)[0] - factor for name, run in runs.items()}
-    (srf, moved), (_, free) = read_curve(base), read_curve(folders["damping 0"])
-    near = (srf >= 1.15 - 1e-9) & (srf <= factor)
+    (srf, moved), (others, free) = read_curve(base), read_curve(folders["damping 0"])
+    srf, i, j = np.intersect1d(np.round(srf, 6), np.round(others, 6), return_indices=True)
+    near = (srf >= 1.15) & (srf <= factor)
     return {"U10": Measured(max(abs(shift[name]) for name in ("step", "points", "window"))), "U11": Measured(shift["fine"]),
-            "U12": Measured(float((free / moved)[near].max())), "U13": Measured(shift["damping 0"])}
+            "U12": Measured(float((free[j] / moved[i])[near].max(initial=0))), "U13": Measured(shift["damping 0"])}
