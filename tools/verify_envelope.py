@@ -3,11 +3,12 @@
 """Runs the three slopes of the source over the choices that it leaves open, and says which of its statements hold together.
 
 Usage: tools/verify_envelope.py PROGRAM FOLDER [--only unsaturated|vegetated|centrifuge] [--samples N] [--runs FOLDER] [--evaluate]
-                                [--sensitivity]
+                                [--sensitivity] [--meshes]
 Draws a Latin hypercube (200, 150 and 120 samples; 200, 600 and 240 runs, four hours on two cores) and runs it as a study of the program, which resumes.
 Writes envelope_<slope>.csv and .md to FOLDER and prints the tables. --runs keeps the studies there: envelope_<slope>.toml and runs_<slope>.
 --evaluate starts nothing and evaluates the samples that have finished; --sensitivity also runs the unsaturated slope with one numerical
-parameter changed, for the ten samples nearest to the printed factor. Misses are reported, and do not make the program fail.
+parameter changed, for the ten samples nearest to the printed factor; --meshes also runs the most central sample with the other mesh
+generators. Misses are reported, and do not make the program fail.
 Needs python3 with numpy and h5py.
 """
 import argparse
@@ -40,6 +41,16 @@ def run_extra(program, runs, evaluation, evaluate):
     print(f"{evaluation.name}: sensitivities of {len(evaluation.extra)} of {len(samples)} samples")
 
 
+def run_meshes(program, runs, evaluation, evaluate):
+    """The most central sample with the other mesh generators."""
+    central = evaluation.choose_central()
+    if central and not evaluate:
+        name, sample = evaluation.get_meshes_name(), central[2]
+        run_study(program, runs / f"{name}.toml", runs / name, evaluation.slope.list_mesh_rows(sample.number, sample.choices),
+                  evaluation.slope)
+    evaluation.read_meshes(runs)
+
+
 def verify(program, folder, runs, name, options):
     slope = SLOPES[name]
     design = slope.draw(options.samples)
@@ -51,6 +62,8 @@ def verify(program, folder, runs, name, options):
     print(f"{name}: {len(evaluation.finished)} of {len(design)} samples have finished", flush=True)
     if name == "unsaturated" and (options.sensitivity or options.evaluate):
         run_extra(program, runs, evaluation, options.evaluate)
+    if options.meshes or options.evaluate:
+        run_meshes(program, runs, evaluation, options.evaluate)
     text = make_page(evaluation)
     evaluation.write_csv(folder / f"envelope_{name}.csv")
     (folder / f"envelope_{name}.md").write_text(text)
@@ -66,6 +79,7 @@ def main():
     parser.add_argument("--runs", type=pathlib.Path)
     parser.add_argument("--evaluate", action="store_true")
     parser.add_argument("--sensitivity", action="store_true")
+    parser.add_argument("--meshes", action="store_true")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:

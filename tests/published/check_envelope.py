@@ -77,6 +77,12 @@ class Study(unittest.TestCase):
                 for vary in study["vary"]:
                     self.assertEqual(len(vary["values"]), 3 * len(slope.cases))
 
+    def test_a_sample_is_repeated_with_other_meshes(self):
+        slope = SLOPES["vegetated"]
+        choice = slope.draw(1)[0]
+        names = [name for name, _ in slope.list_mesh_rows(0, choice | {"algorithm": "frontal"})]
+        self.assertEqual(names[:2] + names[-1:], ["001 bare delaunay", "001 0.51 delaunay", "001 1.29 meshadapt"])
+
     def test_no_choice_acts_in_a_level_that_is_missing(self):
         for slope in SLOPES.values():
             for factor, (other, level) in slope.acts.items():
@@ -250,8 +256,11 @@ class Pages(unittest.TestCase):
                 values = {s.name: Measured(s.printed or s.strict[0]) for s in evaluation.statements if s.counts}
                 factor = best if sample.number == 2 else 1.35 + 0.001 * sample.number
                 sample.found = {reading: values | {"U4": Measured(factor)} for reading in evaluation.readings}
+            if evaluation.choose_central():
+                evaluation.meshes["frontal"] = evaluation.samples[0].found
             page = make_page(evaluation)
             self.assertIn(words, page)
+            self.assertEqual("with the other mesh generators" in page, best == 1.28)
             self.assertIn("| U4 | 3.4.2 |", page)
 
 

@@ -190,6 +190,11 @@ class Slope:
         """(name, settings) of every run, sample by sample."""
         return [(self.get_name(i, case), self.settings(choice, case)) for i, choice in enumerate(design) for case in self.cases]
 
+    def list_mesh_rows(self, i, choice):
+        """(name, settings) of sample i with the other mesh generators."""
+        others = [a for a in self.factors["algorithm"].names if a != choice["algorithm"]]
+        return [(f"{self.get_name(i, case)} {a}", self.settings(choice | {"algorithm": a}, case)) for a in others for case in self.cases]
+
     @staticmethod
     def get_name(i, case):
         return f"{i + 1:03} {case}".strip()

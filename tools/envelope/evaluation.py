@@ -27,7 +27,7 @@ class Evaluation:
         self.module = importlib.import_module(f"envelope.{name}")
         self.statements, self.readings = self.module.STATEMENTS, self.module.READINGS
         self.samples = [Sample(i, choices) for i, choices in enumerate(design)]
-        self.extra, self.broken = {}, []
+        self.extra, self.broken, self.meshes = {}, [], {}
 
     def read(self, folder):
         """Evaluates every sample whose runs have all finished; `broken` are samples with a run that ended with an error."""
@@ -49,6 +49,18 @@ class Evaluation:
                 self.extra[i] = self.module.measure_extra(folder / f"runs_{self.name}" / name, folders)
                 for found in self.samples[i].found.values():
                     found.update(self.extra[i])
+
+    def read_meshes(self, folder):
+        """Evaluates the central sample with the other mesh generators, where its runs have all finished."""
+        central = self.choose_central()
+        for name in self.slope.factors["algorithm"].names if central else ():
+            cases = {case: folder / self.get_meshes_name() / f"{self.slope.get_name(central[2].number, case)} {name}".replace(" ", "_")
+                     for case in self.slope.cases}
+            if all(is_finished(path) for path in cases.values()):
+                self.meshes[name] = self.module.measure(cases)
+
+    def get_meshes_name(self):
+        return f"meshes_{self.name}_{self.choose_central()[2].number + 1:03}"
 
     @property
     def finished(self):
@@ -103,6 +115,16 @@ class Evaluation:
         targets = {s.name: (s.printed, s.tolerance) for s in self.counted if s.printed is not None}
         best = effects.find_central(self.list_complete(kind, reading), values, targets)
         return best and (self.finished[best[0]], best[1])
+
+    def choose_central(self):
+        """(kind, reading, sample, distance) of the most central run: strict before project, in each the first reading that has one; None when no
+        run satisfies everything."""
+        for kind in HELD:
+            for reading in self.readings:
+                best = self.find_central(kind, reading)
+                if best:
+                    return kind, reading, *best
+        return None
 
     def write_csv(self, path):
         """One row a sample, also of those that have not finished."""

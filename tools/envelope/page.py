@@ -5,6 +5,7 @@ import numpy as np
 from roots_checks.tables import table_of
 
 from .effects import compute_clopper_pearson, compute_effects, group_values, list_conflicts, list_failing_sets
+from .evaluation import format_verdict
 from .statements import format_interval
 
 TITLES = {"unsaturated": ("Unsaturated slope", "3.4.2"), "vegetated": ("Vegetated slope", "4.4"), "centrifuge": ("Centrifuge slope", "4.5")}
@@ -114,8 +115,8 @@ def make_readings(evaluation):
         + table_of(["reading", "all", *(s.name for s in shown)], rows)
 
 
-def make_central(evaluation, kind, reading):
-    sample, distance = evaluation.find_central(kind, reading)
+def make_central(evaluation):
+    kind, reading, sample, distance = evaluation.choose_central()
     found = sample.found[reading]
     values = "; ".join(f"{s.name} {format_number(found[s.name].value, s.digits + 1)}{' ' + s.unit if s.unit else ''}"
                        for s in evaluation.statements if s.name in found)
@@ -127,6 +128,17 @@ The most central one is sample {sample.number + 1} (sum of ((value – printed)/
 
 Its quantities: {values}.
 """
+
+
+def make_meshes(evaluation):
+    """The central run with the other mesh generators."""
+    _, reading, sample, _ = evaluation.choose_central()
+    found = {sample.choices["algorithm"]: sample.found[reading]} | {name: meshes[reading] for name, meshes in evaluation.meshes.items()}
+    rows = []
+    for s in evaluation.counted:
+        cells = [f"{format_number(values[s.name].value, s.digits + 1)}, {format_verdict(s, values[s.name])}" for values in found.values()]
+        rows.append([s.name, s.unit, *cells])
+    return "The central run with the other mesh generators: quantity, and whether the statement holds.\n\n" + table_of(["", "unit", *found], rows)
 
 
 def make_conflicts(evaluation, kind):
@@ -161,15 +173,12 @@ def make_counts(evaluation):
 
 def make_together(evaluation):
     parts = ["## All statements together", make_readings(evaluation), make_counts(evaluation)]
-    kinds = [kind for kind in ("strict", "project") if evaluation.list_complete(kind)]
-    if kinds:
-        parts.append(make_central(evaluation, kinds[0], evaluation.readings[0]))
-    for reading in evaluation.readings[1:]:
-        if not kinds and any(evaluation.list_complete(kind, reading) for kind in ("strict", "project")):
-            kind = next(k for k in ("strict", "project") if evaluation.list_complete(k, reading))
-            parts.append(make_central(evaluation, kind, reading))
+    if evaluation.choose_central():
+        parts.append(make_central(evaluation))
+        if evaluation.meshes:
+            parts.append(make_meshes(evaluation))
     for kind in ("strict", "project"):
-        if kind not in kinds:
+        if not evaluation.list_complete(kind):
             parts.append(make_conflicts(evaluation, kind))
     return "\n\n".join(part.strip() for part in parts) + "\n"
 
