@@ -17,7 +17,7 @@ using Stride = Eigen::OuterStride<>;
 template <class Real>
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Real>
-using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Column = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
 template <class Real>
 using Block = Eigen::Map<Matrix<Real>, 0, Stride>;
 template <class Real>
@@ -124,17 +124,20 @@ SparseSolver<Real>::SparseSolver(const std::vector<int>& column_start, const std
                                  Stored stored)
     : plan_(plan_stored(column_start, row, stored)), threads_(threads > 0 ? threads : default_threads()) {
   stacks_.resize(static_cast<std::size_t>(threads_));
-  std::size_t lower = 0, upper = 0;
+  std::size_t lower = 0, upper = 0, update = 0;
   std::vector<int> front_of(plan_.position.size());
   for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
     const Front& front = plan_.fronts[f];
     places_.push_back({lower, upper});
+    places_.back().update = update;
+    update += (front.rows.size() + 15) / 16 * 16;  // so that no two threads write one cache line
     lower += static_cast<std::size_t>(front.size()) * static_cast<std::size_t>(front.pivots);
     if (stored == Stored::all) upper += front.rows.size() * static_cast<std::size_t>(front.pivots);
     std::fill_n(front_of.begin() + front.first, front.pivots, static_cast<int>(f));
   }
   lower_.resize(lower);
   upper_.resize(upper);
+  updates_.resize(update);
   exchanged_.resize(plan_.position.size());
   negative_.resize(plan_.fronts.size());
   std::vector<std::vector<std::array<int, 2>>> entries(plan_.fronts.size());  // of each front: value and slot
@@ -318,46 +321,70 @@ bool SparseSolver<Real>::factorise(const std::vector<double>& values, Factors fa
   return true;
 }
 
+/// Eliminates the pivots of a front from the right-hand side. What they leave to the rows above waits in `updates_` for
+/// the parent, so that sums have one order for any number of threads.
 template <class Real>
-bool SparseSolver<Real>::solve(std::vector<double>& x) const {
+void SparseSolver<Real>::substitute(int f, Real* y, std::vector<Real>& work) {
+  const Front& front = plan_.fronts[f];
+  const int pivots = front.pivots, size = front.size(), count = size - pivots;
+  const Real* at = lower_.data() + places_[f].lower;
+  const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size));
+  Column<Real> b(y + front.first, pivots), rest(updates_.data() + places_[f].update, count);
+  rest.setZero();
+  for (const int c : front.children) {
+    const Real* from = updates_.data() + places_[c].update;
+    for (const Run& run : plan_.fronts[c].runs) {
+      Real* to = run.to < pivots ? b.data() + run.to : rest.data() + run.to - pivots;
+      for (int i = 0; i < run.count; ++i) to[i] += from[run.from + i];
+    }
+  }
+  if (factors_ == Factors::lu) {
+    work.assign(b.begin(), b.end());
+    for (int i = 0; i < pivots; ++i) b[exchanged_[front.first + i]] = work[i];
+  }
+  own.template triangularView<Eigen::UnitLower>().solveInPlace(b);
+  if (count > 0) rest.noalias() -= below * b;
+}
+
+/// Finds the unknowns of a front's pivots from those of its other rows.
+template <class Real>
+void SparseSolver<Real>::substitute_back(int f, Real* y, std::vector<Real>& work) const {
+  const Front& front = plan_.fronts[f];
+  const int pivots = front.pivots, size = front.size(), count = size - pivots;
+  const Real* at = lower_.data() + places_[f].lower;
+  const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
+      right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots));
+  Column<Real> b(y + front.first, pivots);
+  work.resize(count);
+  for (int i = 0; i < count; ++i) work[i] = y[front.rows[i]];
+  const Column<Real> rest(work.data(), count);
+  if (factors_ == Factors::ldlt) {
+    b = b.cwiseQuotient(own.diagonal());
+    b.noalias() -= below.transpose() * rest;
+    own.template triangularView<Eigen::UnitLower>().transpose().solveInPlace(b);
+  } else {
+    b.noalias() -= right * rest;
+    own.template triangularView<Eigen::Upper>().solveInPlace(b);
+  }
+}
+
+template <class Real>
+bool SparseSolver<Real>::solve(std::vector<double>& x) {
   AlignedVector<Real> y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) y[plan_.position[i]] = static_cast<Real>(x[i]);
-  Vector<Real> work;
-  const bool symmetric = factors_ == Factors::ldlt;
-  for (std::size_t f = 0; f < plan_.fronts.size(); ++f) {
-    const Front& front = plan_.fronts[f];
-    const int pivots = front.pivots, size = front.size(), count = size - pivots;
-    const Real* at = lower_.data() + places_[f].lower;
-    const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size));
-    Eigen::Map<Vector<Real>> b(y.data() + front.first, pivots);
-    if (!symmetric) {
-      work.resize(pivots);
-      for (int i = 0; i < pivots; ++i) work[exchanged_[front.first + i]] = b[i];
-      b = work;
-    }
-    own.template triangularView<Eigen::UnitLower>().solveInPlace(b);
-    if (count == 0) continue;
-    work.noalias() = below * b;
-    for (int i = 0; i < count; ++i) y[front.rows[i]] -= work[i];
-  }
-  for (std::size_t f = plan_.fronts.size(); f-- > 0;) {
-    const Front& front = plan_.fronts[f];
-    const int pivots = front.pivots, size = front.size(), count = size - pivots;
-    const Real* at = lower_.data() + places_[f].lower;
-    const ConstBlock<Real> own(at, pivots, pivots, Stride(size)), below(at + pivots, count, pivots, Stride(size)),
-        right(upper_.data() + places_[f].upper, pivots, count, Stride(pivots));
-    Eigen::Map<Vector<Real>> b(y.data() + front.first, pivots);
-    work.resize(count);
-    for (int i = 0; i < count; ++i) work[i] = y[front.rows[i]];
-    if (symmetric) {
-      b = b.cwiseQuotient(own.diagonal());
-      b.noalias() -= below.transpose() * work;
-      own.template triangularView<Eigen::UnitLower>().transpose().solveInPlace(b);
-    } else {
-      b.noalias() -= right * work;
-      own.template triangularView<Eigen::Upper>().solveInPlace(b);
-    }
-  }
+  const int subtrees = static_cast<int>(subtrees_.size());
+  std::vector<Real> work;
+  parallel_tasks(subtrees, threads_, [&](int s) {
+    std::vector<Real> own_work;
+    for (int f = plan_.fronts[subtrees_[s]].first_of_subtree; f <= subtrees_[s]; ++f) substitute(f, y.data(), own_work);
+  });
+  for (const int f : tops_) substitute(f, y.data(), work);
+  for (auto f = tops_.rbegin(); f != tops_.rend(); ++f) substitute_back(*f, y.data(), work);
+  parallel_tasks(subtrees, threads_, [&](int s) {
+    std::vector<Real> own_work;
+    for (int f = subtrees_[s]; f >= plan_.fronts[subtrees_[s]].first_of_subtree; --f)
+      substitute_back(f, y.data(), own_work);
+  });
   bool finite = true;
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = y[plan_.position[i]];

@@ -39,7 +39,7 @@ class SparseSolver {
   /// Number of negative entries of D: that of the negative eigenvalues of A.
   int negative_pivots() const { return negative_pivots_; }
   /// Solves A x = b with the last factors, where `x` holds b before. Returns false if the solution is not finite.
-  bool solve(std::vector<double>& x) const;
+  bool solve(std::vector<double>& x);
 
   int factorisations() const { return factorisations_; }
 
@@ -48,7 +48,8 @@ class SparseSolver {
   /// other unknowns in the pivots' rows), and of its first value in `order_`.
   struct Place {
     std::size_t lower = 0, upper = 0, value = 0, changes = 0;
-    int stack = 0;  ///< where its changes wait
+    int stack = 0;           ///< where its changes wait
+    std::size_t update = 0;  ///< of a right-hand side, in `updates_`
   };
   void place_changes();
   bool eliminate(const std::vector<double>& values, int f, int threads, int thread);
@@ -56,6 +57,8 @@ class SparseSolver {
   bool eliminate_ldlt(int f, int threads, int thread);
   bool eliminate_lu(int f, int threads, int thread);
   void add_changes_of_children(int f, int thread);
+  void substitute(int f, Real* y, std::vector<Real>& work);
+  void substitute_back(int f, Real* y, std::vector<Real>& work) const;
   Real* find_changes(int f, int thread);
 
   Elimination plan_;
@@ -69,7 +72,8 @@ class SparseSolver {
   /// Changes of each front until its parent has added them: two stacks for each thread, and the roots of subtrees.
   std::vector<std::array<AlignedVector<Real>, 2>> stacks_;
   AlignedVector<Real> kept_;
-  std::vector<int> negative_;  ///< negative pivots of each front
+  AlignedVector<Real> updates_;  ///< what the pivots of each front leave to its other rows of a right-hand side
+  std::vector<int> negative_;    ///< negative pivots of each front
   Factors factors_ = Factors::lu;
   int threads_ = 1, factorisations_ = 0, negative_pivots_ = 0;
 };

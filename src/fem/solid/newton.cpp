@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "sparse/gmres.hpp"
 
@@ -32,17 +33,15 @@ double find_norm(const std::vector<double>& v) {
   return std::sqrt(s);
 }
 
-/// Adds `factor` times the product of a matrix and x to y.
+/// Adds the product of a matrix and x to y.
 template <int D>
-void add_product(const SolidSystem<D>& system, const std::vector<double>& matrix, double factor,
-                 const std::vector<double>& x, std::vector<double>& y) {
+void add_product(const SolidSystem<D>& system, const std::vector<double>& matrix, const std::vector<double>& x,
+                 std::vector<double>& y) {
   const auto add_columns = [&]<int Count>(std::integral_constant<int, Count>, int first) {
     const int start = system.column_start[first], rows = system.column_start[first + 1] - start;
-    std::array<double, Count> scaled;
-    for (int c = 0; c < Count; ++c) scaled[c] = factor * x[first + c];
     for (int k = 0; k < rows; ++k) {
       double& sum = y[system.row[start + k]];
-      for (int c = 0; c < Count; ++c) sum += scaled[c] * matrix[start + c * rows + k];
+      for (int c = 0; c < Count; ++c) sum += x[first + c] * matrix[start + c * rows + k];
     }
   };
   // The columns of a node's unknowns have the same rows: taken together, they load and store y once.
@@ -76,6 +75,16 @@ void SolidNewton<D>::look(const SolidAssembly<D>& assembly, const SolidState<D>&
   to.fault = find_norm(to.residual);
 }
 
+/// Calls work(j) for each column of the matrices.
+template <int D>
+void SolidNewton<D>::for_columns(auto&& work) const {
+  constexpr int piece = 256;
+  const int columns = system_.unknowns, threads = options_.threads > 0 ? options_.threads : default_threads();
+  parallel_for((columns + piece - 1) / piece, threads, [&](int p) {
+    for (int j = p * piece; j < std::min(columns, (p + 1) * piece); ++j) work(j);
+  });
+}
+
 template <int D>
 bool SolidNewton<D>::factorise(bool symmetric) {
   has_factors_ = (symmetric && solver_.factorise(matrix_, sparse::Factors::ldlt) && solver_.negative_pivots() == 0) ||
@@ -86,10 +95,10 @@ bool SolidNewton<D>::factorise(bool symmetric) {
 /// Solves the system of matrix_ by GMRES with the last factors. Returns true if the residual is at most `tolerance`
 /// times the right-hand side.
 template <int D>
-bool SolidNewton<D>::solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x) const {
+bool SolidNewton<D>::solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x) {
   const auto apply = [&](std::vector<double>& y) {
     std::vector<double> product(y.size(), 0);
-    add_product(system_, matrix_, 1, y, product);
+    add_product(system_, matrix_, y, product);
     y.swap(product);
     return true;
   };
@@ -102,8 +111,11 @@ bool SolidNewton<D>::solve_approximately(const std::vector<double>& b, double to
 /// inexact, as in the inexact Newton method of Dembo, Eisenstat and Steihaug (1982).
 template <int D>
 bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::vector<double>& change) {
-  matrix_ = sums.matrix;
-  for (std::size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += viscosity * elastic_[i];
+  matrix_.resize(sums.matrix.size());
+  for_columns([&](int j) {
+    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
+      matrix_[k] = sums.matrix[k] + viscosity * elastic_[k];
+  });
   if constexpr (D == 3) {
     const double tolerance = sums.yielding > 0 ? forcing : exact;
     return (has_factors_ && solve_approximately(lack_, tolerance, change)) ||
@@ -116,8 +128,12 @@ bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::v
 /// Computes the residual less the viscous forces of a step, into lack_. Returns its norm [N].
 template <int D>
 double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, double viscosity) {
-  lack_ = at.residual;
-  add_product(system_, elastic_, -viscosity, q, lack_);
+  lack_.resize(q.size());
+  for_columns([&](int j) {  // the elastic matrix is symmetric
+    double sum = 0;
+    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k) sum += elastic_[k] * q[system_.row[k]];
+    lack_[j] = at.residual[j] - viscosity * sum;
+  });
   return find_norm(lack_);
 }
 

@@ -45,8 +45,9 @@ class SolidNewton {
   std::pair<bool, int> creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now,
                              double viscosity, Place& next, std::vector<double>& q);
   bool find_change(const SolidSums& sums, double viscosity, std::vector<double>& change);
+  void for_columns(auto&& work) const;
   bool factorise(bool symmetric);
-  bool solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x) const;
+  bool solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x);
   double find_lack(const Place& at, const std::vector<double>& q, double viscosity);
   bool is_steady(double moved, double fault);
   void find_elastic_displacement();
