@@ -60,10 +60,9 @@ void add_product(const SolidSystem<D>& system, const std::vector<double>& matrix
 
 template <int D>
 SolidNewton<D>::SolidNewton(const SolidSystem<D>& system, const SolidOptions& options)
-    : system_(system),
-      options_(options),
-      solver_(system.column_start, system.row, options.threads),
-      load_size_(find_norm(system.load)) {}
+    : system_(system), options_(options), load_size_(find_norm(system.load)) {
+  if (D == 3) rough_ = std::make_unique<sparse::SparseSolver<float>>(system.column_start, system.row, options.threads);
+}
 
 template <int D>
 void SolidNewton<D>::look(const SolidAssembly<D>& assembly, const SolidState<D>& from, const std::vector<double>& q,
@@ -87,9 +86,21 @@ void SolidNewton<D>::for_columns(auto&& work) const {
 
 template <int D>
 bool SolidNewton<D>::factorise(bool symmetric) {
-  has_factors_ = (symmetric && solver_.factorise(matrix_, sparse::Factors::ldlt) && solver_.negative_pivots() == 0) ||
-                 solver_.factorise(matrix_, sparse::Factors::lu);
-  return has_factors_;
+  const auto factorise_by = [&](auto& solver) {
+    const int before = solver.factorisations();
+    has_factors_ = (symmetric && solver.factorise(matrix_, sparse::Factors::ldlt) && solver.negative_pivots() == 0) ||
+                   solver.factorise(matrix_, sparse::Factors::lu);
+    factorisations_ += solver.factorisations() - before;
+    return has_factors_;
+  };
+  if (rough_) return factorise_by(*rough_);
+  if (!solver_) solver_ = std::make_unique<sparse::SparseSolver<>>(system_.column_start, system_.row, options_.threads);
+  return factorise_by(*solver_);
+}
+
+template <int D>
+bool SolidNewton<D>::solve_with_factors(std::vector<double>& x) {
+  return rough_ ? rough_->solve(x) : solver_->solve(x);
 }
 
 /// Solves the system of matrix_ by GMRES with the last factors. Returns true if the residual is at most `tolerance`
@@ -102,7 +113,7 @@ bool SolidNewton<D>::solve_approximately(const std::vector<double>& b, double to
     y.swap(product);
     return true;
   };
-  const auto invert = [&](std::vector<double>& y) { return solver_.solve(y); };
+  const auto invert = [&](std::vector<double>& y) { return solve_with_factors(y); };
   return sparse::solve_by_gmres(apply, invert, b, tolerance, most_products, x) <= tolerance;
 }
 
@@ -116,13 +127,21 @@ bool SolidNewton<D>::find_change(const SolidSums& sums, double viscosity, std::v
     for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
       matrix_[k] = sums.matrix[k] + viscosity * elastic_[k];
   });
-  if constexpr (D == 3) {
-    const double tolerance = sums.yielding > 0 ? forcing : exact;
-    return (has_factors_ && solve_approximately(lack_, tolerance, change)) ||
-           (factorise(sums.symmetric) && solve_approximately(lack_, tolerance, change));
-  }
+  if (D == 3) return solve_in_3d(sums.symmetric, sums.yielding > 0 ? forcing : exact, lack_, change);
   change = lack_;
-  return factorise(sums.symmetric) && solver_.solve(change);
+  return factorise(sums.symmetric) && solve_with_factors(change);
+}
+
+/// Solves the system of matrix_ to a tolerance with the factors at hand, with new ones, or with new ones in double
+/// precision, which hardly compressible soil needs.
+template <int D>
+bool SolidNewton<D>::solve_in_3d(bool symmetric, double tolerance, const std::vector<double>& b,
+                                 std::vector<double>& x) {
+  if (has_factors_ && solve_approximately(b, tolerance, x)) return true;
+  if (factorise(symmetric) && solve_approximately(b, tolerance, x)) return true;
+  if (!rough_) return false;
+  rough_.reset();
+  return factorise(symmetric) && solve_approximately(b, tolerance, x);
 }
 
 /// Computes the residual less the viscous forces of a step, into lack_. Returns its norm [N].
@@ -181,8 +200,8 @@ void SolidNewton<D>::find_elastic_displacement() {
   std::vector<double> q = system_.load;
   elastic_displacement_ = 0;
   matrix_ = elastic_;
-  if (load_size_ == 0 || !factorise(true)) return;
-  if (!(D == 2 ? solver_.solve(q) : solve_approximately(system_.load, exact, q))) return;
+  if (load_size_ == 0) return;
+  if (!(D == 3 ? solve_in_3d(true, exact, system_.load, q) : factorise(true) && solve_with_factors(q))) return;
   for (double x : q) elastic_displacement_ = std::max(elastic_displacement_, std::abs(x));
 }
 

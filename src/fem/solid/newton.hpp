@@ -2,6 +2,8 @@
 #pragma once
 // One step of equilibrium: creep to rest in implicit steps, each solved by Newton's method (T19.6). Internal to fem/.
 
+#include <memory>
+
 #include "fem/solid/system.hpp"
 #include "sparse/solver.hpp"
 
@@ -28,7 +30,7 @@ class SolidNewton {
   /// Displacements and strains of the last creep step of solve(); empty if there was none.
   const SolidState<D>& last_motion() const { return last_motion_; }
 
-  int factorisations() const { return solver_.factorisations(); }
+  int factorisations() const { return factorisations_; }
   /// Largest displacement of the elastic soil under all loads [m]; available after the first step.
   double elastic_displacement() const { return elastic_displacement_; }
 
@@ -47,6 +49,8 @@ class SolidNewton {
   bool find_change(const SolidSums& sums, double viscosity, std::vector<double>& change);
   void for_columns(auto&& work) const;
   bool factorise(bool symmetric);
+  bool solve_with_factors(std::vector<double>& x);
+  bool solve_in_3d(bool symmetric, double tolerance, const std::vector<double>& b, std::vector<double>& x);
   bool solve_approximately(const std::vector<double>& b, double tolerance, std::vector<double>& x);
   double find_lack(const Place& at, const std::vector<double>& q, double viscosity);
   bool is_steady(double moved, double fault);
@@ -54,7 +58,9 @@ class SolidNewton {
 
   const SolidSystem<D>& system_;
   SolidOptions options_;
-  sparse::SparseSolver<std::conditional_t<D == 2, double, float>> solver_;
+  std::unique_ptr<sparse::SparseSolver<float>> rough_;  ///< in 3D, while its precision suffices
+  std::unique_ptr<sparse::SparseSolver<>> solver_;      ///< made when it is needed
+  int factorisations_ = 0;
   bool has_factors_ = false;
   double load_size_;  ///< ‖f_ext‖, or without loads the norm of the first residual [N]
   double scale_ = 0;
