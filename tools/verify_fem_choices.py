@@ -35,7 +35,7 @@ VARIANTS = [("weight by the saturation, suction with χ = S, elements of 0.7 m",
             ("suction adds no strength", NO_SUCTION),
             *((f"{weight} kN/m³ everywhere", set_weight(weight, weight)) for weight in (15.597, 17.5, FULL)),
             *((f"{weight} kN/m³ above the water table, {FULL} below", set_weight(weight)) for weight in (15.597, 16.4, 17, 18)),
-            ("the first and no suction", set_weight(15.597) + NO_SUCTION)]
+            (f"15.597 kN/m³ above the water table, {FULL} below, suction adds no strength", set_weight(15.597) + NO_SUCTION)]
 TRIANGLES = ["analysis.methods=[\"mpm\"]", "strength_reduction.curve.enabled=false", "strength_reduction.frozen.meshes=1",
              "strength_reduction.frozen.smoothing=none", "compare=[]"]
 
