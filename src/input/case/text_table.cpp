@@ -21,12 +21,22 @@ std::string_view trim(std::string_view text) {
   return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
+constexpr char blanks = ' ';  // columns that any number of blanks separate
+
 /// Removes the text before the next separator, and the separator, from the front of `text` and returns that text.
 std::string_view take_part(std::string_view& text, char separator) {
+  if (separator == blanks) text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
   return part;
+}
+
+std::size_t count_columns(std::string_view line, char separator) {
+  std::size_t count = 0;
+  if (separator != blanks) return static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1;
+  for (line = trim(line); !line.empty(); ++count) take_part(line, separator);
+  return count;
 }
 
 TextTable::Heading read_heading(std::string_view cell) {
@@ -54,7 +64,7 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
     if (trim(line).empty() || trim(line)[0] == '#') continue;
     if (separator_ == 0) {
       read_header(line);
-      continue;
+      if (!is_headless_) continue;
     }
     rows_.push_back({static_cast<std::size_t>(line.data() - text_.data()), line.size(), number});
   }
@@ -62,10 +72,22 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
 
 void TextTable::read_header(std::string_view line) {
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  separator_ = has(';') ? ';' : has('\t') ? '\t' : ',';
-  const auto columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), separator_)) + 1;
+  const bool has_blanks = !has('[') && trim(line).find(blanks) != std::string_view::npos;
+  separator_ = has(';') ? ';' : has('\t') ? '\t' : has(',') || !has_blanks ? ',' : blanks;
+  const std::size_t columns = count_columns(line, separator_);
   if (columns > most_columns) fail_input("'{}' has {} columns; a table has at most {}", file_, columns, most_columns);
   for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
+  double value = 0;
+  is_headless_ = std::all_of(header_.begin(), header_.end(),
+                             [&](const Heading& h) { return h.unit.empty() && try_number(h.name, value); });
+  for (std::size_t i = 0; is_headless_ && i < columns; ++i) header_[i].name = std::to_string(i + 1);
+}
+
+bool TextTable::try_number(std::string text, double& value) const {
+  if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
+  const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
+  const char* end = text.data() + text.size();
+  return !text.empty() && parse_number(begin, end, value) == end && std::isfinite(value);
 }
 
 bool TextTable::has_column(const std::string& name) const {
@@ -96,11 +118,8 @@ std::string TextTable::cell(std::size_t row, std::size_t column) const {
 }
 
 double TextTable::number(std::size_t row, std::size_t column) const {
-  std::string text = cell(row, column);
-  if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
   double value = 0;
-  const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
-  if (parse_number(begin, text.data() + text.size(), value) != text.data() + text.size() || !std::isfinite(value))
+  if (const std::string text = cell(row, column); !try_number(text, value))
     fail_input("{}: '{}' is not a number", place(row), text);
   return value;
 }

@@ -10,8 +10,9 @@
 
 namespace talus::input {
 
-/// A table as text. Columns are separated by commas, semicolons (then a comma may be the decimal separator) or tabs;
-/// lines that begin with # are skipped.
+/// A table as text. Columns are separated by commas, semicolons (then a comma may be the decimal separator), tabs or
+/// blanks; lines that begin with # are skipped. If the first line has numbers only, it is a row, and the columns are
+/// named 1, 2, ….
 class TextTable {
  public:
   /// A column of the header: "axial_strain [%]".
@@ -46,10 +47,13 @@ class TextTable {
   };
 
   void read_header(std::string_view line);
+  /// Returns true if the text is a finite number, possibly with a decimal comma.
+  bool try_number(std::string text, double& value) const;
 
   std::string file_;
   std::string text_;  ///< cells are extracted from it on access
   char separator_ = 0;
+  bool is_headless_ = false;
   std::vector<Heading> header_;
   std::vector<Row> rows_;
 };
