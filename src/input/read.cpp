@@ -95,6 +95,8 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   describe(reader, loaded.data);
   reader.finish();
   if (!check_extent(loaded.data, findings)) return std::nullopt;
+  complete_units(loaded.data);
+  build_layers(loaded.data, name, findings);
   load_series(loaded.data, name, findings);
   complete(loaded.data, name, findings.places);
   if (loaded.is_whole) {

@@ -39,6 +39,7 @@ struct Case {
   std::vector<std::string> unusual;  ///< keys whose warnings are suppressed
   Project project;
   mesh::Plan mesh;
+  Layering layering;
   int points_per_element = 3;
   std::optional<double> softening_length{};  ///< nonlocal length [m]
   std::map<std::string, Material> materials;
@@ -91,7 +92,7 @@ void describe(auto& v, Case& c) {
         "Keys or blocks that are unusual on purpose: their warnings are not repeated. The paths are those of "
         "the warnings.");
   v.table("project", c.project, "The title block of the report.");
-  v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
+  v.table("geometry", GeometryBlock{c.mesh, c.layering}, "The section: regions of soil in a background box.");
   v.table("mesh", MeshBlock{c.mesh, c.points_per_element, c.softening_length},
           "The background mesh and the material points in it.");
   v.named("materials", c.materials, "sand", "A material, under a name of your choice.");

@@ -89,6 +89,9 @@ void check_regions(const Case& data, const std::set<std::string>& regions, Findi
 /// soils with a given unit weight, and defaults of a case without MPM: box, element size, supports.
 void complete(Case& data, const std::string& file, const Places& places);
 
+/// Sets the units of messages. If [output] names an unknown unit, which check_conditions() reports, they stay metric.
+void complete_units(Case& data);
+
 /// Sets the porosities that follow from given void ratios.
 void complete_porosities(Case& data);
 

@@ -30,15 +30,6 @@ void fit_box(mesh::Plan& plan) {
   }
 }
 
-/// Sets the units of messages. If [output] names an unknown unit, which check_conditions() reports, they stay metric.
-void complete_units(Case& data) {
-  try {
-    data.mesh.units = make_shown_units(data.output.length_unit, data.output.displacement_unit, data.output.stress_unit);
-  } catch (const Error&) {
-    data.mesh.units = {};
-  }
-}
-
 /// Sets the default supports of FEM and limit analysis: fixed base, rollers at the sides.
 void hold_section(Case& data) {
   std::vector<const char*> rollers{"left", "right"};
@@ -82,13 +73,20 @@ void drain_weight(Case& data, const Places& places) {
 
 }  // namespace
 
+void complete_units(Case& data) {
+  try {
+    data.mesh.units = make_shown_units(data.output.length_unit, data.output.displacement_unit, data.output.stress_unit);
+  } catch (const Error&) {
+    data.mesh.units = {};
+  }
+}
+
 void complete_porosities(Case& data) {
   for (auto& [name, material] : data.materials)
     if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
 }
 
 void complete(Case& data, const std::string& file, const Places& places) {
-  complete_units(data);
   if (data.mesh.dimension == 3 && !places.is_given("mesh.points_per_element")) data.points_per_element = 4;
   const auto find_file = [&](const std::string& path) {
     return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();

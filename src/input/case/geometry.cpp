@@ -169,8 +169,13 @@ void check_geometry(const Case& data, Findings& findings) {
     check_polygon(polygon, plan.units.length, path, findings);
     if (has_box) check_inside(plan, polygon.points, path, fmt::format("polygon '{}'", polygon.name), findings);
   }
-  if (plan.polygons.empty() && findings.is_sound("geometry.polygon") && findings.is_sound("mesh.file"))
-    findings.add("geometry.polygon", "there is no soil: add a [[geometry.polygon]], or a mesh 'file' in [mesh]");
+  const auto is_sound = [&](const char* path) { return findings.is_sound(path); };
+  const std::array sources{"geometry.polygon", "geometry.ground", "geometry.layer", "mesh.file"};
+  if (plan.polygons.empty() && std::all_of(sources.begin(), sources.end(), is_sound))
+    findings.add(
+        "geometry.polygon",
+        "there is no soil: add a [[geometry.polygon]], a 'ground' in [geometry] with a [[geometry.layer]], or a "
+        "mesh 'file' in [mesh]");
   check_lines(data, has_box, findings);
   for (std::size_t i = 0; i < plan.refinements.size(); ++i)
     if (const std::string path = write_index("mesh.refine", i) + ".near";

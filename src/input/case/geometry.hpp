@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "input/case/layers.hpp"
 #include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 #include "mesh/plan.hpp"
@@ -27,6 +28,7 @@ void describe(auto& v, mesh::Line& l) {
 
 struct GeometryBlock {
   mesh::Plan& plan;
+  Layering& layering;
 };
 
 void describe(auto& v, GeometryBlock& g) {
@@ -41,9 +43,17 @@ void describe(auto& v, GeometryBlock& g) {
         "Without it, methods other than MPM use the bounding box of the polygons.");
   v.key("thickness", plan.thickness, quantity("m").above(0).needed_with("dimension", plan.dimension, 3).example("5"),
         "Length of the extrusion along z, from the side front (z = 0) to the side back (z = thickness).");
+  v.key("ground", g.layering.ground, quantity("m").example("[[0, 15], [12, 15], [32, 5], [44, 5]]"),
+        "The ground of a section of layers, from left to right, as points or from a table; its ends are those of the "
+        "section. Vertical steps are allowed, overhangs need polygons.");
+  v.key("smallest_thickness", g.layering.smallest_thickness, quantity("m").at_least(0),
+        "Soil of a layer that is thinner is removed; the boundary moves onto the one above.");
   v.tables("polygon", plan.polygons, 1,
            "A region of soil at the start. Regions may share edges, or one may lie inside another and replace it "
            "there; they must not overlap otherwise. What no polygon covers is empty.");
+  v.tables("layer", g.layering.layers, 0,
+           "A layer below `ground`, from the top down; the polygons of the section are built from them. The lower "
+           "boundary of the last layer is the base of the section.");
   v.tables("line", plan.lines, 0, "A named line that element sides follow.");
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "base/numbers.hpp"
 #include "base/units.hpp"
@@ -93,23 +94,28 @@ const std::vector<std::string> fillings{"zero", "previous", "linear"};
 
 constexpr const char* file_form = "{ file = \"station.csv\", column = \"rain\" }";
 
-bool decode_file(const Decoding& in, const toml::table& table, SeriesFile& out) {
+/// Reads a table of texts into the targets of their names. `wanted` lists the names: "'file' and 'column'".
+bool decode_texts(const Decoding& in, const toml::table& table, const std::map<std::string, std::string*>& targets,
+                  const std::string& wanted) {
   bool is_good = true;
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
-    std::string* part = name == "file"     ? &out.file
-                        : name == "column" ? &out.column
-                        : name == "minus"  ? &out.minus
-                        : name == "fill"   ? &out.fill
-                                           : nullptr;
+    const auto target = targets.find(name);
     const Decoding place = in.at(node, name);
-    if (part == nullptr)
-      is_good = place.fail("'{}' from a file has 'file', 'column', 'minus' and 'fill', and no '{}'", in.key, name);
+    if (target == targets.end())
+      is_good = place.fail("'{}' from a file has {}, and no '{}'", in.key, wanted, name);
     else if (const auto* text = node.as_string(); text != nullptr && !text->get().empty())
-      *part = text->get();
+      *target->second = text->get();
     else
       is_good = place.fail_type("a text in quotation marks");
   }
+  return is_good;
+}
+
+bool decode_file(const Decoding& in, const toml::table& table, SeriesFile& out) {
+  bool is_good = decode_texts(
+      in, table, {{"file", &out.file}, {"column", &out.column}, {"minus", &out.minus}, {"fill", &out.fill}},
+      "'file', 'column', 'minus' and 'fill'");
   if (std::size_t word = 0; is_good && !out.fill.empty())
     is_good = decode_word(in.at(*table.get("fill"), "fill"), fillings, word);
   if (is_good && (out.file.empty() || out.column.empty()))
@@ -199,6 +205,44 @@ json Codec<Series>::schema(const Spec& spec) {
        {"required", {"file", "column"}},
        {"additionalProperties", false}});
   return {{"anyOf", choices}};
+}
+
+bool Codec<SurveyPoints>::decode(const Decoding& in, SurveyPoints& out) {
+  out = {};
+  const toml::table* table = in.node.as_table();
+  if (table == nullptr) {
+    if (!in.node.is_array()) return in.fail_type("a list of points [x, y], or { file = \"survey.csv\" }");
+    return decode_points(in, out.points);
+  }
+  PointsFile& file = out.source.emplace();
+  if (!decode_texts(in, *table, {{"file", &file.file}, {"x", &file.x}, {"y", &file.y}}, "'file', 'x' and 'y'"))
+    return false;
+  if (file.file.empty() || file.x.empty() != file.y.empty())
+    return in.fail(
+        "'{}' from a file needs 'file', and the columns 'x' and 'y' together or not at all, as in {{ file = "
+        "\"survey.csv\", x = \"x\", y = \"level\" }}",
+        in.key);
+  in.record();
+  return true;
+}
+
+json Codec<SurveyPoints>::encode(const SurveyPoints& value, const Spec& spec) {
+  if (value.points.empty()) return {};
+  return Codec<std::vector<std::array<double, 2>>>::encode(value.points, spec);
+}
+
+std::string Codec<SurveyPoints>::name(const Spec& spec) {
+  return Codec<std::vector<std::array<double, 2>>>::name(spec) + " or { file, x, y }";
+}
+
+json Codec<SurveyPoints>::schema(const Spec& spec) {
+  const json text{{"type", "string"}};
+  return {{"anyOf",
+           {Codec<std::vector<std::array<double, 2>>>::schema(spec),
+            {{"type", "object"},
+             {"properties", {{"file", text}, {"x", text}, {"y", text}}},
+             {"required", {"file"}},
+             {"additionalProperties", false}}}}};
 }
 
 bool Codec<Date>::decode(const Decoding& in, Date& out) {

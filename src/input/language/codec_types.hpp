@@ -91,6 +91,14 @@ struct Codec<Series> {
 };
 
 template <>
+struct Codec<SurveyPoints> {
+  static bool decode(const Decoding& in, SurveyPoints& out);
+  static nlohmann::json encode(const SurveyPoints& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
 struct Codec<Date> {
   static bool decode(const Decoding& in, Date& out);
   static nlohmann::json encode(const Date& value, const Spec& spec);

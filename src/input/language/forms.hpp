@@ -4,6 +4,7 @@
 // them.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,18 @@ struct TomlText {
 /// one time are a jump), or { file, column } of a table. Unit and range of the key are those of the value.
 struct Series {
   TimeTable& table;
+};
+
+/// Source of points in a file, as given, relative to the case file.
+struct PointsFile {
+  std::string file;
+  std::string x, y;  ///< columns; both empty: columns x and y, or the first two
+};
+
+/// Points [[x, y], ...], or { file, x, y } of a table.
+struct SurveyPoints {
+  std::vector<std::array<double, 2>> points;
+  std::optional<PointsFile> source{};  ///< source of points that are not read yet
 };
 
 /// A calendar date, optionally with a time of day: a TOML date, or a text of that form.
