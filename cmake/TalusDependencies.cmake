@@ -25,3 +25,9 @@ if(TALUS_MPI) # tools/apt-packages-mpi.txt
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 endif()
+if(TALUS_GDAL) # tools/apt-packages-drawings.txt
+  find_package(GDAL QUIET)
+  if(NOT GDAL_FOUND)
+    message(STATUS "GDAL is missing: talus import will read no drawings")
+  endif()
+endif()

@@ -30,7 +30,9 @@ ALLOWED = {
     "laboratory": ["base", "material", "results", "input", "output", "site", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],
     "report": ["base", "material", "mesh", "results", "input", "output", "site", "run"],
-    "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
+    "drawing": ["base", "mesh"],
+    "gdal": ["base", "drawing"],
+    "app": ["base", "drawing", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
 APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots"), ("mpm/two_velocity", "mpm/darcy")]

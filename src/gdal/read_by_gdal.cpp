@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The only file with GDAL: lines and texts of a drawing. Only the drivers of three formats are registered, since
+// others, such as virtual formats, open further files that a drawing names.
+
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "drawing/drawing.hpp"
+
+namespace talus::drawing {
+namespace {
+
+constexpr int deepest = 8;  // collections in collections
+
+/// Messages of GDAL while a drawing is read.
+struct Heard {
+  std::string error;
+  std::vector<std::string> remarks;
+};
+
+void CPL_STDCALL hear(CPLErr kind, CPLErrorNum, const char* text) {
+  auto* heard = static_cast<Heard*>(CPLGetErrorHandlerUserData());
+  const std::string_view message(text);
+  if (kind >= CE_Failure && heard->error.empty()) heard->error = message;
+  const bool ignores = message.find("gnoring") != std::string_view::npos;
+  if (kind <= CE_Warning && ignores) heard->remarks.push_back(std::string(message.substr(message.find(": ") + 1)));
+}
+
+class Reader {
+ public:
+  explicit Reader(Drawing& drawing) : drawing_(drawing) {}
+
+  void read(OGRLayer& layer) {
+    for (const OGRFeatureUniquePtr& feature : layer) {
+      const OGRGeometry* geometry = feature->GetGeometryRef();
+      feature_ = feature.get();
+      DrawnLine line;
+      line.layer = get_text({"Layer", "layer", "soil", "material", "name"});
+      if (line.layer.empty()) line.layer = layer.GetName();
+      line.entity = get_text({"SubClasses"});
+      line.entity = line.entity.substr(line.entity.rfind(':') + 1);
+      line.handle = get_text({"EntityHandle"});
+      if (line.handle.empty()) line.handle = std::to_string(feature->GetFID());
+      if (line.entity.empty() && geometry != nullptr) line.entity = OGRGeometryTypeToName(geometry->getGeometryType());
+      if (get_text({"PaperSpace"}) == "1") {
+        remark(line, "is in paper space");
+        continue;
+      }
+      if (geometry == nullptr)
+        remark(line, "has no geometry");
+      else
+        add(*geometry, line, 0);
+    }
+  }
+
+ private:
+  std::string get_text(std::initializer_list<const char*> names) const {
+    for (const char* name : names) {
+      const int field = feature_->GetFieldIndex(name);
+      if (field >= 0 && feature_->IsFieldSetAndNotNull(field)) return feature_->GetFieldAsString(field);
+    }
+    return "";
+  }
+
+  void remark(const DrawnLine& line, const char* what) {
+    drawing_.remarks.push_back(fmt::format("{} {} on layer '{}' {}", line.entity, line.handle, line.layer, what));
+  }
+
+  void add(const OGRGeometry& geometry, const DrawnLine& head, int depth) {
+    if (depth > deepest) return remark(head, "is nested too deeply");
+    switch (wkbFlatten(geometry.getGeometryType())) {
+      case wkbPoint:
+        if (const std::string text = get_text({"Text"}); !text.empty())
+          drawing_.texts.push_back({head.layer, text, {geometry.toPoint()->getX(), geometry.toPoint()->getY()}});
+        else
+          remark(head, "is a point");
+        return;
+      case wkbLineString:
+        return add_line(*geometry.toLineString(), head, false);
+      case wkbPolygon:
+        if (geometry.toPolygon()->getNumInteriorRings() > 0) remark(head, "has holes, which are separate lines now");
+        for (const OGRLinearRing* ring : *geometry.toPolygon()) add_line(*ring, head, true);
+        return;
+      case wkbMultiLineString:
+      case wkbMultiPolygon:
+      case wkbMultiPoint:
+      case wkbGeometryCollection:
+        for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, head, depth + 1);
+        return;
+      default:
+        if (geometry.hasCurveGeometry()) {
+          const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+          if (straight && !straight->hasCurveGeometry()) return add(*straight, head, depth + 1);
+        }
+        return remark(head, "is neither a line nor an area");
+    }
+  }
+
+  void add_line(const OGRLineString& from, const DrawnLine& head, bool closed) {
+    DrawnLine line = head;
+    for (int i = 0; i < from.getNumPoints(); ++i) line.points.push_back({from.getX(i), from.getY(i)});
+    line.closed = closed || (line.points.size() > 3 && line.points.front() == line.points.back());
+    if (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) line.points.pop_back();
+    points_ += line.points.size();
+    if (drawing_.lines.size() >= most_lines || points_ > most_points)
+      throw std::length_error(fmt::format("it has more than {} lines or {} points", most_lines, most_points));
+    drawing_.lines.push_back(std::move(line));
+  }
+
+  Drawing& drawing_;
+  OGRFeature* feature_ = nullptr;
+  std::size_t points_ = 0;
+};
+
+std::string read(const char* path, const char* format, Drawing& drawing, Heard& heard) {
+  RegisterOGRDXF();
+  RegisterOGRGeoPackage();
+  RegisterOGRGeoJSON();
+  const char* const drivers[] = {format, nullptr};
+  const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path, GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+  if (!data) return heard.error.empty() ? fmt::format("it is not a file of format {}", format) : heard.error;
+  try {
+    for (OGRLayer* layer : data->GetLayers()) Reader(drawing).read(*layer);
+  } catch (const std::length_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+}  // namespace talus::drawing
+
+extern "C" void talus_read_drawing(const char* path, const char* format, talus::Message& out) {
+  using namespace talus::drawing;
+  Heard heard;
+  CPLSetConfigOption("CPL_DEBUG", "DXF");
+  CPLPushErrorHandlerEx(hear, &heard);
+  Drawing drawing;
+  std::string error = read(path, format, drawing, heard);
+  if (error.empty() && drawing.lines.empty()) error = heard.error.empty() ? "it has no lines" : heard.error;
+  drawing.remarks.insert(drawing.remarks.end(), heard.remarks.begin(), heard.remarks.end());
+  out.put_text(error);
+  talus::Putting put(out);
+  put(drawing.lines, drawing.texts);
+  out.put(drawing.remarks.size());
+  for (const std::string& remark : drawing.remarks) out.put_text(remark);
+  CPLPopErrorHandler();
+}
