@@ -12,6 +12,7 @@ const manual = [
       "docs/manual/how-to/three-methods.md",
       "docs/manual/how-to/reproduce-a-curve.md",
       "docs/manual/how-to/run-a-slide.md",
+      "docs/manual/how-to/section-from-cad.md",
       "docs/manual/how-to/layers-and-boreholes.md",
       "docs/manual/how-to/ready-mesh.md",
       "docs/manual/how-to/soil-water-curves.md",
