@@ -255,6 +255,18 @@ TEST_F(Misleading, TheWaterAfterADrawdownIsDistinguishedFromThatBefore) {
   EXPECT_GT(compare_pressures(summary, json::parse(std::ifstream(folder_ / "water.json"))), 20);
 }
 
+TEST_F(Misleading, AnArtesianBlanketThatFloatsIsAWarningInEveryMethod) {
+  // Under the toe of the levee the head is about 5.9 m over the base of a blanket of 3 m: 57 kPa against 52 kPa.
+  for (const char* method : {"[\"lem\"]", "[\"bounds\"]"}) {
+    const json summary = run_case("artesian", {{"analysis.methods", method},
+                                               {"lem.noncircular", "false"},
+                                               {"lem.yield_acceleration", "false"},
+                                               {"bounds.gap", "0.5"},
+                                               {"bounds.triangles", "500"}});
+    EXPECT_TRUE(warns(summary, {"Hydraulic uplift", "exceeds the weight", "factor 0.9"})) << method;
+  }
+}
+
 TEST_F(Misleading, AFullPoolIsReportedWithItsLevel) {
   const json summary = run_case("pond", few_surfaces);
   const json& states = summary.at("water_states");

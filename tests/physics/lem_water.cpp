@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lem/section/uplift.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {
@@ -180,6 +181,39 @@ TEST(LemSuction, AddsItsStrength) {
   soil.largest_suction = 20;
   for (const Slice& slice : cut_surface(Slope{Section(section)}, arc, 60, report_only()).slices)
     EXPECT_LE(slice.suction_strength, 20 * std::tan(15 * degree) + 1e-12);
+}
+
+// A blanket of 3 m over an aquifer whose head rises to `head` above the base of the blanket: F = γ t / (γ_w h), below
+// the ground and as well under a pond, whose weight and head both act.
+TEST(LemUplift, OfABlanketOverAnAquifer) {
+  const auto make = [](double head, double pond) {
+    Section section = make_section({{0, 7}, {40, 7}}, make_soil(5, 24, 17), 0);
+    const double top = 9.81 * pond, base = 9.81 * (head + pond);
+    section.pressure_grid = PressureGrid{{{0, 0}, {40, 0}, {40, 4}, {0, 4}, {40, 7}, {0, 7}},
+                                         {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}},
+                                         {base + 4 * 9.81, base + 4 * 9.81, base, base, top, top}};
+    section.soils.push_back(make_soil(0, 34, 19));
+    section.regions.push_back(make_region_below(section, 1, {{0, 4}, {40, 4}}));
+    if (pond > 0) section.water_table = {{0, 7 + pond}, {40, 7 + pond}};
+    return section;
+  };
+  EXPECT_FALSE(find_uplift(Slope(make(5.1, 0)))) << "51 kPa weigh more than 50.0 kPa";
+  const auto dry = find_uplift(Slope(make(6, 0)));
+  ASSERT_TRUE(dry);
+  EXPECT_NEAR(dry->factor(), 51 / (6 * 9.81), 1e-5);
+  EXPECT_NEAR(dry->at[1], 4, 1e-3);
+  const auto ponded = find_uplift(Slope(make(6, 2)));
+  ASSERT_TRUE(ponded);
+  EXPECT_NEAR(ponded->stress, 51 + 2 * 9.81, 1e-3);
+  EXPECT_NEAR(ponded->pressure, 8 * 9.81, 1e-3);
+}
+
+TEST(LemUplift, IsNowhereInHydrostaticSoil) {
+  for (const double level : {2.0, 7.0, 30.0}) {
+    Section section = make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(2, 30, 18), 0);
+    section.water_table = {{0, level}, {44, level}};
+    EXPECT_FALSE(find_uplift(Slope(std::move(section)))) << level;
+  }
 }
 
 TEST(LemRoots, AddCohesionByDepthNormalToTheGround) {

@@ -61,34 +61,6 @@ std::vector<results::CriticalSurface> solve_given(const input::Case& data, const
   return list;
 }
 
-/// Returns a warning of uplift, at the place where the pore pressure exceeds the weight of soil and water above it
-/// most; empty if there is none.
-std::string describe_uplift(const lem::Slope& slope) {
-  constexpr int columns = 200, rows = 60;
-  constexpr double rounding = 0.02;  // of the weight
-  const lem::Section& section = slope.section();
-  double worst = 0, worst_weight = 0;
-  lem::Point place{};
-  for (int c = 0; c < columns; ++c) {
-    const double x = slope.left() + (slope.right() - slope.left()) * (c + 0.5) / columns, ground = slope.ground(x);
-    const double standing = std::max(0.0, slope.water_table(x) - ground) * section.water_unit_weight;
-    for (int r = 1; r <= rows; ++r) {
-      const double y = ground + (section.base - ground) * (r - 0.5) / rows;
-      int soil = -1;
-      const double weight = slope.weight_above(x, y, soil) + standing;
-      if (soil < 0 || section.soils[static_cast<std::size_t>(soil)].undrained) continue;
-      const double excess = slope.pore_pressure({x, y}) - weight;
-      if (excess > rounding * weight && excess > worst) worst = excess, worst_weight = weight, place = {x, y};
-    }
-  }
-  if (worst <= 0) return "";
-  return fmt::format(
-      "the ground floats: at {} {} the pore pressure of {} exceeds the weight above it, {}. It heaves there "
-      "whatever the factor of a slip surface is",
-      format_point(place, section.units.length), section.units.length.name,
-      format_value(worst + worst_weight, section.units.stress, 3), format_value(worst_weight, section.units.stress, 3));
-}
-
 /// Returns a warning of a tension crack that is less deep than given, or deeper than the slope is high; empty
 /// otherwise.
 std::string describe_crack(const lem::Slope& slope) {
@@ -122,8 +94,7 @@ std::string describe_crack(const lem::Slope& slope) {
 PreparedSlope prepare_slope(const site::Site& site) {
   SectionOfCase made = make_section(site);
   auto slope = std::make_shared<const lem::Slope>(std::move(made.section));
-  for (std::string sentence : {describe_crack(*slope), describe_uplift(*slope)})
-    if (!sentence.empty()) made.notes.push_back(std::move(sentence));
+  if (std::string sentence = describe_crack(*slope); !sentence.empty()) made.notes.push_back(std::move(sentence));
   return {std::move(slope), std::move(made.notes), std::move(made.water)};
 }
 
