@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-numpy, python3-tomli-w, gnu
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/tools/package/prerm)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME talus-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libgmsh-dev, libtomlplusplus-dev, libudunits2-dev, libhdf5-dev, libceres-dev, libnlopt-dev, libmetis-dev, nlohmann-json3-dev, libfmt-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libgmsh-dev, libtomlplusplus-dev, libudunits2-dev, libhdf5-dev, libceres-dev, libnlopt-dev, libmetis-dev, libzip-dev, libpugixml-dev, nlohmann-json3-dev, libfmt-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Library and headers of Talus, slope stability and runout
  For programs that are built on the library; find_package(talus) finds it.")
 if(TALUS_LEVELS)

@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drawing/case_text.hpp"
 #include "mesh/layers.hpp"
 
 namespace talus::drawing {
@@ -349,15 +350,7 @@ class SectionFinder {
     if (!base.points.empty()) section_.layers.push_back({name(tops ? lines.back().layer : base.layer), base.points});
   }
 
-  /// Returns a name that no soil has yet, without characters that have a meaning in paths of keys.
-  std::string name(std::string wanted) {
-    for (char& c : wanted)
-      if (static_cast<unsigned char>(c) < ' ' || c == '.' || c == '"' || c == '\\' || c == 127) c = '_';
-    if (wanted.empty()) wanted = "soil";
-    std::string unique = wanted;
-    for (int i = 2; !names_.insert(unique).second; ++i) unique = fmt::format("{} {}", wanted, i);
-    return unique;
-  }
+  std::string name(const std::string& wanted) { return take_name(names_, wanted); }
 
   /// Names a region after the only text in it, or after its layer.
   std::string name_region(const Chain& chain) {
@@ -384,20 +377,6 @@ class SectionFinder {
   double tolerance_ = 0;  ///< length below which distances count as zero [m]
   int used_texts_ = 0;
 };
-
-std::string write_points(const Polyline& points) {
-  constexpr std::size_t longest = 110;
-  std::string text = "[", line;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    // A millionth of a metre is below any survey.
-    const auto round = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
-    const std::string item =
-        fmt::format("[{}, {}]{}", round(points[i][0]), round(points[i][1]), i + 1 < points.size() ? ", " : "");
-    if (line.size() + item.size() > longest) text += line + "\n  ", line.clear();
-    line += item;
-  }
-  return text + line + "]";
-}
 
 }  // namespace
 

@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Mutants of drawings never crash `talus import`: each gives a case file or one sentence.
+"""Mutants of drawings and of a GeoStudio file never crash `talus import`: each gives a case file or one sentence.
 
 Usage: mutate_drawings.py PROGRAM [COUNT] [SEED]      100 mutants by default
 Exits with 77 where the program has no GDAL.
 """
+import io
 import pathlib
 import random
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 SEEDS = sorted((pathlib.Path(__file__).parent.parent / "data/drawings").glob("*.dxf"))
+MODEL = pathlib.Path(__file__).parent.parent / "data/drawings/geostudio_model.xml"
 WORDS = [b"0", b"-1", b"1e308", b"nan", b"99999999999", b"SECTION", b"ENDSEC", b"EOF", b"POLYLINE", b"INSERT", b"SPLINE", b"HATCH", b"BLOCK", b"", b"8", b"70"]
 
 
@@ -40,6 +43,29 @@ def mutate(data, draw):
     return b"\n".join(lines)
 
 
+def make_archive(data, draw):
+    """A GeoStudio file: a mutant in an archive, or an archive with changed bytes."""
+    buffer = io.BytesIO()
+    changes_model = draw.random() < 0.8
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("model.xml", mutate(data, draw) if changes_model else data)
+    content = bytearray(buffer.getvalue())
+    if not changes_model:
+        for _ in range(draw.choice((1, 3, 30))):
+            content[draw.randrange(len(content))] = draw.randrange(256)
+    return bytes(content)
+
+
+def make_mutant(folder, draw):
+    if draw.random() < 0.2:
+        path = folder / "mutant.gsz"
+        path.write_bytes(make_archive(MODEL.read_bytes(), draw))
+    else:
+        path = folder / "mutant.dxf"
+        path.write_bytes(mutate(draw.choice(SEEDS).read_bytes(), draw))
+    return path
+
+
 def main():
     program, count, seed = sys.argv[1], 100, 1
     if len(sys.argv) > 2:
@@ -49,9 +75,9 @@ def main():
     draw = random.Random(seed)
     kinds = {}
     with tempfile.TemporaryDirectory() as scratch:
-        drawing, case = pathlib.Path(scratch) / "mutant.dxf", pathlib.Path(scratch) / "case.toml"
+        case = pathlib.Path(scratch) / "case.toml"
         for i in range(count):
-            drawing.write_bytes(mutate(draw.choice(SEEDS).read_bytes(), draw))
+            drawing = make_mutant(pathlib.Path(scratch), draw)
             result = subprocess.run([program, "import", drawing, "-o", case, "--units", "m", "--overwrite"], capture_output=True, timeout=120)
             error = result.stderr.decode(errors="replace").strip()
             if "it has no GDAL" in error:
@@ -60,7 +86,7 @@ def main():
             if result.returncode == 0 or (result.returncode == 2 and error.startswith("talus: error: ") and "\n" not in error):
                 kinds[result.returncode] = kinds.get(result.returncode, 0) + 1
                 continue
-            kept = pathlib.Path.cwd() / f"mutant_{seed}_{i}.dxf"
+            kept = pathlib.Path.cwd() / f"mutant_{seed}_{i}{drawing.suffix}"
             kept.write_bytes(drawing.read_bytes())
             print(f"mutant {i}: code {result.returncode}, kept as {kept.name}: {error}")
             return 1
