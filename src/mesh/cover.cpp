@@ -240,6 +240,12 @@ std::optional<Point2> find_foot(const Point2& x, const Plan& plan, const Polylin
   return foot;
 }
 
+/// Removes corners that were moved onto their neighbours.
+void drop_repeated(Polyline& corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+}
+
 double measure_box(const Plan& plan) {
   return std::max(plan.box_max[0] - plan.box_min[0], plan.box_max[1] - plan.box_min[1]);
 }
@@ -281,6 +287,8 @@ std::vector<Joined> join_corners(Plan& plan) {
     for (Point2& x : polygon.points) join(polygon.name, x, find_foot(x, plan, &polygon.points, least, most));
   for (Line& line : plan.lines)
     for (Point2& x : line.points) join(line.name, x, find_foot(x, plan, nullptr, least, most));
+  if (!joined.empty())
+    for (Polygon& polygon : plan.polygons) drop_repeated(polygon.points);
   return joined;
 }
 

@@ -45,7 +45,8 @@ struct Joined {
 };
 
 /// Moves corners of polygons and points of lines that are within get_section_tolerance() of a corner, an edge or a side
-/// of the box onto it, and returns them. Distances within rounding errors (1e-9 of the box) are ignored.
+/// of the box onto it, and returns them. Distances within rounding errors (1e-9 of the box) are ignored. Corners of a
+/// polygon that then coincide are one; of a polygon narrower than the tolerance fewer than three may remain.
 std::vector<Joined> join_corners(Plan& plan);
 
 }  // namespace talus::mesh

@@ -108,6 +108,13 @@ TEST(Layers, HaveFaultsInOneSentence) {
             "m: correct it, or write cut = true where the boundary above cuts it");
 }
 
+TEST(Layers, AreLimitedInNumberOfPoints) {
+  std::string fine = "bottom = [[0, 9]";
+  for (int i = 1; i < 5000; ++i) fine += fmt::format(", [{}, 8]", 0.005 * i);
+  EXPECT_EQ(fault_of(write_layers(change(layered, "bottom = [[0, 9], [44, 3]]", fine + "]"))),
+            "the ground and the boundaries have 5004 points, and a section has at most 5000");
+}
+
 TEST(Layers, ThatAreCutOrEndAreWarnings) {
   const LoadedCase cut =
       read_case_text(write_layers(change(layered, "level = 0", "level = 4\ncut = true")), "slope.toml");

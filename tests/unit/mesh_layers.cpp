@@ -126,11 +126,11 @@ TEST(Layers, AreExtendedAndTrimmedToTheGround) {
   EXPECT_EQ(section.polygons[1].points.back(), (Point2{0, 0.5}));
 }
 
-/// Returns a line from left to right, with vertical steps.
-Polyline draw_line(support::Draw& draw, double level) {
+/// Returns a line from left to right, with vertical steps; `fine`: with many short segments.
+Polyline draw_line(support::Draw& draw, double level, bool fine) {
   Polyline line{{0, level + draw(-2, 2)}};
   while (line.back()[0] < 40) {
-    const double step = draw(0, 1) < 0.2 ? 0 : draw(0.5, 9);
+    const double step = draw(0, 1) < 0.2 ? 0 : fine ? draw(0.02, 0.3) : draw(0.5, 9);
     line.push_back({std::min(40.0, line.back()[0] + step), level + draw(-2, 2)});
   }
   return line;
@@ -139,29 +139,34 @@ Polyline draw_line(support::Draw& draw, double level) {
 TEST(Layers, CoverTheSectionOnceWhateverTheBoundaries) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     support::Draw draw(seed);
-    const Polyline ground = draw_line(draw, 10);
+    const bool fine = seed % 70 == 0;
+    const Polyline ground = draw_line(draw, 10, fine);
     std::vector<Layer> layers;
-    for (const double level : {9.0, 7.5, 7.0, 4.0}) layers.push_back({"layer", draw_line(draw, level), {}, true});
+    for (const double level : {9.0, 7.5, 7.0, 4.0}) layers.push_back({"layer", draw_line(draw, level, fine), {}, true});
     if (seed % 3 == 0) layers[1].thickness = 0.7;
     layers.push_back({"base", {{0, 0}, {40, 0}}, {}, true});
     for (std::size_t i = 0; i < layers.size(); ++i) layers[i].name += std::to_string(i);
     const LayeredSection section = make_layers(ground, layers, least);
-    EXPECT_NEAR(sum_areas(section), std::abs(compute_area([&] {
-                  Polyline all = ground;
-                  all.insert(all.end(), {{40, 0}, {0, 0}});
-                  return all;
-                }())),
-                1e-9)
-        << seed;
+    Polyline whole = ground;
+    whole.insert(whole.end(), {{40, 0}, {0, 0}});
+    EXPECT_NEAR(sum_areas(section), std::abs(compute_area(whole)), 1e-9) << seed;
     Plan plan;
     plan.box_max = {40, 13};
     plan.polygons = section.polygons;
     const auto misfits = find_misfits(plan);
     EXPECT_TRUE(misfits.empty()) << seed << ": " << misfits.front().area;
     for (const Polygon& polygon : section.polygons)
-      EXPECT_FALSE(find_self_contact(polygon.points, 1e-9))
-          << seed << ": " << polygon.name << testing::PrintToString(polygon.points)
-          << testing::PrintToString(*find_self_contact(polygon.points, 1e-9));
+      EXPECT_FALSE(find_self_contact(polygon.points, 1e-9)) << seed << ": " << polygon.name;
+    // As a case is read.
+    join_corners(plan);
+    std::erase_if(plan.polygons, [](const Polygon& polygon) { return polygon.points.size() < 3; });
+    for (const Misfit& misfit : find_misfits(plan)) {
+      EXPECT_TRUE(fine) << seed << ": steep spikes closer than the tolerance";
+      EXPECT_LT(misfit.area, 1e-6) << seed;
+    }
+    for (const Polygon& polygon : plan.polygons)
+      for (std::size_t i = 0; i < polygon.points.size(); ++i)
+        EXPECT_NE(polygon.points[i], polygon.points[(i + 1) % polygon.points.size()]) << seed;
   }
 }
 

@@ -265,6 +265,16 @@ void drop_closing_corner(mesh::Polygon& polygon) {
   if (polygon.points.size() > 3 && polygon.points.front() == polygon.points.back()) polygon.points.pop_back();
 }
 
+/// Removes polygons of layers without area after their corners were joined, and the materials of their regions.
+void drop_collapsed(Case& data, const Findings& findings) {
+  if (!findings.places.is_given("geometry.layer")) return;
+  std::erase_if(data.mesh.polygons, [&](const mesh::Polygon& polygon) {
+    if (polygon.points.size() > 2) return false;
+    data.regions.erase(polygon.name);
+    return true;
+  });
+}
+
 /// Returns the size of the smallest elements in and around a polygon [m].
 double find_smallest_size(const mesh::Plan& plan, const mesh::Polygon& polygon) {
   mesh::Point2 low = polygon.points.front(), high = low;
@@ -359,7 +369,7 @@ void join_polygons(Case& data, Findings& findings) {
                   joined[i].to[1] / length.si);
     i = end;
   }
-  for (mesh::Polygon& polygon : data.mesh.polygons) drop_closing_corner(polygon);
+  drop_collapsed(data, findings);
 }
 
 void check_cover(const Case& data, Findings& findings) {

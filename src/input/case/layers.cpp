@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "base/error.hpp"
@@ -23,7 +24,7 @@ namespace {
 using mesh::Point2;
 using mesh::Polyline;
 
-constexpr std::size_t most_points = 5000;  // of a boundary: the checks of a section are of quadratic cost
+constexpr std::size_t most_points = 5000;  // of all boundaries: the checks of a section are of quadratic cost
 
 /// Returns the index of a column, which is `name`, or `usual` if the table has it, or the `index`-th one.
 std::size_t select_column(const TextTable& table, const std::string& name, const char* usual, std::size_t index) {
@@ -97,9 +98,10 @@ class LayerReader {
       return false;
     }
     if (line.size() > most_points) {
-      findings_.add(path, "{} has {} points, and a boundary has at most {}", what, line.size(), most_points);
+      findings_.add(path, "{} has {} points, and a section has at most {}", what, line.size(), most_points);
       return false;
     }
+    points_ += line.size();
     if (const int fold = mesh::find_fold(line); fold > 0) {
       const std::string at = points.source ? path : fmt::format("{}.{}", path, fold);
       const std::size_t i = static_cast<std::size_t>(fold);
@@ -203,23 +205,33 @@ class LayerReader {
         layer.bottom = {{ground.front()[0], *input.level}, {ground.back()[0], *input.level}};
       is_sound = is_sound && is_good;
     }
+    if (is_sound && points_ > most_points) {
+      findings_.add("geometry.layer", "the ground and the boundaries have {} points, and a section has at most {}",
+                    points_, most_points);
+      return false;
+    }
     return is_sound;
   }
 
-  /// Reports the notes on the built section.
+  /// Reports the notes on the built section, those of one kind on one layer in one sentence.
   void report(const mesh::LayeredSection& section) {
-    std::set<std::pair<int, int>> reported;
+    std::map<std::pair<int, mesh::LayerNote::Kind>, std::pair<mesh::LayerNote, int>> largest;
     for (const mesh::LayerNote& note : section.notes) {
+      auto& [worst, count] = largest[{note.layer, note.kind}];
+      if (count++ == 0 || note.size > worst.size) worst = note;
+    }
+    for (const auto& [key, found] : largest) {
+      const auto& [note, count] = found;
       const std::string& name = data_.layering.layers[static_cast<std::size_t>(note.layer)].name;
       const std::string path = fmt::format("geometry.layer.{}", note.layer);
+      const std::string others = count > 1 ? fmt::format(", and in {} further places", count - 1) : "";
       if (note.kind == mesh::LayerNote::Kind::crossed)
-        findings_.add(
-            path,
-            "the lower boundary of layer '{}' is above the one of the layer above{}, by up to {}: correct it, "
-            "or write cut = true where the boundary above cuts it",
-            name, write_span(note), write_length(note.size));
+        findings_.add(path,
+                      "the lower boundary of layer '{}' is above the one of the layer above{}, by up to {}{}: correct "
+                      "it, or write cut = true where the boundary above cuts it",
+                      name, write_span(note), write_length(note.size), others);
       else
-        findings_.warn(path, write_change(note, name));
+        findings_.warn(path, write_change(note, name) + others);
     }
   }
 
@@ -256,6 +268,7 @@ class LayerReader {
   Case& data_;
   std::filesystem::path folder_;
   Findings& findings_;
+  std::size_t points_ = 0;
 };
 
 /// Gives the parts of a layer its material, and records the place of the layer for messages on its polygons.
