@@ -226,11 +226,17 @@ class SectionFinder {
     };
     const std::size_t before = count();
     double used = 0;
-    for (double tolerance = tolerance_; count() > most_corners && tolerance < 1e3 * tolerance_; tolerance *= 2) {
+    for (double tolerance = tolerance_; count() > most_corners && tolerance < 100 * tolerance_; tolerance *= 2) {
       used = tolerance;
       for (Chain& chain : chains)
         if (chain.points.size() > 2) chain.points = simplify(chain.points, chain.closed, tolerance);
     }
+    if (count() > most_corners)
+      fail_input(
+          "the drawing has {} points, and a section at most {}: even with lines that move by a thousandth of it, {} "
+          "remain. "
+          "Simplify them, or name the layers of the section with --layers",
+          before, most_corners, count());
     if (used > 0)
       section_.remarks.push_back(fmt::format("{} of {} points were left out; the lines moved by less than {:.2g} m",
                                              before - count(), before, 2 * used));

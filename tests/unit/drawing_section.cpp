@@ -116,6 +116,14 @@ TEST(DrawnSection, ThinsOutFineLines) {
     EXPECT_NEAR(p[1], 20 + std::sin(0.1 * p[0]), 1e-9) << "corners are points of the line";
 }
 
+TEST(DrawnSection, IsRefusedWhereThinningWouldChangeIt) {
+  Drawing drawing;
+  Polyline rough;
+  for (int i = 0; i <= 5000; ++i) rough.push_back({0.02 * i, i % 2 == 0 ? 20.0 : 21.0});
+  drawing.lines = {draw("ground", rough), draw("base", {{0, 0}, {100, 0}})};
+  EXPECT_NE(find_fault(drawing).find("the drawing has 5003 points, and a section at most 2000"), std::string::npos);
+}
+
 TEST(DrawnSection, HasFaultsInOneSentence) {
   Drawing drawing;
   EXPECT_EQ(find_fault(drawing), "the drawing has no lines");
