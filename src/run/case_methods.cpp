@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "lem/section/uplift.hpp"
 #include "run/check_case.hpp"
 #include "run/common/head.hpp"
+#include "run/common/mesh_estimate.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/mpm/stage/stepper.hpp"
+#include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
 #include "site/site.hpp"
 
@@ -71,27 +72,22 @@ void prepare_mpm(const CaseContext& context, const input::Case& data, CaseMethod
   methods.points.emplace(context.loaded, *methods.point_case, context.options, context.hash).prepare(run);
 }
 
-/// Warns of soil that floats at the start. Without LEM among the methods its section is made for this alone; sections
-/// that LEM does not accept are not examined.
+/// Warns of soil that floats at the start. Without LEM among the methods its section is made for this alone, unless its
+/// water would take long; sections that LEM does not accept are not examined.
 void warn_of_uplift(const site::Site& site, const std::optional<SliceRun>& slices, results::RunResult& run) {
   const input::Case& data = site.data();
   const bool has_water = site::has_water(data) || !site.water_table().empty();
   if (data.mesh.dimension != 2 || !site.has_ground() || !has_water) return;
+  const bool takes_long =
+      site::needs_seepage(data) && (data.initial.water.season > 0 || !is_meshed_in_a_moment(data.mesh));
+  if (!slices && takes_long) return;
   std::shared_ptr<const lem::Slope> slope;
   try {
     slope = slices ? slices->prepared().slope : prepare_slope(site).slope;
   } catch (const Error&) {
     return;  // its faults are those of another method
   }
-  const std::optional<lem::Uplift> uplift = lem::find_uplift(*slope);
-  if (!uplift) return;
-  const ShownUnits& units = data.units();
-  run.warnings.push_back(
-      fmt::format("Hydraulic uplift: at {} the pore pressure, {}, exceeds the weight of soil and water above, {} "
-                  "(factor {:.2f}). The "
-                  "soil there floats, and factors of safety of slip surfaces do not include this failure.",
-                  format_point(uplift->at, units.length), format_value(uplift->pressure, units.stress, 3),
-                  format_value(uplift->stress, units.stress, 3), uplift->factor()));
+  if (std::string sentence = describe_uplift(*slope); !sentence.empty()) run.warnings.push_back(std::move(sentence));
 }
 
 template <int D>

@@ -63,7 +63,9 @@ limit = false
 )"),
                          pounds);
   EXPECT_EQ(check(site::find_odd_water(data)), 2u) << "it slopes above the ground and floods the toe";
-  EXPECT_EQ(check(run::prepare_slope(data).notes), 2u) << "uplift and crack";
+  const run::PreparedSlope prepared = run::prepare_slope(data);
+  EXPECT_EQ(check(prepared.notes), 1u) << "crack";
+  EXPECT_EQ(check(std::vector{run::describe_uplift(*prepared.slope)}), 1u);
   for (const site::SteepFace& face : site::find_steep_faces(data))
     EXPECT_NE(site::describe(face, data.units().length).find("between (90, 20) and (60, 50)"), std::string::npos);
   const site::Polyline level{{0, 0}, {30, 0}};

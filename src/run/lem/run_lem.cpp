@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "lem/section/uplift.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "run/lem/slice_run.hpp"
 
@@ -96,6 +97,18 @@ PreparedSlope prepare_slope(const site::Site& site) {
   auto slope = std::make_shared<const lem::Slope>(std::move(made.section));
   if (std::string sentence = describe_crack(*slope); !sentence.empty()) made.notes.push_back(std::move(sentence));
   return {std::move(slope), std::move(made.notes), std::move(made.water)};
+}
+
+std::string describe_uplift(const lem::Slope& slope) {
+  const std::optional<lem::Uplift> uplift = lem::find_uplift(slope);
+  if (!uplift) return "";
+  const ShownUnits& units = slope.section().units;
+  return fmt::format(
+      "Hydraulic uplift: at {} {} the pore pressure, {}, exceeds the weight of soil and water above, {} (factor "
+      "{:.2f}). "
+      "The soil there floats, and factors of safety of slip surfaces do not include this failure.",
+      format_point(uplift->at, units.length), units.length.name, format_value(uplift->pressure, units.stress, 3),
+      format_value(uplift->stress, units.stress, 3), uplift->factor());
 }
 
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {

@@ -23,6 +23,9 @@ struct PreparedSlope {
 /// Throws what make_section() and lem::Slope throw.
 PreparedSlope prepare_slope(const site::Site& site);
 
+/// Returns the warning of find_uplift() in the units of the section; empty without uplift.
+std::string describe_uplift(const lem::Slope& slope);
+
 /// Settings of the search from [lem].
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
 
