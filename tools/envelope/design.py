@@ -212,9 +212,9 @@ PAIRED = {"pressure_smoothing": ("water", "flows")}
 SLOPES = {
     "unsaturated": Slope("unsaturated_slope/study.toml", UNSATURATED, set_unsaturated, ("",), 200, 10,
                          PAIRED | {"start_scaling": ("start", "coupled")}),
-    "vegetated": Slope("vegetated_slope/case.toml", VEGETATED, set_vegetated, tuple(CONTENTS), 150, 40,
+    "vegetated": Slope("vegetated_slope/case.toml", VEGETATED, set_vegetated, tuple(CONTENTS), 100, 40,
                        PAIRED | {"k0": ("stress", "chosen"), "largest_suction": ("suction_cap", "cap")}),
-    "centrifuge": Slope("centrifuge_slope/rooted.toml", CENTRIFUGE, set_centrifuge, ("fallow", "rooted"), 120, 10,
+    "centrifuge": Slope("centrifuge_slope/rooted.toml", CENTRIFUGE, set_centrifuge, ("fallow", "rooted"), 100, 10,
                         PAIRED | {"k0": ("stress", "k0"), "r0_from": ("stress", "k0")}, START),
 }
 
