@@ -21,6 +21,7 @@ matplotlib.use("svg")
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "talus", "font.size": 9, "legend.fontsize": 8})
 import matplotlib.pyplot as plt  # noqa: E402
 
+from pictures import save_svg  # noqa: E402
 from water_checks.runs import Runner  # noqa: E402
 
 PROBLEMS = ("wave", "terzaghi", "still", "infiltration", "drainage", "corner", "dam", "seeping", "poroelastic")
@@ -91,7 +92,7 @@ def main():
         runner = Runner(os.path.abspath(options.program), runs.resolve(), options.threads, options.runs is not None)
         for name in options.only.split(","):
             found, figure = importlib.import_module(f"water_checks.{name}").check(runner, draw)
-            figure.savefig(options.folder / f"water_{name}.svg", metadata={"Date": None})
+            save_svg(figure, options.folder / f"water_{name}.svg")
             plt.close(figure)
             rows += found
             for r in found:
