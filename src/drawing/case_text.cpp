@@ -3,13 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace talus::drawing {
 
+std::string clean_text(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\' || c == 127) c = '_';
+  return text;
+}
+
 std::string take_name(std::set<std::string>& taken, std::string wanted) {
-  for (char& c : wanted)
-    if (static_cast<unsigned char>(c) < ' ' || c == '.' || c == '"' || c == '\\' || c == 127) c = '_';
+  wanted = clean_text(std::move(wanted));
+  std::replace(wanted.begin(), wanted.end(), '.', '_');
   if (wanted.empty()) wanted = "soil";
   std::string unique = wanted;
   for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{} {}", wanted, i);

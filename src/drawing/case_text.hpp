@@ -9,8 +9,11 @@
 
 namespace talus::drawing {
 
-/// Returns a name that is not in `taken`, and adds it: without control characters, quotation marks, backslashes and
-/// dots, which have a meaning in a case file and its paths.
+/// Returns the text without what ends a comment or a string of a case file: control characters, quotation marks and
+/// backslashes become underscores.
+std::string clean_text(std::string text);
+
+/// Returns a clean name that is not in `taken`, and adds it. Dots, which divide paths of keys, become underscores.
 std::string take_name(std::set<std::string>& taken, std::string wanted);
 
 /// Writes points as [[x, y], …], rounded to a millionth of a metre, on as many lines as needed.

@@ -76,8 +76,8 @@ class Translator {
 
   ImportedCase translate(const std::string& wanted) {
     select_analysis(wanted);
-    text_ = fmt::format("# SLOPE/W analysis \"{}\" of {}\ntitle = \"{}\"\n\n", clean(get_text(analysis_, "Name")),
-                        clean(source_), clean(get_text(analysis_, "Name")));
+    text_ = fmt::format("# SLOPE/W analysis \"{}\" of {}\ntitle = \"{}\"\n\n", clean_text(get_text(analysis_, "Name")),
+                        clean_text(source_), clean_text(get_text(analysis_, "Name")));
     read_points();
     write_regions();
     write_materials();
@@ -90,13 +90,6 @@ class Translator {
   }
 
  private:
-  /// Returns the text without what ends a comment or a string of a case file.
-  static std::string clean(std::string text) {
-    for (char& c : text)
-      if (static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\' || c == 127) c = '_';
-    return text;
-  }
-
   void select_analysis(const std::string& wanted) {
     std::string others;
     for (const pugi::xml_node& analysis : root_.child("Analyses").children("Analysis")) {
@@ -105,14 +98,14 @@ class Translator {
       if (!analysis_ && (wanted.empty() || name == wanted))
         analysis_ = analysis;
       else
-        others += fmt::format("{}'{}'", others.empty() ? "" : ", ", clean(name));
+        others += fmt::format("{}'{}'", others.empty() ? "" : ", ", clean_text(name));
     }
     if (!analysis_)
-      fail_input("{} has no SLOPE/W analysis{}{}", source_, wanted.empty() ? "" : " '" + clean(wanted) + "'",
+      fail_input("{} has no SLOPE/W analysis{}{}", source_, wanted.empty() ? "" : " '" + clean_text(wanted) + "'",
                  others.empty() ? "" : "; it has " + others);
     if (wanted.empty() && !others.empty())
       remarks_.push_back(fmt::format("analysis '{}' was read; others, for --analysis: {}",
-                                     clean(get_text(analysis_, "Name")), others));
+                                     clean_text(get_text(analysis_, "Name")), others));
   }
 
   /// Returns the item of a list that belongs to the analysis.
@@ -167,7 +160,7 @@ class Translator {
       const mesh::Polyline ring = read_ring(get_text(region, "PointIDs"));
       if (material == material_of.end() || ring.size() < 3) {
         remarks_.push_back(
-            fmt::format("region {} {}, and was left out", clean(id),
+            fmt::format("region {} {}, and was left out", clean_text(id),
                         ring.size() < 3 ? "has fewer than three points" : "has no material in this analysis"));
         continue;
       }
@@ -176,7 +169,8 @@ class Translator {
       regions += fmt::format("\"{}\" = \"{}\"\n", name, get_material(material->second));
     }
     if (regions_.empty())
-      fail_input("the analysis '{}' of {} has no region with a material", clean(get_text(analysis_, "Name")), source_);
+      fail_input("the analysis '{}' of {} has no region with a material", clean_text(get_text(analysis_, "Name")),
+                 source_);
     text_ += regions;
   }
 
@@ -205,9 +199,9 @@ class Translator {
       if (!undrained && model != "MohrCoulomb") {
         text_ += fmt::format(
             "# The strength model {} is not translated.\n# cohesion =        # kPa\n# friction_angle =  # deg\n",
-            clean(model));
+            clean_text(model));
         remarks_.push_back(fmt::format("material '{}' has the strength model {}, which is not translated: complete it",
-                                       used->second, clean(model)));
+                                       used->second, clean_text(model)));
         continue;
       }
       text_ += fmt::format(
@@ -224,7 +218,7 @@ class Translator {
     if (option.empty()) return;
     if (option != "PiezoSurface" && option != "PiezoLine") {
       remarks_.push_back(fmt::format(
-          "pore pressures are those of another analysis (option {}), which is not translated", clean(option)));
+          "pore pressures are those of another analysis (option {}), which is not translated", clean_text(option)));
       return;
     }
     std::map<std::string, mesh::Point2> local;
@@ -250,10 +244,18 @@ class Translator {
             "material '{}' has no piezometric surface there; here the water table acts in all soils", name));
   }
 
+  /// Returns an acceleration of the earthquake; zero if it is left out.
+  double read_acceleration(const char* name) const {
+    const std::string text = entry_.child("Seismic").attribute(name).value();
+    const double value = text.empty() ? 0 : read_number(text);
+    if (!std::isfinite(value))
+      fail_input("the GeoStudio model has '{}' for the {} acceleration, which is not a number",
+                 clean_text(text.substr(0, 40)), name);
+    return value;
+  }
+
   void write_earthquake() {
-    const pugi::xml_node seismic = entry_.child("Seismic");
-    const double horizontal = seismic.attribute("Horizontal").as_double(),
-                 vertical = seismic.attribute("Vertical").as_double();
+    const double horizontal = read_acceleration("Horizontal"), vertical = read_acceleration("Vertical");
     if (horizontal == 0 && vertical == 0) return;
     text_ += fmt::format("\n[earthquake]\nhorizontal = {}\nvertical = {}\n", horizontal, vertical);
   }
@@ -269,7 +271,8 @@ class Translator {
     if (const auto known = methods.find(method); known != methods.end())
       text_ += fmt::format("methods = [\"{}\"]\n", known->second);
     else
-      remarks_.push_back(fmt::format("the method '{}' is not translated: the usual ones were taken", clean(method)));
+      remarks_.push_back(
+          fmt::format("the method '{}' is not translated: the usual ones were taken", clean_text(method)));
     const pugi::xml_node ranges = entry_.child("SlipSurface").child("EntryExit");
     const auto find_range = [&](const char* from, const char* to) {
       std::optional<mesh::Point2> a = find_point(ranges.child(from)), b = find_point(ranges.child(to));
@@ -284,9 +287,14 @@ class Translator {
     const bool slides_left = get_text(entry_.child("SlipSurface"), "DirectionOfSlip") == "RightToLeft";
     const auto& exit = slides_left ? *left : *right;
     const auto& entry = slides_left ? *right : *left;
-    // A single point gives no range: a metre about it.
-    const auto write = [](const char* name, const std::array<double, 2>& range) {
-      const double widen = range[1] > range[0] ? 0 : 0.5;
+    const auto write = [&](const char* name, const std::array<double, 2>& range) {
+      constexpr double about = 0.5;  // [m]
+      const bool is_point = range[0] == range[1];
+      if (is_point)
+        remarks_.push_back(
+            fmt::format("the {} is one point, x = {:.6g} m; it is searched from {} m before to {} m behind it", name,
+                        range[0], about, about));
+      const double widen = is_point ? about : 0;
       return fmt::format("{} = [{:.6g}, {:.6g}]\n", name, range[0] - widen, range[1] + widen);
     };
     text_ += "noncircular = false\n\n[lem.entry_exit]\n" + write("exit", exit) + write("entry", entry);

@@ -391,7 +391,8 @@ DrawnSection find_section(const Drawing& drawing, const SectionOptions& options)
 }
 
 std::string write_case(const DrawnSection& section, const std::string& source) {
-  std::string text = fmt::format("# Section from {}. Complete the strengths, then: talus check\n\n", source);
+  std::string text =
+      fmt::format("# Section from {}. Complete the strengths, then: talus check\n\n", clean_text(source));
   std::vector<std::string> soils;
   if (!section.ground.empty()) text += fmt::format("[geometry]\nground = {}\n\n", write_points(section.ground));
   for (const DrawnSoil& soil : section.layers) {

@@ -143,7 +143,8 @@ TEST(DrawnSection, HasFaultsInOneSentence) {
 TEST(DrawnSection, IsACaseWithoutStrengths) {
   Drawing drawing;
   drawing.lines = {draw("ground", {{0, 10}, {44, 10}}), draw("cl\"ay", {{0, 0}, {44, 0}})};
-  const std::string text = write_case(find_section(drawing, {}), "a.dxf");
+  const std::string text = write_case(find_section(drawing, {}), "a\nb.dxf");
+  EXPECT_EQ(text.rfind("# Section from a_b.dxf.", 0), 0u) << "a name of a file ends no comment";
   EXPECT_NE(text.find("ground = [[0, 10], [44, 10]]"), std::string::npos);
   EXPECT_NE(text.find("[materials.\"cl_ay\"]"), std::string::npos);
 }

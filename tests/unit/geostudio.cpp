@@ -65,6 +65,7 @@ TEST(GeoStudio, AnAnalysisBecomesACase) {
   EXPECT_TRUE(has_remark(found, "region 3 has no material in this analysis"));
   EXPECT_TRUE(has_remark(found, "material 'Soft _clay_' has no piezometric surface"));
   EXPECT_TRUE(has_remark(found, "surcharges are not translated"));
+  EXPECT_TRUE(has_remark(found, "the exit is one point, x = 12.192 m"));
 }
 
 TEST(GeoStudio, FaultsAreOneSentence) {
@@ -79,6 +80,9 @@ TEST(GeoStudio, FaultsAreOneSentence) {
   std::string wrong = model;
   wrong.replace(wrong.find(">500<"), 5, ">x<");
   EXPECT_EQ(translate(wrong), "the GeoStudio model has 'x' for Cohesion, which is not a number");
+  wrong = model;
+  wrong.replace(wrong.find("Horizontal=\"0.1\""), 16, "Horizontal=\"much\"");
+  EXPECT_EQ(translate(wrong), "the GeoStudio model has 'much' for the Horizontal acceleration, which is not a number");
 }
 
 TEST(GeoStudio, ArchivesAreBounded) {
