@@ -14,6 +14,7 @@
 #include "base/version.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/pressure_table.hpp"
 #include "input/case/series_file.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/catalogue.hpp"
@@ -98,6 +99,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   complete_units(loaded.data);
   build_layers(loaded.data, name, findings);
   load_series(loaded.data, name, findings);
+  load_pressure_table(loaded.data, name, findings);
   complete(loaded.data, name, findings.places);
   if (loaded.is_whole) {
     join_polygons(loaded.data, findings);
@@ -110,12 +112,14 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   check_conditions(loaded.data, findings);
   check_water(loaded.data, findings);
   check_hydraulics(loaded.data, findings);
+  check_given_pressures(loaded.data, findings);
   check_result(loaded.data, findings);
   check_start_stress(loaded.data, findings);
   if (loaded.is_whole) check_analysis(loaded.data, findings);
   if (loaded.is_whole) check_methods(loaded.data, findings);
   if (loaded.is_whole) check_slices(loaded.data, findings);
   if (loaded.is_whole) check_timeline(loaded.data, findings);
+  if (loaded.is_whole) check_seepage(loaded.data, findings);
   if (loaded.is_whole) check_drawdown(loaded.data, findings);
   check_sampling(loaded.data, findings);
   check_output(loaded.data, findings);

@@ -131,6 +131,7 @@ std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline&
 std::vector<double> list_breaks(const Site& site, bool has_water) {
   std::vector<double> breaks;
   for (const input::Surcharge& s : site.data().surcharges) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
+  for (const input::Slurry& s : site.data().slurries) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
   if (has_water) {
     for (const Pond& p : site.ponds()) breaks.push_back(p.from[0]), breaks.push_back(p.to[0]);
     for (const Point& x : site.water_table()) breaks.push_back(x[0]);
@@ -213,15 +214,33 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
           return t;
         },
         {});
+  if (has_water || !data.slurries.empty())
+    for (const GroundSide<D>& step : list_steps(mesh, site.ground())) sides.push_back(step);
+  const auto step_aside = [&](const GroundSide<D>& side, const Vec<D>& x) {  // a step is loaded by what is beside it
+    const double beside = same_place * (site.ground().back()[0] - site.ground().front()[0]);
+    return x[0] + (side.normal[1] <= steepest ? beside * side.normal[0] : 0);
+  };
+  for (const input::Slurry& slurry : data.slurries) {
+    const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
+      const double at = step_aside(side, x);
+      return at > slurry.x[0] && at < slurry.x[1] ? slurry.level - x[1] : -1.0;
+    };
+    add(
+        slurry.name.c_str(),
+        [&](const GroundSide<D>& side, const Vec<D>& x) {
+          Vec<D> t{};
+          const double pressure = slurry.unit_weight * std::max(0.0, find_depth(side, x));
+          for (std::size_t d = 0; d < D; ++d) t[d] = -pressure * side.normal[d];
+          return t;
+        },
+        find_depth);
+  }
   if (has_water) {
     const Polyline& ground = site.ground();
-    const double weight = site.water_weight(), beside = same_place * (ground.back()[0] - ground.front()[0]);
-    for (const GroundSide<D>& step : list_steps(mesh, ground)) sides.push_back(step);
-    // A step is loaded by the water beside it. Below a water table that the ground rises above, the depth is negative
-    // and linear, so that its zero is found.
+    const double weight = site.water_weight();
+    // Below a water table that the ground rises above, the depth is negative and linear, so that its zero is found.
     const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
-      const bool is_step = side.normal[1] <= steepest;
-      const double at = x[0] + (is_step ? beside * side.normal[0] : 0);
+      const double at = step_aside(side, x);
       std::optional<double> level = find_standing_level(site.ponds(), {}, ground, at);
       if (const Polyline& table = site.water_table(); !table.empty()) {
         const double here = find_water_table(table, at);
@@ -292,6 +311,13 @@ std::vector<Point> list_places(const Site& site) {
   std::vector<double> places;
   for (const input::Surcharge& s : site.data().surcharges) places.insert(places.end(), s.x.begin(), s.x.end());
   for (const Pond& p : site.ponds()) places.push_back(p.from[0]), places.push_back(p.to[0]);
+  for (const input::Slurry& s : site.data().slurries) {
+    places.insert(places.end(), s.x.begin(), s.x.end());
+    std::vector<double> crossings;
+    add_table({{s.x[0], s.level}}, ground, crossings);
+    for (const double x : crossings)
+      if (x > s.x[0] && x < s.x[1]) places.push_back(x);
+  }
   if (!site.water_table().empty()) add_table(site.water_table(), ground, places);
   std::vector<Point> on_ground;
   for (const double x : places)

@@ -26,11 +26,10 @@ bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
   return soil != nullptr && soil->water.is_wet();
 }
 
-/// Returns the pressure at `x` under the water table of the case [Pa].
+/// Returns the level of zero pressure at `x` [m]: that of the water table, or the head of the grid.
 template <int D>
-double find_table_pressure(const input::Case& data, const Vec<D>& x) {
-  const double height = x[1] - find_water_table(data.initial.water.water_table, x[0]);
-  return std::min(find_water_weight(data) * height, data.initial.water.largest_suction);
+double find_given_level(const input::Case& data, const Polyline& line, const Vec<D>& x) {
+  return has_pressure_field(data) ? data.initial.water.field->find({x[0], x[1]}) : find_water_table(line, x[0]);
 }
 
 template <int D>
@@ -39,7 +38,8 @@ void set_from_table(const input::Case& data, const mesh::Mesh<D>& mesh, InitialW
   Vec<D> middle;
   middle.fill(1.0 / (D + 1));
   for (int e = 0; e < mesh.element_count(); ++e)
-    if (is_wet(data, mesh, e)) water.pressure[e] = find_table_pressure<D>(data, mesh::to_global(mesh, e, middle));
+    if (is_wet(data, mesh, e))
+      water.pressure[e] = find_given_pressure<D>(data, *find_soil(data, mesh, e), mesh::to_global(mesh, e, middle));
 }
 
 template <int D>
@@ -76,7 +76,7 @@ std::vector<double> find_first_heads(const input::Case& data, const mesh::Mesh<D
   std::vector<double> heads;
   for (const Vec<D>& x : mesh.nodes) {
     const double level =
-        initial.pressure == input::InitialPressure::zero ? x[1] : find_water_table(initial.water_table, x[0]);
+        initial.pressure == input::InitialPressure::zero ? x[1] : find_given_level<D>(data, initial.water_table, x);
     heads.push_back(x[1] - std::min(x[1] - level, initial.largest_suction / weight));
   }
   return heads;
@@ -138,6 +138,9 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
     case input::InitialPressure::water_table:
       set_from_table(data, mesh, water);
       break;
+    case input::InitialPressure::grid:
+      if (has_pressure_field(data)) set_from_table(data, mesh, water);
+      break;
     case input::InitialPressure::seepage:
       water.seepage = fem::solve_steady_seepage(model, {}, {}, find_weather_start(data));
       set_from_seepage<D>(data, mesh, *water.seepage, water);
@@ -158,8 +161,8 @@ std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Me
     for (const int node : mesh.elements[e]) {
       if (!water.nodal.empty())
         pressure[node] = water.nodal[node];
-      else if (data.initial.water.pressure == input::InitialPressure::water_table)
-        pressure[node] = find_table_pressure<D>(data, mesh.nodes[node]);
+      else if (data.initial.water.pressure == input::InitialPressure::water_table || has_pressure_field(data))
+        pressure[node] = find_given_pressure<D>(data, *find_soil(data, mesh, e), mesh.nodes[node]);
       else
         pressure[node] = 0;
     }
@@ -216,6 +219,85 @@ TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE
 
+const Polyline& find_piezometric_line(const input::Case& data, const input::Material& soil) {
+  for (const input::PiezometricLine& line : data.initial.water.lines)
+    for (const std::string& name : line.materials)
+      if (&data.materials.at(name) == &soil) return line.points;
+  return data.initial.water.water_table;
+}
+
+bool has_pressure_field(const input::Case& data) {
+  const input::InitialWater& water = data.initial.water;
+  return water.pressure == input::InitialPressure::grid && water.field &&
+         water.table->quantity != input::GridQuantity::ratio;
+}
+
+template <int D>
+double find_given_pressure(const input::Case& data, const input::Material& soil, const Vec<D>& x) {
+  const double level = find_given_level<D>(data, find_piezometric_line(data, soil), x);
+  return std::min(find_water_weight(data) * (x[1] - level), data.initial.water.largest_suction);
+}
+
+template <int D>
+double find_pressure_ratio(const input::Case& data, const input::Material& soil, const Vec<D>& x) {
+  const input::InitialWater& water = data.initial.water;
+  if (water.pressure != input::InitialPressure::grid || has_pressure_field(data))
+    return soil.slices.pore_pressure_ratio;
+  return std::clamp(water.field->find({x[0], x[1]}), 0.0, 1.0);
+}
+
+bool has_pressure_ratio(const input::Case& data) {
+  if (data.initial.water.pressure == input::InitialPressure::grid && !has_pressure_field(data)) return true;
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
+}
+
+template double find_given_pressure<2>(const input::Case&, const input::Material&, const Vec<2>&);
+template double find_given_pressure<3>(const input::Case&, const input::Material&, const Vec<3>&);
+template double find_pressure_ratio<2>(const input::Case&, const input::Material&, const Vec<2>&);
+template double find_pressure_ratio<3>(const input::Case&, const input::Material&, const Vec<3>&);
+
+namespace {
+
+/// Triangles on which a spline is sampled for LEM, over the section.
+constexpr int spline_columns = 200, spline_rows = 80;
+
+lem::PressureGrid sample_spline(const mesh::ScatteredField& field, const Polyline& ground, double base) {
+  double high = base;
+  for (const Point& p : ground) high = std::max(high, p[1]);
+  const double left = ground.front()[0], right = ground.back()[0];
+  lem::PressureGrid grid;
+  for (int c = 0; c <= spline_columns; ++c)
+    for (int r = 0; r <= spline_rows; ++r) {
+      grid.nodes.push_back({left + (right - left) * c / spline_columns, base + (high - base) * r / spline_rows});
+      grid.pressure.push_back(field.find(grid.nodes.back()));
+    }
+  for (int c = 0; c < spline_columns; ++c)
+    for (int r = 0; r < spline_rows; ++r) {
+      const int a = c * (spline_rows + 1) + r, b = a + spline_rows + 1;
+      grid.triangles.push_back({a, b, b + 1});
+      grid.triangles.push_back({a, b + 1, a + 1});
+    }
+  return grid;
+}
+
+}  // namespace
+
+lem::PressureGrid make_given_grid(const Site& site) {
+  const input::InitialWater& water = site.data().initial.water;
+  lem::PressureGrid grid;
+  if (water.field->kind() == mesh::Scatter::linear) {
+    grid.nodes.assign(water.field->triangles().nodes.begin(), water.field->triangles().nodes.end());
+    grid.triangles.assign(water.field->triangles().elements.begin(), water.field->triangles().elements.end());
+    grid.pressure = water.field->values();
+  } else {
+    grid = sample_spline(*water.field, site.ground(), find_base(site.data().mesh));
+  }
+  for (std::size_t i = 0; i < grid.nodes.size(); ++i)  // heads become pressures
+    grid.pressure[i] = std::max(site.water_weight() * (grid.pressure[i] - grid.nodes[i][1]), -water.largest_suction);
+  return grid;
+}
+
 bool needs_seepage(const input::Case& data) {
   return has_water(data) && (data.initial.water.pressure == input::InitialPressure::seepage ||
                              data.initial.water.season > 0 || data.initial.water.known || data.timeline);
@@ -246,12 +328,14 @@ std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mes
   } else if (out != nullptr) {
     *out = make_water_table_result(data);
   }
-  if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return pressure;
+  const bool has_table = initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty();
+  if (!has_table && !has_pressure_field(data)) return pressure;
   check_upright(data, "a water table");
   const double weight = find_water_weight(data);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     const auto& x = mesh.nodes[i];
-    pressure[i] = std::min(weight * (x[1] - find_water_table(initial.water_table, x[0])), initial.largest_suction);
+    pressure[i] =
+        std::min(weight * (x[1] - find_given_level<D>(data, initial.water_table, x)), initial.largest_suction);
   }
   return pressure;
 }

@@ -48,6 +48,25 @@ template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<Vec<D>>& places);
 
+/// Returns the piezometric line of a soil of the case, which is the water table for most.
+const Polyline& find_piezometric_line(const input::Case& data, const input::Material& soil);
+
+/// Returns the pressure in a soil at `x` under its piezometric line, or of the grid of the case, positive in tension
+/// [Pa].
+template <int D>
+double find_given_pressure(const input::Case& data, const input::Material& soil, const Vec<D>& x);
+
+/// Returns r_u of a soil at `x` [-]; 0 if its pressure follows otherwise.
+template <int D>
+double find_pressure_ratio(const input::Case& data, const input::Material& soil, const Vec<D>& x);
+/// Returns true if some soil has an r_u.
+bool has_pressure_ratio(const input::Case& data);
+/// Returns true if the case gives pore pressures or heads at points.
+bool has_pressure_field(const input::Case& data);
+
+/// Returns the pressures of the grid of a plane case on triangles that cover its section.
+lem::PressureGrid make_given_grid(const Site& site);
+
 /// Returns true if pore pressures result from a flow calculation and therefore need a mesh.
 bool needs_seepage(const input::Case& data);
 

@@ -53,6 +53,7 @@ double find_mean(const std::array<double, D + 1>& corners, const F& find) {
 template <int D>
 HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* result) {
   const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, result);
+  const bool has_lines = !data.initial.water.lines.empty();
   const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
   HeldWater<D> water;
   water.unit_weight.assign(mesh.elements.size(), 0.0);
@@ -63,7 +64,12 @@ HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh,
     const input::Material& m = *soil;
     const bool wet = takes_water(data, m);
     std::array<double, D + 1> p{};
-    for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh.elements[e][c]] : 0;
+    for (std::size_t c = 0; c <= D; ++c) {
+      const int node = mesh.elements[e][c];
+      // Piezometric lines of single soils make pressures that jump at the boundaries of soils.
+      const double found = has_lines ? find_given_pressure<D>(data, m, mesh.nodes[node]) : pressure[node];
+      p[c] = wet && has_pressure ? found : 0;
+    }
     // Without water in the case the soil is dry.
     const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
     water.unit_weight[e] =
@@ -81,10 +87,13 @@ HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh,
 template <int D>
 bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& unit_weight,
                         std::vector<std::array<double, D + 1>>& pore) {
+  if (!has_pressure_ratio(data)) return false;
+  const bool is_given = data.initial.water.pressure == input::InitialPressure::grid;
   std::vector<mesh::LocalPoint<D>> places;
   for (int e = 0; e < mesh.element_count(); ++e) {
     const input::Material* soil = find_soil(data, mesh, e);
-    if (soil == nullptr || soil->slices.pore_pressure_ratio == 0) continue;
+    if (soil == nullptr || (soil->slices.pore_pressure_ratio == 0 && !is_given)) continue;
+    if (is_given && material::is_total_stress(soil->model, *soil)) continue;
     for (std::size_t c = 0; c <= D; ++c) {
       std::array<double, D> xi{};
       if (c > 0) xi[c - 1] = 1;
@@ -97,7 +106,8 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
   const std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const int e = places[i].element;
-    pore[e][i % (D + 1)] = -find_soil(data, mesh, e)->slices.pore_pressure_ratio * overburden[i];
+    const Vec<D>& x = mesh.nodes[mesh.elements[e][i % (D + 1)]];
+    pore[e][i % (D + 1)] = -find_pressure_ratio<D>(data, *find_soil(data, mesh, e), x) * overburden[i];
   }
   return true;
 }

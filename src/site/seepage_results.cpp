@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/planar.hpp"
 #include "results/run.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
@@ -119,13 +120,33 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
 
 /// Returns the state under the water table of the case; nothing in a case without one.
 std::optional<results::WaterState> make_table_state_result(const Site& site, double time) {
-  if (site.water_table().empty() || !site.has_ground()) return std::nullopt;
+  if (!site.has_ground() || (site.water_table().empty() && !has_pressure_field(site.data()))) return std::nullopt;
   results::WaterState state;
   state.time = time;
   const std::vector<Pond> ponds = site.find_ponds(time);
   state.ponds = make_ponds_result(ponds);
+  if (has_pressure_field(site.data())) {
+    const Polyline table = trace_water_table(make_given_grid(site), ponds, site.ground(), find_base(site.data().mesh));
+    state.water_table.emplace_back(table.begin(), table.end());
+    return state;
+  }
   split_table(site.water_table(), ponds, site.ground(), state);
+  for (const input::PiezometricLine& line : site.data().initial.water.lines)
+    state.water_table.emplace_back(line.points.begin(), line.points.end());
   return state;
+}
+
+/// Returns the pressure of the water table, of the piezometric line of the soil, or of the grid, positive in tension
+/// [Pa].
+double find_pressure_at(const Site& site, const Point& x) {
+  const input::Case& data = site.data();
+  static const input::Material none;
+  const input::Material* soil = &none;
+  if (!data.initial.water.lines.empty())
+    for (const mesh::Polygon& polygon : data.mesh.polygons)
+      if (data.regions.contains(polygon.name) && mesh::is_inside(x, polygon.points))
+        soil = &site.get_soil(polygon.name);
+  return find_given_pressure<2>(data, *soil, x);
 }
 
 /// Returns the field of water at rest under the table of the case, on triangles between the ground and the lowest soil.
@@ -144,9 +165,8 @@ results::WaterFields lay_fields(const Site& site) {
   for (const double x : places)
     for (int r = 0; r <= rows; ++r) {
       const double y = base + (find_level(ground, x) - base) * r / rows;
-      const double p = result.unit_weight * (find_water_table(site.water_table(), x) - y);
       result.nodes.push_back(shorten_place(x, y));
-      field.pressure.push_back(shorten(std::max(p, -site.data().initial.water.largest_suction)));
+      field.pressure.push_back(shorten(-find_pressure_at(site, {x, y})));
     }
   for (int c = 0; c + 1 < static_cast<int>(places.size()); ++c)
     for (int r = 0; r < rows; ++r) {

@@ -65,6 +65,13 @@ double Site::find_surcharge(double x) const {
   return sum;
 }
 
+double Site::find_slurry_pressure(double x, double y) const {
+  double sum = 0;
+  for (const input::Slurry& s : data_->slurries)
+    if (x > s.x[0] && x < s.x[1]) sum += s.unit_weight * std::max(0.0, s.level - y);
+  return sum;
+}
+
 double Site::find_standing_load(double x) const {
   const auto level = find_standing_level(x);
   return level ? water_weight() * std::max(0.0, *level - find_level(ground_, x)) : 0;

@@ -60,6 +60,8 @@ class Site {
 
   /// Returns the sum of all surcharges at x [Pa per horizontal metre].
   double find_surcharge(double x) const;
+  /// Returns the pressure of the slurries of the case at a place on the ground [Pa].
+  double find_slurry_pressure(double x, double y) const;
   /// Returns the weight of the water standing on the ground at x [Pa]; zero without ground.
   double find_standing_load(double x) const;
   /// Returns the acceleration over g of a pseudo-static earthquake. If the case gives no direction, it is towards the

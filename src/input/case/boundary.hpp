@@ -21,6 +21,14 @@ struct Surcharge {
   bool variable = false;     ///< variable action (Eurocode 7); otherwise permanent
 };
 
+/// A liquid on the ground that does not enter the soil.
+struct Slurry {
+  std::string name;
+  std::array<double, 2> x{};  ///< from, to [m]
+  double level = 0;           ///< of its surface [m]
+  double unit_weight = 0;     ///< [N/m³]
+};
+
 /// Direction of the horizontal inertia force along x.
 enum class EarthquakeDirection { both, left, right };
 
@@ -51,6 +59,19 @@ void describe(auto& v, Surcharge& s) {
         quantity("kPa").required().usual_or_zero(0.5, 500, {{"Pa", 1e-3}, {"psf", 0.0478803}}).example("[20, 20]"),
         "Load per horizontal area at each x, downwards, linear between them; none outside.");
   v.key("variable", s.variable, plain(), "A variable action in the sense of Eurocode 7; false: a permanent one.");
+}
+
+void describe(auto& v, Slurry& s) {
+  v.key("name", s.name, plain().required().example(R"("bentonite")"), "Name of the liquid.");
+  v.key("x", s.x, quantity("m").required().example("[20, 20.8]"), "From where to where it may stand on the ground.");
+  v.key("level", s.level, quantity("m").required().example("9.5"), "Level of its surface.");
+  v.key("unit_weight", s.unit_weight,
+        quantity("kN/m3")
+            .above(0)
+            .usual(9, 16, {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"pcf", 0.1570875}})
+            .required()
+            .example("10.5"),
+        "Its weight.");
 }
 
 void describe(auto& v, Earthquake& e) {

@@ -22,6 +22,7 @@
 #include "input/case/partial_factors.hpp"
 #include "input/case/point_test.hpp"
 #include "input/case/roots.hpp"
+#include "input/case/seepage.hpp"
 #include "input/case/stage.hpp"
 #include "input/case/start.hpp"
 #include "input/case/study.hpp"
@@ -51,6 +52,7 @@ struct Case {
   std::vector<Roots> roots;
   Gravity gravity;
   Initial initial;
+  SeepageAnalysis seepage;
   std::optional<Timeline> timeline;
   std::vector<Stage> stages;
   RestCriterion rest;
@@ -60,6 +62,7 @@ struct Case {
   FiniteElements fem;
   ProvenBounds bounds;
   std::vector<Surcharge> surcharges;
+  std::vector<Slurry> slurries;
   Earthquake earthquake;
   PartialFactors partial_factors;
   StrengthReduction strength_reduction;
@@ -108,6 +111,9 @@ void describe(auto& v, Case& c) {
            "the content or cohesion of the material counts.");
   v.table("gravity", c.gravity, "Gravity.");
   v.table("initial", c.initial, "The state at the start.");
+  v.table("seepage", c.seepage,
+          "Flow of water alone, with [analysis] methods = [\"seepage\"]: discharges, exit gradients, and the safety "
+          "against uplift and heave.");
   v.optional_table("timeline", c.timeline,
                    "The factor of safety through time: transient seepage from time 0 on, and a search for the critical "
                    "slip surface at many times.");
@@ -125,6 +131,10 @@ void describe(auto& v, Case& c) {
       "[[boundary]], the section is fixed as for FEM.");
   v.tables("surcharge", c.surcharges, 0,
            "A vertical load on the ground. A vertical [[traction]] on a line of the ground does the same.");
+  v.tables(
+      "slurry", c.slurries, 0,
+      "A liquid of its own density on the ground, such as bentonite in a trench: it presses on the ground that it "
+      "covers, vertical faces too, and does not enter the soil. Ponds of water follow from water tables and heads.");
   v.table("earthquake", c.earthquake, "A pseudo-static acceleration.");
   v.table("partial_factors", c.partial_factors,
           "Partial factors of Eurocode 7: the factor of safety becomes the degree of over-design, which is to be at "

@@ -45,6 +45,8 @@ void hold_section(Case& data) {
 /// Completes keys that a case without MPM leaves out.
 void complete_without_points(Case& data, const Places& places) {
   if (data.mesh.file.empty() && !places.is_given("geometry.box")) fit_box(data.mesh);
+  if (uses(data, Method::seepage) && !places.is_given("initial.pore_pressure"))
+    data.initial.water.pressure = InitialPressure::seepage;
   if (uses(data, Method::mpm)) return;
   if (data.mesh.size == 0 && data.fem.size) data.mesh.size = *data.fem.size;
   if ((uses(data, Method::fem) || uses(data, Method::bounds)) && data.boundaries.empty()) hold_section(data);
@@ -140,7 +142,9 @@ void replace_smoothing(const Case& data, StepSettings& step, const std::string& 
 bool holds_pressures(const Case& data) {
   const bool has_ratio = std::any_of(data.materials.begin(), data.materials.end(),
                                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
-  return has_ratio || (data.initial.water.pressure == InitialPressure::water_table && !is_wet(data));
+  const InitialPressure pressure = data.initial.water.pressure;
+  const bool is_given = pressure == InitialPressure::water_table || pressure == InitialPressure::grid;
+  return has_ratio || (is_given && !is_wet(data));
 }
 
 void replace_geometry(Case& data, std::vector<std::string>& sentences) {

@@ -157,8 +157,8 @@ void check_steps(const Hydraulic& hydraulic, const std::string& path, Findings& 
 void check_start(const Case& data, Findings& findings) {
   const InitialWater& start = data.initial.water;
   if (!findings.is_sound("initial.pore_pressure") || start.pressure == InitialPressure::zero) return;
-  // All methods accept a piezometric line in any soil.
-  const bool takes_line = start.pressure == InitialPressure::water_table;
+  // All methods accept a piezometric line or a grid in any soil.
+  const bool takes_line = start.pressure == InitialPressure::water_table || start.pressure == InitialPressure::grid;
   if (!is_wet(data) && !takes_line) {
     if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))
       findings.add(
@@ -170,6 +170,7 @@ void check_start(const Case& data, Findings& findings) {
     check_water_table(start.water_table, "initial.water_table", data.units().length, findings);
     return;
   }
+  if (start.pressure == InitialPressure::grid) return;
   if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
     findings.add("initial.pore_pressure",
                  "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure or "

@@ -38,6 +38,15 @@ void check_surcharge(const Surcharge& s, const std::string& path, const SoilOutl
     findings.add(path + ".x", "surcharge '{}' reaches beyond the ground, {}", s.name, soil.write_span());
 }
 
+void check_slurry(const Slurry& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
+  if (!findings.is_sound(path + ".x")) return;
+  if (!(s.x[0] < s.x[1]))
+    return findings.add(path + ".x", "the slurry '{}' goes from {} to {}; the second must be larger", s.name,
+                        format_value(s.x[0], soil.units().length), format_value(s.x[1], soil.units().length));
+  if (!soil.spans(s.x[0]) || !soil.spans(s.x[1]))
+    findings.add(path + ".x", "the slurry '{}' reaches beyond the ground, {}", s.name, soil.write_span());
+}
+
 void check_grid(const CentreGrid& grid, const SoilOutline& soil, Findings& findings) {
   const std::string corners = "lem.grid.corners", levels = "lem.grid.levels";
   const ShownUnit& length = soil.units().length;
@@ -97,6 +106,7 @@ void check_slices(const Case& data, Findings& findings) {
   check_crack(data.lem.crack, data.units().length, findings);
   check_names(data.lem.surfaces, "lem.surface", "slip surfaces", findings);
   check_names(data.surcharges, "surcharge", "surcharges", findings);
+  check_names(data.slurries, "slurry", "slurries", findings);
   if (uses(data, Method::lem)) check_settings(data.lem, findings);
   if (!findings.is_sound("geometry.polygon") || data.mesh.polygons.empty()) return;
   const SoilOutline soil(data.mesh);
@@ -108,6 +118,8 @@ void check_slices(const Case& data, Findings& findings) {
       check_slip_surface(data.lem.surfaces[i], path, soil, findings);
   for (std::size_t i = 0; i < data.surcharges.size(); ++i)
     check_surcharge(data.surcharges[i], fmt::format("surcharge.{}", i), soil, findings);
+  for (std::size_t i = 0; i < data.slurries.size(); ++i)
+    check_slurry(data.slurries[i], fmt::format("slurry.{}", i), soil, findings);
 }
 
 // Checks of [lem.drawdown] against the rest of the case.

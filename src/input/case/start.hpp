@@ -13,6 +13,7 @@
 #include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/scattered_field.hpp"
 
 namespace talus::input {
 
@@ -21,7 +22,7 @@ struct Gravity {
   std::array<double, 3> direction{0, -1, 0};  ///< unit vector after reading
 };
 
-enum class InitialPressure { zero, water_table, seepage };
+enum class InitialPressure { zero, water_table, seepage, grid };
 
 /// Pore water of a plane section from a preceding calculation.
 struct KnownWater {
@@ -30,11 +31,31 @@ struct KnownWater {
   std::vector<std::array<double, 2>> seepage;  ///< Darcy velocity per element [m/s]
 };
 
+/// A piezometric line, which replaces the water table in some soils.
+struct PiezometricLine {
+  std::vector<std::string> materials;
+  std::vector<std::array<double, 2>> points;  ///< [m]; horizontal beyond its ends
+};
+
+/// Quantity of a grid of pore pressures.
+enum class GridQuantity { pressure, head, ratio };
+
+/// Pore pressures measured or computed at scattered points, from a table.
+struct PressureTable {
+  std::string file;
+  GridQuantity quantity = GridQuantity::pressure;
+  mesh::Scatter interpolation = mesh::Scatter::linear;
+};
+
 /// Initial pore pressure; part of [initial].
 struct InitialWater {
   InitialPressure pressure = InitialPressure::zero;
   std::vector<std::array<double, 2>> water_table;  ///< polyline of zero pressure [m]; horizontal beyond its ends
   double largest_suction = std::numeric_limits<double>::infinity();  ///< limit above the water table [Pa]
+  std::vector<PiezometricLine> lines;
+  std::optional<PressureTable> table;
+  /// Total head [m], or r_u [-], of `table`; not a key.
+  std::shared_ptr<const mesh::ScatteredField> field{};
   /// Duration of preceding weather [s]: transient seepage in rigid soil from time -season, with initial condition
   /// `pressure`, to time 0.
   double season = 0;
@@ -71,6 +92,20 @@ inline constexpr auto choices<InitialPressure> = std::array{
     Choice{InitialPressure::zero, "zero", "no pore pressure"},
     Choice{InitialPressure::water_table, "water_table", "hydrostatic below a water table, suction above it"},
     Choice{InitialPressure::seepage, "seepage", "the steady flow that belongs to the hydraulic conditions at time 0"},
+    Choice{InitialPressure::grid, "grid", "values at points, from the table of [initial.pressure_grid]"},
+};
+
+template <>
+inline constexpr auto choices<GridQuantity> = std::array{
+    Choice{GridQuantity::pressure, "pressure", "pore pressure, compression positive"},
+    Choice{GridQuantity::head, "head", "total head, a level"},
+    Choice{GridQuantity::ratio, "r_u", "pore pressure over the weight of the soil above"},
+};
+
+template <>
+inline constexpr auto choices<mesh::Scatter> = std::array{
+    Choice{mesh::Scatter::linear, "linear", "linear on the Delaunay triangles of the points"},
+    Choice{mesh::Scatter::thin_plate, "thin_plate", "a thin plate spline through the points"},
 };
 
 template <>
@@ -83,6 +118,23 @@ inline constexpr auto choices<InitialStress> = std::array{
 void describe(auto& v, Gravity& g) {
   v.key("acceleration", g.acceleration, quantity("m/s2").at_least(0), "Acceleration of gravity.");
   v.key("direction", g.direction, plain(), "Direction in which it acts, of any length but zero.");
+}
+
+void describe(auto& v, PiezometricLine& l) {
+  v.key("materials", l.materials, plain().required().example(R"(["sand"])"), "Materials in which the line acts.");
+  v.key("points", l.points, quantity("m").required().example("[[0, 12], [32, 9]]"),
+        "The line to which water would rise in a standpipe, from left to right; level beyond its ends. It may lie "
+        "above the ground (artesian) or below the soil (drained, with suction).");
+}
+
+void describe(auto& v, PressureTable& t) {
+  v.key("file", t.file, plain().required().example(R"("piezometers.csv")"),
+        "A table (relative to the case file) with the columns x, y and that of `quantity`, with their units: "
+        "`x [m], y [m], pressure [kPa]`.");
+  v.key("quantity", t.quantity, plain(), "Which quantity the table has; its column has the same name.");
+  v.key("interpolation", t.interpolation, plain(),
+        "How values between the points are found. Pressures are interpolated as total heads, so that hydrostatic water "
+        "is exact. Beyond the points the head of the nearest one holds for linear interpolation.");
 }
 
 void describe(auto& v, Initial& i) {
@@ -105,7 +157,7 @@ void describe(auto& v, Initial& i) {
         "The line of zero pore pressure, from left to right; level beyond its ends.");
   v.key("largest_suction", i.water.largest_suction,
         quantity("kPa").at_least(0).or_infinite().allowed_with("pore_pressure", i.water.pressure,
-                                                               InitialPressure::water_table),
+                                                               {InitialPressure::water_table, InitialPressure::grid}),
         "Suction grows with the height above the water table up to this value.");
   v.key("season", i.water.season,
         quantity("day")
@@ -120,6 +172,10 @@ void describe(auto& v, Initial& i) {
         "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
   v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),
             "Velocity of a region at the start; not with 'result'.");
+  v.tables("piezometric_line", i.water.lines, 0,
+           "A piezometric line of its own for some soils, beside the water table: perched or artesian water, or water "
+           "held back by a cut-off. Water stands on the ground under the water table only.");
+  v.optional_table("pressure_grid", i.water.table, "Pore pressures at points, for pore_pressure = \"grid\".");
 }
 
 }  // namespace talus::input

@@ -56,6 +56,7 @@ Section weigh(Section section, std::size_t soil, bool wet) {
     s.saturated_unit_weight = i == soil && wet ? 2 : 1;
     s.pore_pressure_ratio = 0;
   }
+  section.pressure_ratio = nullptr;
   return section;
 }
 
@@ -104,6 +105,7 @@ void Candidates::keep(const std::vector<Surface>& surfaces) {
   // Cut without r_u, so that the slices have the pore pressure of the water table or grid.
   Section dry = section;
   for (Soil& s : dry.soils) s.pore_pressure_ratio = 0;
+  dry.pressure_ratio = nullptr;
   const Slope plain(dry);
   for (const Surface& surface : surfaces) {
     Kept kept;
@@ -177,8 +179,9 @@ Candidates::Strength Candidates::find_strength(const Soil& soil, double tan_fric
     strength.cohesion += soil.cohesion_gradient * std::max(0.0, soil.cohesion_level - y);
   }
   if (soil.undrained) return strength;
-  if (soil.pore_pressure_ratio > 0) {
-    strength.pore_pressure = soil.pore_pressure_ratio * weight / (slice.right - slice.left);
+  const Point base{0.5 * (slice.left + slice.right), 0.5 * (slice.base_left[1] + slice.base_right[1])};
+  if (const double ratio = slope_->section().find_pressure_ratio(soil, base); ratio > 0) {
+    strength.pore_pressure = ratio * weight / (slice.right - slice.left);
   } else if (slice.suction_strength > 0) {
     const Soil& old = slope_->section().soils[static_cast<std::size_t>(slice.soil)];
     const bool phi_b = soil.suction == Suction::phi_b;

@@ -190,6 +190,8 @@ void check_grid(const PressureGrid& grid, Faults& faults) {
 
 void check_water(const Section& section, Faults& faults) {
   check_line("the water table", section.water_table, false, faults);
+  for (const std::vector<Point>& line : section.piezometric_lines)
+    check_line("a piezometric line", line, false, faults);
   if (!(section.water_unit_weight > 0)) faults.push_back("the unit weight of water is not positive");
   if (section.pressure_grid) check_grid(*section.pressure_grid, faults);
 }

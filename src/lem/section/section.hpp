@@ -43,6 +43,7 @@ struct Soil {
   double cohesion_gradient = 0;      ///< increase of c with depth below `cohesion_level` [Pa/m]
   double cohesion_level = 0;         ///< elevation below which c increases; c is constant above it [m]
   double pore_pressure_ratio = 0;    ///< r_u = u over the weight of the soil above; used if > 0 [-]
+  int piezometric_line = -1;         ///< index of the line of this soil; -1: the water table
   Suction suction = Suction::ignored;
   double phi_b = 0;                                                  ///< [rad]
   double largest_suction = std::numeric_limits<double>::infinity();  ///< upper limit of the suction that is used [Pa]
@@ -76,6 +77,12 @@ struct FaceLoad {
   std::array<double, 2> traction{};  ///< towards larger x, and up [Pa]
 };
 
+/// A liquid on the ground that presses on its vertical steps; its load on the rest of the ground is a surcharge.
+struct Slurry {
+  double from = 0, to = 0, level = 0;  ///< [m]
+  double unit_weight = 0;              ///< [N/m³]
+};
+
 /// Cohesion of roots over the depth [Pa]: linear between the rows, zero below the last.
 struct RootCohesion {
   std::vector<std::array<double, 2>> profile;              ///< depth normal to the ground [m], c_r [Pa]
@@ -105,10 +112,14 @@ struct Section {
   /// Piezometric line: u = γ_w times the vertical depth below it; level beyond its ends. Above the ground it is ponded
   /// water that loads the ground. Empty: no water.
   std::vector<Point> water_table;
-  std::optional<PressureGrid> pressure_grid;  ///< takes precedence over the line for u inside its triangles
-  double water_unit_weight = 9810;            ///< γ_w [N/m³]
+  /// Piezometric lines of single soils, as the water table, but without ponded water.
+  std::vector<std::vector<Point>> piezometric_lines;
+  std::optional<PressureGrid> pressure_grid;           ///< takes precedence over the line for u inside its triangles
+  std::function<double(const Point&)> pressure_ratio;  ///< r_u at a point [-]; replaces that of the soils
+  double water_unit_weight = 9810;                     ///< γ_w [N/m³]
   std::vector<Surcharge> surcharges;
   std::vector<FaceLoad> face_loads;
+  std::vector<Slurry> slurries;
   std::vector<RootCohesion> roots;
   double horizontal_acceleration = 0;  ///< k_h over g: positive out of the slope, or in the direction of `push` [-]
   /// Direction of the horizontal acceleration: smaller x (-1), larger x (1), or the direction of sliding of each mass
@@ -119,6 +130,10 @@ struct Section {
   std::optional<Drawdown> drawdown;
   ShownUnits units;  ///< units of messages
 
+  /// Returns r_u of a soil at a point; 0: u follows from the water.
+  double find_pressure_ratio(const Soil& soil, const Point& p) const {
+    return pressure_ratio ? pressure_ratio(p) : soil.pore_pressure_ratio;
+  }
   /// Returns `acceleration` as it acts on a mass, positive in the direction of sliding.
   double turn_to_sliding(double acceleration, bool slides_left) const {
     return push == 0 || slides_left == (push < 0) ? acceleration : -acceleration;

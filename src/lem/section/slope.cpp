@@ -72,6 +72,13 @@ int Slope::soil_at(const Point& p) const {
 
 double Slope::pore_pressure(const Point& p) const {
   if (const auto u = strips_->pressure.find(p)) return *u;
+  if (!section().piezometric_lines.empty()) {
+    const Strip& strip = strips_->strip(strips_->find(p[0]));
+    const int soil = soil_at(p);
+    if (soil >= 0 && section().soils[static_cast<std::size_t>(soil)].piezometric_line >= 0)
+      return section().water_unit_weight *
+             (strip.find_water(section().soils[static_cast<std::size_t>(soil)]).at(p[0] - strip.left) - p[1]);
+  }
   if (section().water_table.empty()) return 0;
   return section().water_unit_weight * (water_table(p[0]) - p[1]);
 }
@@ -251,7 +258,8 @@ class Closure {
  private:
   /// Returns u as the slices use it; suction is added to the cohesion instead.
   double find_pressure(const Soil& soil, double weight, const Point& p, double& cohesion) const {
-    const double found = soil.pore_pressure_ratio > 0 ? soil.pore_pressure_ratio * weight : slope_.pore_pressure(p);
+    const double ratio = slope_.section().find_pressure_ratio(soil, p);
+    const double found = ratio > 0 ? ratio * weight : slope_.pore_pressure(p);
     if (found >= 0 || soil.suction == Suction::ignored) return std::max(0.0, found);
     const double suction = std::min(-found, soil.largest_suction);
     cohesion += soil.suction == Suction::phi_b

@@ -37,7 +37,7 @@ double find_weight(const Slope::Strips& strips, const Layer& layer) {
 
 void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& edges, double sliver) {
   const double middle = 0.5 * (strip.left + strip.right), half = middle - strip.left;
-  const double ground = strip.ground.at(half), water = strip.water.at(half), base = strips.section.base;
+  const double ground = strip.ground.at(half), base = strips.section.base;
   const double before = strip.water_before.at(half);
   std::vector<std::vector<double>> crossings(strips.section.regions.size());
   std::vector<StripLine> lines{strip.ground};
@@ -49,7 +49,8 @@ void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& 
     crossings[static_cast<std::size_t>(edge.region)].push_back(edge.at(middle));
     add(cut_edge(edge, strip.left));
   }
-  if (water > no_water) add(strip.water);
+  if (strip.water.at(half) > no_water) add(strip.water);
+  for (const StripLine& line : strip.piezometric) add(line);
   if (strips.before && before > no_water) add(strip.water_before);
   lines.push_back({base, 0});
   std::sort(lines.begin(), lines.end(),
@@ -62,8 +63,13 @@ void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& 
       continue;
     }
     const double y = 0.5 * (top + bottom);
-    Layer layer{lines[i - 1], lines[i], {}, 0, find_soil(strips.section, crossings, y), y < water, y < before};
-    if (layer.soil >= 0) layer.unit_weight = find_weight(strips, layer);
+    Layer layer{lines[i - 1], lines[i], {}, 0, find_soil(strips.section, crossings, y), y < strip.water.at(half),
+                y < before};
+    if (layer.soil >= 0) {
+      const Soil& soil = strips.section.soils[static_cast<std::size_t>(layer.soil)];
+      if (soil.piezometric_line >= 0) layer.wet = layer.was_wet = y < strip.find_water(soil).at(half);
+      layer.unit_weight = find_weight(strips, layer);
+    }
     if (static_cast<int>(strips.layers.size()) > strip.first) {
       Layer& above = strips.layers.back();
       if (above.soil == layer.soil && above.wet == layer.wet && above.was_wet == layer.was_wet) {
@@ -184,6 +190,8 @@ void build_strips(Slope::Strips& strips) {
   const auto water = add_water(section.water_table);
   // Included so that no break of the water table before drawdown lies inside a slice.
   const auto before = strips.before ? add_water(strips.before->section().water_table) : water;
+  std::vector<std::vector<Point>> piezometric;
+  for (const std::vector<Point>& line : section.piezometric_lines) piezometric.push_back(add_water(line));
   const auto breaks = find_breaks(section, edges, left, right);
   double low = section.base, high = section.base;
   for (const Point& p : section.ground) high = std::max(high, p[1]);
@@ -194,6 +202,8 @@ void build_strips(Slope::Strips& strips) {
     strip.ground = cut_line(section.ground, strip.left, strip.right);
     strip.water = water.empty() ? StripLine{no_water, 0} : cut_line(water, strip.left, strip.right);
     strip.water_before = before.empty() ? StripLine{no_water, 0} : cut_line(before, strip.left, strip.right);
+    for (const std::vector<Point>& line : piezometric)
+      strip.piezometric.push_back(line.empty() ? StripLine{no_water, 0} : cut_line(line, strip.left, strip.right));
     strip.load = sum_loads(section, 1, strip.left, strip.right);
     strip.thrust = sum_loads(section, 2, strip.left, strip.right);
     const double half = 0.5 * (strip.right - strip.left);

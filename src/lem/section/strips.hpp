@@ -28,12 +28,18 @@ struct Layer {
 };
 
 struct Strip {
-  double left = 0, right = 0;  ///< [m]
-  StripLine ground, water;     ///< water: -infinity without a water table
-  StripLine water_before;      ///< water table before drawdown; the same without one
-  StripLine load, thrust;      ///< loads on the ground, down and towards larger x [Pa]
-  int first = 0, last = 0;     ///< its layers, from the ground down: [first, last)
-  bool ponded = false;         ///< ponded water on the ground
+  double left = 0, right = 0;          ///< [m]
+  StripLine ground, water;             ///< water: -infinity without a water table
+  StripLine water_before;              ///< water table before drawdown; the same without one
+  std::vector<StripLine> piezometric;  ///< the piezometric lines of the section
+  StripLine load, thrust;              ///< loads on the ground, down and towards larger x [Pa]
+  int first = 0, last = 0;             ///< its layers, from the ground down: [first, last)
+  bool ponded = false;                 ///< ponded water on the ground
+
+  /// Returns the water table or the piezometric line of a soil.
+  const StripLine& find_water(const Soil& soil) const {
+    return soil.piezometric_line < 0 ? water : piezometric[static_cast<std::size_t>(soil.piezometric_line)];
+  }
 };
 
 struct Slope::Strips {

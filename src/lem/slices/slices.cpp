@@ -181,14 +181,14 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
   double u = 0;
   if (before != nullptr && soil.b_bar && holds_water(section, soil)) {
     u = lower_pressure(strips, strip, *soil.b_bar, p[0], before->pore_pressure);
-  } else if (soil.pore_pressure_ratio > 0) {
-    u = soil.pore_pressure_ratio * weight;
+  } else if (const double ratio = section.find_pressure_ratio(soil, p); ratio > 0) {
+    u = ratio * weight;
   } else {
     const auto found = strips.pressure.empty() ? std::nullopt : strips.pressure.find(p);
     if (found) {
       u = *found;
-    } else if (!section.water_table.empty()) {
-      u = section.water_unit_weight * (strip.water.at(p[0] - strip.left) - p[1]);
+    } else if (!section.water_table.empty() || soil.piezometric_line >= 0) {
+      u = section.water_unit_weight * (strip.find_water(soil).at(p[0] - strip.left) - p[1]);
     }
   }
   // The pressure that is used: suction only if the soil takes it into account.
@@ -253,6 +253,8 @@ void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, Cra
     const Strip& strip = strips.strip(strips.find(x));
     step.press(strip.water.at(x - strip.left), strips.section.water_unit_weight);
     for (const FaceLoad& face : strips.section.face_loads) step.press(face, near);
+    for (const Slurry& slurry : strips.section.slurries)
+      if (x > slurry.from - near && x < slurry.to + near) step.press(slurry.level, slurry.unit_weight);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "report/content/water.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -280,7 +281,11 @@ std::string describe_first_state(const ResultFolder& folder) {
   if (water.pressure == input::InitialPressure::seepage)
     return "steady seepage with the hydraulic conditions of the start";
   if (water.pressure == input::InitialPressure::zero) return "no pore pressure";
+  if (water.pressure == input::InitialPressure::grid)
+    return fmt::format("values at points, {}, from the table '{}'", get_word(water.table->quantity), water.table->file);
   std::string text = "hydrostatic under a water table, with suction above it";
+  for (const input::PiezometricLine& line : water.lines)
+    text += fmt::format("; in {} under a piezometric line of its own", fmt::join(line.materials, ", "));
   if (std::isfinite(water.largest_suction))
     text += " up to " + show(water.largest_suction, read_units(folder.run).stress);
   return text;

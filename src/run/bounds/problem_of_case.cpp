@@ -256,7 +256,10 @@ class GivenLoads {
       if (x[0] > p.from[0] && x[0] < p.to[0])
         depth = std::max(depth, interpolate({p.from[0], p.to[0]}, {p.level_from, p.level_to}, x[0]) - x[1]);
     if (!table_x_.empty()) depth = std::max(depth, interpolate(table_x_, table_y_, x[0]) - x[1]);
-    return {-weight_ * depth * normal[0], -weight_ * depth * normal[1] - surcharge * normal[1]};
+    double pressure = weight_ * depth;
+    for (const input::Slurry& s : data_.slurries)
+      if (x[0] > s.x[0] && x[0] < s.x[1]) pressure += s.unit_weight * std::max(0.0, s.level - x[1]);
+    return {-pressure * normal[0], -pressure * normal[1] - surcharge * normal[1]};
   }
 
  private:

@@ -130,6 +130,7 @@ class SolidBuilder {
       if (site_.has_ground()) {
         above += site_.find_surcharge(x[0]);
         above += site_.find_standing_load(x[0]);
+        above += site_.find_slurry_pressure(x[0], site::find_level(site_.ground(), x[0]));
       }
       for (const double p : pore_[e]) pore += p / (D + 1);
       const double k0 = data_.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio)), vertical = -above - pore,

@@ -63,7 +63,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   if (const auto& e = m.slices.undrained_envelope)
     soil.envelope = lem::UndrainedEnvelope{e->cohesion, e->friction_angle};
   soil.b_bar = m.slices.b_bar;
-  if (data.initial.water.pressure == input::InitialPressure::water_table)
+  if (data.initial.water.pressure == input::InitialPressure::water_table || site::has_pressure_field(data))
     soil.largest_suction = data.initial.water.largest_suction;
   return soil;
 }
@@ -126,7 +126,9 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
         const int row = i / weight_samples, column = i % weight_samples;
         const site::Point x{low[0] + (high[0] - low[0]) * (column + 0.5) / weight_samples,
                             low[1] + (high[1] - low[1]) * (row + 0.5) / weight_samples};
-        const double suction = weight * (x[1] - site::find_water_table(section.water_table, x[0]));
+        const int line = section.soils[static_cast<std::size_t>(region.soil)].piezometric_line;
+        const auto& table = line < 0 ? section.water_table : section.piezometric_lines[static_cast<std::size_t>(line)];
+        const double suction = weight * (x[1] - site::find_water_table(table, x[0]));
         if (mesh::is_inside(x, region.polygon))
           add(x, std::min(suction, data.initial.water.largest_suction), (high[0] - low[0]) * (high[1] - low[1]));
       }
@@ -144,6 +146,14 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
+void set_grid(const site::Site& site, lem::PressureGrid grid, double time, lem::Section& section) {
+  for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+  section.pressure_grid = std::move(grid);
+  section.water_table =
+      site::trace_water_table(*section.pressure_grid, site.find_ponds(time), section.ground, section.base);
+  weigh_moist_soil(site.data(), &*section.pressure_grid, section);
+}
+
 void add_water(const site::Site& site, lem::Section& section, site::WaterResult& out) {
   const input::Case& data = site.data();
   section.water_unit_weight = site.water_weight();
@@ -156,8 +166,24 @@ void add_water(const site::Site& site, lem::Section& section, site::WaterResult&
   if (data.initial.water.pressure == input::InitialPressure::water_table) {
     site::check_upright(data, "a water table");
     section.water_table = site.water_table();
+    for (const input::PiezometricLine& line : data.initial.water.lines) {
+      for (lem::Soil& soil : section.soils)
+        if (std::find(line.materials.begin(), line.materials.end(), soil.name) != line.materials.end())
+          soil.piezometric_line = static_cast<int>(section.piezometric_lines.size());
+      section.piezometric_lines.push_back(line.points);
+    }
     out = site::make_water_table_result(site);
     if (!site.ponds().empty()) section.water_table = site::add_ponds(section.water_table, site.ponds(), section.ground);
+  }
+  if (data.initial.water.pressure == input::InitialPressure::grid) {
+    site::check_upright(data, "a grid of pressures");
+    if (site::has_pressure_field(data)) {
+      out = site::make_water_table_result(site);
+      return set_grid(site, site::make_given_grid(site), site::find_first_time(data), section);
+    }
+    section.pressure_ratio = [field = data.initial.water.field](const lem::Point& x) {
+      return std::clamp(field->find(x), 0.0, 1.0);
+    };
   }
   weigh_moist_soil(data, nullptr, section);
 }
@@ -208,6 +234,27 @@ void add_surcharges(const input::Case& data, lem::Section& section) {
     lem::Surcharge load;
     for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i), 0});
     section.surcharges.push_back(std::move(load));
+  }
+}
+
+/// Adds the pressure of slurries, normal to the ground, as loads per horizontal metre.
+void add_slurries(const input::Case& data, lem::Section& section) {
+  const double rounding = 1e-9 * (section.ground.back()[0] - section.ground.front()[0]);
+  for (const input::Slurry& s : data.slurries) {
+    section.slurries.push_back({s.x[0], s.x[1], s.level, s.unit_weight});
+    for (std::size_t i = 1; i < section.ground.size(); ++i) {
+      const lem::Point &a = section.ground[i - 1], &b = section.ground[i];
+      double from = std::max(a[0], s.x[0]), to = std::min(b[0], s.x[1]);
+      if (!(to - from > rounding)) continue;
+      const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+      const auto depth = [&](double x) { return s.level - a[1] - slope * (x - a[0]); };
+      if (depth(from) <= 0 && depth(to) <= 0) continue;
+      const double shore = slope != 0 ? a[0] + (s.level - a[1]) / slope : from;
+      if (depth(from) < 0) from = shore;
+      if (depth(to) < 0) to = shore;
+      const double first = s.unit_weight * std::max(0.0, depth(from)), last = s.unit_weight * std::max(0.0, depth(to));
+      section.surcharges.push_back({{{from, first, slope * first}, {to, last, slope * last}}});
+    }
   }
 }
 
@@ -286,11 +333,7 @@ lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown,
 
 void set_pressures(const site::Site& site, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section) {
-  for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
-  section.pressure_grid = site::make_pressure_grid(site.data(), mesh, pressure);
-  section.water_table =
-      site::trace_water_table(*section.pressure_grid, site.find_ponds(time), section.ground, section.base);
-  weigh_moist_soil(site.data(), &*section.pressure_grid, section);
+  set_grid(site, site::make_pressure_grid(site.data(), mesh, pressure), time, section);
 }
 
 SectionOfCase make_section(const site::Site& site) {
@@ -304,6 +347,7 @@ SectionOfCase make_section(const site::Site& site) {
   add_water(site, section, result.water);
   for (std::string& note : site.list_open_ends()) result.notes.push_back(std::move(note));
   add_surcharges(data, section);
+  add_slurries(data, section);
   add_tractions(data, section, result.notes);
   add_roots(data, section, result.notes);
   const input::EarthquakeDirection direction = data.earthquake.direction;

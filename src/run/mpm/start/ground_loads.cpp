@@ -6,16 +6,12 @@
 #include "mesh/mesh.hpp"
 #include "mpm/solver/observe.hpp"
 #include "site/ground_load.hpp"
+#include "site/initial_water.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
 
 namespace talus::run {
 namespace {
-
-bool has_ratio(const input::Case& data) {
-  return std::any_of(data.materials.begin(), data.materials.end(),
-                     [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
-}
 
 /// Returns true if a [[hydraulic]] prescribes the pressure on the top of the box; the engine applies it to the soil
 /// there.
@@ -108,10 +104,10 @@ site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<
   if (data.gravity.acceleration == 0) return {};
   if (!site::has_water(data)) {
     const bool has_table = data.initial.water.pressure == input::InitialPressure::water_table;
-    if (!has_table && !has_ratio(data)) return {};
+    if (!has_table && !site::has_pressure_field(data) && !site::has_pressure_ratio(data)) return {};
     return site::find_held_water<D>(data, mesh);
   }
-  if (!has_ratio(data)) return {};
+  if (!site::has_pressure_ratio(data)) return {};
   site::HeldWater<D> held = site::find_held_water<D>(data, mesh);
   held.pore.assign(mesh.elements.size(), {});
   held.acts = site::add_pressure_ratio<D>(data, mesh, held.unit_weight, held.pore);
@@ -124,7 +120,8 @@ std::vector<double> find_ground_load(const site::Site& site, const std::vector<V
   std::vector<double> load;
   const bool has_water = has_standing_water(site);
   for (const Vec<D>& x : places)
-    load.push_back(site.find_surcharge(x[0]) + (has_water ? site.find_standing_load(x[0]) : 0));
+    load.push_back(site.find_surcharge(x[0]) + (has_water ? site.find_standing_load(x[0]) : 0) +
+                   (site.has_ground() ? site.find_slurry_pressure(x[0], site::find_level(site.ground(), x[0])) : 0));
   return load;
 }
 

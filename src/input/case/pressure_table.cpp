@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "input/case/pressure_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "base/units.hpp"
+#include "input/case/checks.hpp"
+#include "input/case/text_table.hpp"
+
+namespace talus::input {
+
+namespace {
+
+constexpr std::size_t most_rows = 100'000;
+
+/// Returns the factor of the unit of a column to `si`; `si` empty: a number without unit.
+double read_factor(const TextTable& table, std::size_t column, const char* si, bool needs_unit) {
+  const TextTable::Heading& heading = table.header()[column];
+  if (*si == '\0') {
+    if (!heading.unit.empty() && heading.unit != "-" && heading.unit != "1")
+      fail_input("the column '{}' of '{}' has the unit '{}'; it has none", heading.name, table.file(), heading.unit);
+    return 1;
+  }
+  if (heading.unit.empty()) {
+    if (needs_unit)
+      fail_input("the column '{0}' of '{1}' has no unit; head it '{0} [kPa]'", heading.name, table.file());
+    return 1;
+  }
+  return units::parse_as_si("1 " + heading.unit, si, fmt::format("column '{}' of '{}'", heading.name, table.file()));
+}
+
+std::vector<mesh::ScatteredValue> read_values(const PressureTable& asked, const std::filesystem::path& folder,
+                                              double water_weight) {
+  const TextTable table((folder / asked.file).lexically_normal());
+  const bool is_pressure = asked.quantity == GridQuantity::pressure, is_ratio = asked.quantity == GridQuantity::ratio;
+  const std::size_t x = table.find_column("x"), y = table.find_column("y"),
+                    column = table.find_column(get_word(asked.quantity));
+  if (table.rows() > most_rows)
+    fail_input("'{}' has {} rows; at most {} can be read", table.file(), table.rows(), most_rows);
+  const double to_x = read_factor(table, x, "m", false), to_y = read_factor(table, y, "m", false),
+               to_value = read_factor(table, column,
+                                      is_ratio      ? ""
+                                      : is_pressure ? "Pa"
+                                                    : "m",
+                                      is_pressure);
+  std::vector<mesh::ScatteredValue> values;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    mesh::ScatteredValue value{{to_x * table.number(row, x), to_y * table.number(row, y)},
+                               to_value * table.number(row, column)};
+    if (is_pressure) value.value = value.at[1] + value.value / water_weight;
+    if (is_ratio && !(value.value >= 0 && value.value < 1))
+      fail_input("{}: r_u is {:.6g}; it must be at least 0 and less than 1", table.place(row), value.value);
+    values.push_back(value);
+  }
+  return values;
+}
+
+void check_lines(const Case& data, Findings& findings) {
+  const InitialWater& water = data.initial.water;
+  std::map<std::string, std::size_t> owners;
+  for (std::size_t i = 0; i < water.lines.size(); ++i) {
+    const PiezometricLine& line = water.lines[i];
+    const std::string path = fmt::format("initial.piezometric_line.{}", i);
+    check_water_table(line.points, path + ".points", data.units().length, findings);
+    if (line.materials.empty() && findings.is_sound(path + ".materials"))
+      findings.add(path + ".materials", "'materials' is empty; name those in which the line acts");
+    for (std::size_t k = 0; k < line.materials.size(); ++k) {
+      const std::string& name = line.materials[k];
+      const std::string at = fmt::format("{}.materials.{}", path, k);
+      if (!data.materials.contains(name) && findings.is_sound("materials"))
+        findings.add(at, "there is no material '{}'", name);
+      else if (const auto [owner, is_new] = owners.try_emplace(name, i); !is_new)
+        findings.add(at, "material '{}' has a piezometric line already, number {} of the list; it can have one", name,
+                     owner->second + 1);
+    }
+  }
+  if (water.lines.empty()) return;
+  const char* path = "initial.piezometric_line";
+  if (water.pressure != InitialPressure::water_table && findings.is_sound("initial.pore_pressure"))
+    findings.add(path, "piezometric lines belong to pore_pressure = \"water_table\", the line of all other soils");
+  else if (water.season > 0 || data.timeline)
+    findings.add(
+        path,
+        "transient flow starts from one field of pressure, which jumps between soils with piezometric lines of "
+        "their own; start from pore_pressure = \"seepage\" or from one water table");
+  else if (uses(data, Method::mpm) && is_wet(data))
+    findings.add(path,
+                 "MPM moves the pore water of [materials.NAME.water], which would flow at once between soils with "
+                 "piezometric lines of their own; take that block out (constant pressures), or let the pressures "
+                 "follow from pore_pressure = \"seepage\"");
+}
+
+void check_grid(const Case& data, Findings& findings) {
+  const InitialWater& water = data.initial.water;
+  if (!findings.is_sound("initial.pore_pressure")) return;
+  if (water.table && water.pressure != InitialPressure::grid)
+    findings.add("initial.pressure_grid", "a grid of pressures needs pore_pressure = \"grid\"");
+  if (water.pressure != InitialPressure::grid) return;
+  if (!water.table) {
+    findings.add("initial.pore_pressure", "pore_pressure = \"grid\" needs the block [initial.pressure_grid]");
+    return;
+  }
+  if (data.mesh.dimension != 2)
+    findings.add("initial.pore_pressure", "a grid of pressures describes a plane section, and 'dimension' is 3");
+  if (water.table->quantity != GridQuantity::ratio) return;
+  const char* path = "initial.pressure_grid.quantity";
+  if (data.timeline) findings.add(path, "transient flow cannot start from r_u; give pressures or heads");
+  if (uses(data, Method::mpm) && is_wet(data))
+    findings.add(path,
+                 "MPM moves the pore water of [materials.NAME.water], which r_u does not describe; give pressures "
+                 "or heads");
+  for (const auto& [name, material] : data.materials)
+    if (material.slices.pore_pressure_ratio != 0)
+      findings.add("materials." + name + ".pore_pressure_ratio",
+                   "material '{}' has a pore pressure ratio, and the grid gives r_u for all soils; give one of them",
+                   name);
+}
+
+}  // namespace
+
+void load_pressure_table(Case& data, const std::string& file, Findings& findings) {
+  InitialWater& water = data.initial.water;
+  if (!water.table || !findings.is_sound("initial.pressure_grid") || !findings.is_sound("water.density") ||
+      !findings.is_sound("gravity.acceleration"))
+    return;
+  const double weight = data.water.density * data.gravity.acceleration;
+  if (!(weight > 0) && water.table->quantity == GridQuantity::pressure)
+    return findings.add("gravity.acceleration", "'acceleration' is 0, but a grid of pressures needs a weight of water");
+  try {
+    water.field = std::make_shared<const mesh::ScatteredField>(
+        read_values(*water.table, std::filesystem::path(file).parent_path(), weight), water.table->interpolation);
+  } catch (const Error& error) {
+    findings.add("initial.pressure_grid.file", "[initial.pressure_grid] '{}': {}", water.table->file, error.what());
+  }
+}
+
+void check_given_pressures(const Case& data, Findings& findings) {
+  check_lines(data, findings);
+  check_grid(data, findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Checks of [seepage].
+#include "input/case/seepage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "input/case/checks.hpp"
+
+namespace talus::input {
+
+namespace {
+
+void check_plane(const Case& data, Findings& findings) {
+  if (data.mesh.dimension == 2) return;
+  if (!data.seepage.sections.empty())
+    findings.add("seepage.section", "a section is a line, and 'dimension' is 3: it needs a plane case");
+  if (!data.seepage.blocks.empty())
+    findings.add("seepage.heave", "a block has two sides, and 'dimension' is 3: it needs a plane case");
+}
+
+void check_sections(const Case& data, Findings& findings) {
+  check_names(data.seepage.sections, "seepage.section", "sections", findings);
+  for (std::size_t i = 0; i < data.seepage.sections.size(); ++i) {
+    const auto& points = data.seepage.sections[i].points;
+    const std::string path = fmt::format("seepage.section.{}.points", i);
+    if (!findings.is_sound(path)) continue;
+    if (points.size() < 2)
+      findings.add(path, "'points' has {} point{}; a line needs two", points.size(), points.size() == 1 ? "" : "s");
+    else if (std::adjacent_find(points.begin(), points.end()) != points.end())
+      findings.add(path, "'points' has the same point twice in a row");
+  }
+}
+
+void check_blocks(const Case& data, Findings& findings) {
+  check_names(data.seepage.blocks, "seepage.heave", "blocks", findings);
+  for (std::size_t i = 0; i < data.seepage.blocks.size(); ++i) {
+    const HeaveBlock& block = data.seepage.blocks[i];
+    const std::string path = fmt::format("seepage.heave.{}", i);
+    if (findings.is_sound(path + ".x") && !(block.x[0] < block.x[1]))
+      findings.add(path + ".x", "'x' goes from {} to {}; the second must be larger",
+                   format_coordinate(block.x[0], data.units().length),
+                   format_coordinate(block.x[1], data.units().length));
+  }
+}
+
+}  // namespace
+
+void check_seepage(const Case& data, Findings& findings) {
+  const SeepageAnalysis& seepage = data.seepage;
+  if (!uses(data, Method::seepage)) {
+    if (findings.places.is_given("seepage"))
+      findings.add("seepage", "[seepage] needs \"seepage\" among the 'methods' of [analysis]");
+    return;
+  }
+  if (!is_wet(data) && findings.is_sound("materials"))
+    findings.add("analysis.methods",
+                 "\"seepage\" needs soil with pore water, and no material has a table [materials.NAME.water]");
+  const InitialPressure start = data.initial.water.pressure;
+  if (start != InitialPressure::seepage && seepage.times.empty() && data.initial.water.season == 0 &&
+      findings.is_sound("initial.pore_pressure") && findings.is_sound("seepage.times"))
+    findings.add("initial.pore_pressure",
+                 "nothing flows: give [seepage] times, or pore_pressure = \"seepage\" for steady flow");
+  if (findings.is_sound("seepage.times") &&
+      !std::is_sorted(seepage.times.begin(), seepage.times.end(), std::less_equal<>()))
+    findings.add("seepage.times", "the times must increase");
+  if (!seepage.times.empty() && data.initial.water.table && start == InitialPressure::grid &&
+      data.initial.water.table->quantity == GridQuantity::ratio)
+    findings.add("initial.pressure_grid.quantity", "transient flow cannot start from r_u; give pressures or heads");
+  if (!seepage.times.empty() && !data.initial.water.lines.empty())
+    findings.add("initial.piezometric_line",
+                 "transient flow starts from one field of pressure; start from pore_pressure = \"seepage\" or from one "
+                 "water table");
+  check_plane(data, findings);
+  check_sections(data, findings);
+  check_blocks(data, findings);
+}
+
+}  // namespace talus::input
