@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The four methods of stability analysis, the methods of slices and those of rapid drawdown, with their words in case
-// files and their titles.
+// The four methods of stability analysis, seepage alone, the methods of slices and those of rapid drawdown, with their
+// words in case files and their titles.
 
 #include <array>
 
 namespace talus {
 
-/// Limit equilibrium, finite elements, limit analysis, material point method.
-enum class Method { lem, fem, bounds, mpm };
+/// Limit equilibrium, finite elements, limit analysis, material point method; seepage alone, which yields no factor of
+/// the slope.
+enum class Method { lem, fem, bounds, mpm, seepage };
 
 /// Returns the title of a method in reports.
 constexpr const char* get_title(Method method) {
-  constexpr std::array titles{"LEM", "FEM", "limit analysis", "MPM"};
+  constexpr std::array titles{"LEM", "FEM", "limit analysis", "MPM", "seepage"};
   return titles[static_cast<std::size_t>(method)];
 }
 

@@ -254,7 +254,7 @@ fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& regi
   // Darcy's k depends on gravity: the pressure gradient per unit of head is proportional to it.
   soil.conductivity.fill(input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
   soil.retention = input::make_retention(m.water);
-  const bool in_time = data.timeline || data.initial.water.season > 0;
+  const bool in_time = data.timeline || data.initial.water.season > 0 || !data.seepage.times.empty();
   soil.relative = input::make_relative_conductivity(in_time ? input::add_air_entry(m.water) : m.water);
   soil.water_modulus = data.water.bulk_modulus;
   soil.skeleton_compressibility = m.water.compressibility;

@@ -66,6 +66,7 @@ inline constexpr auto choices<Method> = std::array{
     Choice{Method::fem, "fem", "strength reduction by finite elements, see [fem]"},
     Choice{Method::bounds, "bounds", "lower and upper bound by limit analysis, see [bounds]"},
     Choice{Method::mpm, "mpm", "material point method, for the `kind` of analysis"},
+    Choice{Method::seepage, "seepage", "flow of water alone, steady or in time, see [seepage]"},
 };
 
 struct AnalysisBlock {
@@ -76,7 +77,9 @@ struct AnalysisBlock {
 void describe(auto& v, AnalysisBlock& a) {
   v.key("methods", a.methods, plain(),
         "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
-        "and, with \"lem\" alone, no mesh and no stiffness; where such keys are given, they are not used.");
+        "and, with \"lem\" alone, no mesh and no stiffness; with \"seepage\" alone, no weight and no strength either. "
+        "Where "
+        "such keys are given, they are not used.");
   v.key("kind", a.kind, plain(), "Analysis by MPM.");
 }
 

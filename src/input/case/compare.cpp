@@ -277,6 +277,16 @@ results::Timeline outline_timeline(const Case& data) {
   return timeline;
 }
 
+results::FlowResult outline_flow(const Case& data) {
+  results::FlowResult flow;
+  results::FlowState& state = flow.states.emplace_back();
+  for (const FlowSection& section : data.seepage.sections) state.sections.push_back({section.name, 1});
+  for (const std::string& side : list_water_sides(data)) state.exits.push_back({side, 1, {}, 1, 1, false});
+  state.uplift.emplace().factor = 1;
+  for (const HeaveBlock& block : data.seepage.blocks) state.heaves.push_back({block.name, 1, 1, 1});
+  return flow;
+}
+
 /// Returns a run with a placeholder for each number that a run of `data` may yield, which defines the result names.
 results::RunResult outline_results(const Case& data) {
   results::RunResult run;
@@ -287,6 +297,7 @@ results::RunResult outline_results(const Case& data) {
     bounds.lower = bounds.upper = 1;
   }
   if (data.timeline) run.timeline = outline_timeline(data);
+  if (uses(data, Method::seepage)) run.flow = outline_flow(data);
   run.methods = outline_methods(data);
   if (uses(data, Method::mpm)) outline_points(data, run);
   if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {
@@ -339,7 +350,7 @@ std::optional<NamedValue> find_result_name(const Case& data, const std::string& 
 
 std::optional<NamedValue> find_possible_name(const Case& data, const std::string& name) {
   Case asked = data;
-  asked.methods = {Method::lem, Method::fem, Method::bounds, Method::mpm};
+  asked.methods = {Method::lem, Method::fem, Method::bounds, Method::mpm, Method::seepage};
   asked.lem.methods.clear();
   for (const auto& choice : choices<SliceMethod>) asked.lem.methods.push_back(choice.value);
   if (asked.lem.search == SurfaceSearch::none) asked.lem.search = SurfaceSearch::entry_exit;

@@ -118,7 +118,8 @@ inline material::Law make_law(const Material& m, std::optional<double> cohesion 
 }
 
 void describe(auto& v, Material& m) {
-  v.key("model", m.model, plain().required().example(R"("mohr_coulomb")"), "How stress follows strain.");
+  v.key("model", m.model, plain().required().by_methods({"lem", "fem", "bounds", "mpm"}).example(R"("mohr_coulomb")"),
+        "How stress follows strain.");
   v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "
         "moves ([materials.NAME.water]) needs its porosity all the same, and with MPM both.");
@@ -128,6 +129,7 @@ void describe(auto& v, Material& m) {
             .above(0)
             .usual(2000, 3500, {{"g/cm3", 1e3}, {"kN/m3", 101.972}})
             .required()
+            .by_methods({"lem", "fem", "bounds", "mpm"})
             .unless_given("unit_weight", is_weighed)
             .example("2500"),
         "Density of the solid grains; the bulk density of the dry soil is (1 - porosity) times it.");

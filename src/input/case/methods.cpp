@@ -19,7 +19,7 @@ namespace {
 void check_list(const Case& data, Findings& findings) {
   if (data.methods.empty())
     findings.add("analysis.methods",
-                 "'methods' is empty; name at least one of \"lem\", \"fem\", \"bounds\" and \"mpm\"");
+                 "'methods' is empty; name at least one of \"lem\", \"fem\", \"bounds\", \"mpm\" and \"seepage\"");
   for (std::size_t i = 1; i < data.methods.size(); ++i)
     if (std::find(data.methods.begin(), data.methods.begin() + static_cast<std::ptrdiff_t>(i), data.methods[i]) !=
         data.methods.begin() + static_cast<std::ptrdiff_t>(i))
@@ -234,8 +234,8 @@ void check_methods(const Case& data, Findings& findings) {
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;
-  const bool needs_seepage =
-      data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 || data.timeline;
+  const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 ||
+                             data.timeline || uses(data, Method::seepage);
   if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))
     findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
 }

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "site/flow_measures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/shown_units.hpp"
+#include "mesh/locate.hpp"
+#include "site/mesh_sides.hpp"
+#include "site/weights.hpp"
+
+namespace talus::site {
+
+namespace {
+
+/// Places on the base of a block.
+constexpr int block_points = 400;
+/// A layer is less permeable than that below it if its vertical conductivity is lower by this factor.
+constexpr double tighter = 10;
+/// Ground with an upward normal steeper than this is nearly level (20°): the critical gradient γ'/γ_w applies.
+constexpr double nearly_level = 0.94;
+/// An exit gradient that exceeds that of all neighbouring nodes by this factor depends on the mesh.
+constexpr double steep_growth = 1.3;
+/// Gradients below this are rounding.
+constexpr double least_gradient = 1e-6;
+
+template <int D>
+std::vector<double> to_list(const Vec<D>& x) {
+  return {x.begin(), x.end()};
+}
+
+/// Returns the outflow of each node through the boundary of the soil [m³/s]: Σ V v·∇N over its elements. In steady flow
+/// it is zero inside the soil, and conserves mass at the boundary.
+template <int D>
+std::vector<double> sum_outflow(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& state) {
+  std::vector<double> outflow(mesh.nodes.size(), 0.0);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.element_region[e] == mesh::empty_region) continue;
+    for (int k = 0; k <= D; ++k) {
+      const std::array<double, D> gradient = mesh::find_shape_gradient(mesh, e, k);
+      double sum = 0;
+      for (std::size_t d = 0; d < D; ++d) sum += gradient[d] * state.velocity[e][d];
+      outflow[mesh.elements[e][k]] += mesh.volumes[e] * sum;
+    }
+  }
+  return outflow;
+}
+
+double cross(const Point& a, const Point& b, const Point& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// The line of a section against the elements of a mesh.
+class FlowLine {
+ public:
+  explicit FlowLine(const std::vector<Point>& points) : points_(points) {}
+
+  /// Returns true if the point is to the right of the segment next to it.
+  bool is_right(const Point& x) const {
+    const std::size_t i = find_nearest(x);
+    const Point &a = points_[i], &b = points_[i + 1];
+    return cross(a, b, x) < -rounding * measure_square(a, b);
+  }
+
+  /// Returns true if the line meets the triangle, and not only at an end beyond which the triangle lies.
+  bool meets(const std::array<Point, 3>& corners) const {
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+      if (meets(corners, i)) return true;
+    return false;
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;
+
+  static double measure_square(const Point& a, const Point& b) {
+    return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+  }
+  /// Returns the place along a segment next to a point, from 0 to 1 between its ends.
+  double project(std::size_t i, const Point& x) const {
+    const Point &a = points_[i], &b = points_[i + 1];
+    return ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / measure_square(a, b);
+  }
+  std::size_t find_nearest(const Point& x) const {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+      const double s = std::clamp(project(i, x), 0.0, 1.0);
+      const Point &a = points_[i], &b = points_[i + 1];
+      const double square = measure_square(x, {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+      if (square < least) least = square, nearest = i;
+    }
+    return nearest;
+  }
+  /// The range of the segment inside the triangle, by its half planes.
+  bool meets(const std::array<Point, 3>& corners, std::size_t segment) const {
+    const Point &a = points_[segment], &b = points_[segment + 1];
+    double from = 0, to = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point &p = corners[k], &q = corners[(k + 1) % 3];
+      const double at_a = cross(p, q, a), at_b = cross(p, q, b), near = rounding * measure_square(p, q);
+      if (at_a < -near && at_b < -near) return false;
+      if (std::abs(at_a - at_b) <= near) continue;  // along the side, inside it
+      const double s = at_a / (at_a - at_b);
+      if (at_a < at_b)
+        from = std::max(from, s);
+      else
+        to = std::min(to, s);
+    }
+    if (from > to + rounding) return false;
+    const bool is_first = segment == 0, is_last = segment + 2 == points_.size();
+    const double middle = project(segment, {(corners[0][0] + corners[1][0] + corners[2][0]) / 3,
+                                            (corners[0][1] + corners[1][1] + corners[2][1]) / 3});
+    if (is_first && to <= rounding && middle < 0) return false;
+    return !(is_last && from >= 1 - rounding && middle > 1);
+  }
+
+  const std::vector<Point>& points_;
+};
+
+}  // namespace
+
+template <int D>
+FlowMeasures<D>::FlowMeasures(const Site& site, const mesh::Mesh<D>& mesh, const fem::SeepageModel<D>& model)
+    : site_(site), mesh_(mesh), model_(model) {
+  std::set<std::string> weightless;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (mesh.element_region[e] != mesh::empty_region && !has_weight(e))
+      weightless.insert(mesh.region_names[static_cast<std::size_t>(mesh.element_region[e])]);
+  is_weighed_ = weightless.empty();
+  if (!is_weighed_)
+    notes_.push_back(
+        fmt::format("no factor against boiling, uplift and heave: give a unit weight to the material of {}",
+                    fmt::join(weightless, ", ")));
+  if constexpr (D == 2) {
+    find_sections();
+    find_layer_bases();
+    find_blocks();
+  }
+}
+
+template <int D>
+bool FlowMeasures<D>::has_weight(int element) const {
+  const input::Material* soil = find_soil(site_.data(), mesh_, element);
+  return soil != nullptr && (soil->slices.unit_weight || soil->grain_density > 0);
+}
+
+/// The discharge through a line is Σ V v·∇w over the elements that the line meets, where w is 0 at nodes to its left
+/// and 1 to its right. It is the flow from nodes to nodes, so a line through the whole soil has that of the boundary
+/// exactly.
+template <int D>
+void FlowMeasures<D>::find_sections() {
+  for (const input::FlowSection& section : site_.data().seepage.sections) {
+    const FlowLine line(section.points);
+    std::vector<FlowPoint>& points = sections_.emplace_back();
+    for (int e = 0; e < mesh_.element_count(); ++e) {
+      if (model_.mesh->element_region[e] == mesh::empty_region) continue;
+      std::array<Point, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t d = 0; d < 2; ++d) corners[k][d] = mesh_.nodes[mesh_.elements[e][k]][d];
+      if (!line.meets(corners)) continue;
+      Vec<D> normal{};
+      for (int k = 0; k <= D; ++k) {
+        if (!line.is_right(corners[static_cast<std::size_t>(k)])) continue;
+        const std::array<double, D> gradient = mesh::find_shape_gradient(mesh_, e, k);
+        for (std::size_t d = 0; d < D; ++d) normal[d] += mesh_.volumes[e] * gradient[d];
+      }
+      points.push_back({e, normal});
+    }
+    if (points.empty()) fail_input("[[seepage.section]] '{}' crosses no soil with pore water", section.name);
+  }
+}
+
+template <int D>
+void FlowMeasures<D>::find_layer_bases() {
+  const auto find_conductivity = [&](int e) {  // vertical; 0: no pore water
+    const int region = model_.mesh->element_region[e];
+    return region == mesh::empty_region ? 0.0 : model_.soils[static_cast<std::size_t>(region)].conductivity[1];
+  };
+  for (int e = 0; e < mesh_.element_count(); ++e) {
+    if (find_conductivity(e) == 0) continue;
+    for (int k = 0; k <= D; ++k) {
+      const int above = mesh_.neighbours[e][k];
+      if (above < 0 || mesh_.element_region[above] == mesh::empty_region) continue;
+      if (find_conductivity(above) * tighter > find_conductivity(e)) continue;
+      if (find_outward_normal(mesh_, e, k).first[1] < 0.1) continue;
+      LayerBase base{above, {}, {}};
+      std::size_t n = 0;
+      for (int j = 0; j <= D; ++j)
+        if (j != k) base.nodes[n++] = mesh_.elements[e][j];
+      for (const int node : base.nodes)
+        for (std::size_t d = 0; d < D; ++d) base.middle[d] += mesh_.nodes[node][d] / D;
+      bases_.push_back(base);
+    }
+  }
+}
+
+template <int D>
+void FlowMeasures<D>::find_blocks() {
+  const ShownUnit& length = site_.data().units().length;
+  for (const input::HeaveBlock& block : site_.data().seepage.blocks) {
+    std::vector<BasePoint>& points = blocks_.emplace_back();
+    int guess = 0;
+    const double width = (block.x[1] - block.x[0]) / block_points;
+    for (int i = 0; i < block_points; ++i) {
+      Vec<D> x{};
+      x[0] = block.x[0] + (i + 0.5) * width, x[1] = block.level;
+      const int element = mesh::find_element<D>(*model_.mesh, x, guess);
+      if (element < 0 || model_.mesh->element_region[element] == mesh::empty_region)
+        fail_input("[[seepage.heave]] '{}': its base is not in soil with pore water at x = {}, y = {}", block.name,
+                   format_coordinate(x[0], length), format_coordinate(x[1], length));
+      guess = element;
+      points.push_back({element, mesh::to_local(mesh_, element, x), width});
+    }
+  }
+}
+
+template <int D>
+std::vector<double> FlowMeasures<D>::find_weights(const fem::SeepageResult<D>& state) const {
+  std::vector<double> weights(mesh_.elements.size(), 0.0);
+  for (int e = 0; e < mesh_.element_count(); ++e) {
+    const input::Material* soil = find_soil(site_.data(), mesh_, e);
+    if (soil == nullptr) continue;
+    double pressure = 0;
+    for (const int node : mesh_.elements[e]) pressure += state.pressure[node] / (D + 1);
+    weights[e] = soil->water.is_wet() ? find_unit_weight(site_.data(), *soil, pressure)
+                                      : find_unit_weight(site_.data(), *soil, std::numeric_limits<double>::max());
+  }
+  return weights;
+}
+
+template <int D>
+double FlowMeasures<D>::find_standing_pressure(const std::vector<Pond>& ponds, double x) const {
+  const auto level = site::find_standing_level(ponds, {}, site_.ground(), x);
+  return level ? std::max(0.0, site_.water_weight() * (*level - find_level(site_.ground(), x))) : 0.0;
+}
+
+template <int D>
+void FlowMeasures<D>::add_sections(const fem::SeepageResult<D>& state, results::FlowState& result) const {
+  for (std::size_t s = 0; s < sections_.size(); ++s) {
+    double sum = 0;
+    for (const FlowPoint& p : sections_[s])
+      for (std::size_t d = 0; d < D; ++d) sum += state.velocity[p.element][d] * p.normal[d];
+    result.sections.push_back({site_.data().seepage.sections[s].name, sum});
+  }
+}
+
+/// The flow out of the nodes of one boundary, over their parts of the boundary.
+template <int D>
+class ExitFlow {
+ public:
+  ExitFlow(const SideMap<D>& sides, const std::vector<double>& outflow, const std::map<int, double>& area)
+      : outflow_(outflow), area_(area) {
+    for (const auto& [side, elements] : sides)
+      for (const int node : side)
+        for (const int other : side) around_[node].insert(other);
+  }
+
+  /// Returns the mean over the node and those beside it: the flux of single nodes scatters on irregular meshes.
+  double find_mean(int node) const {
+    double flow = 0, area = 0;
+    for (const int other : around_.at(node)) flow += outflow_[other], area += area_.at(other);
+    return flow / area;
+  }
+  /// Returns true if the flux of the node exceeds that of all beside it by far.
+  bool is_peak(int node) const {
+    double beside = 0;
+    for (const int other : around_.at(node))
+      if (other != node) beside = std::max(beside, outflow_[other] / area_.at(other));
+    return outflow_[node] / area_.at(node) > steep_growth * beside;
+  }
+
+ private:
+  const std::vector<double>& outflow_;
+  const std::map<int, double>& area_;
+  std::map<int, std::set<int>> around_;
+};
+
+template <int D>
+void FlowMeasures<D>::add_exits(const fem::SeepageResult<D>& state, results::FlowState& result) const {
+  const std::vector<double> outflow = sum_outflow(*model_.mesh, state);
+  std::map<int, double> area;
+  std::vector<std::pair<std::string, SideMap<D>>> open;
+  for (const fem::HydraulicBoundary<D>& boundary : model_.boundaries) {
+    if (boundary.kind == fem::HydraulicKind::no_flow) continue;
+    open.emplace_back(boundary.name, map_sides<D>(*model_.mesh, boundary.sides));
+    for (const auto& [side, elements] : open.back().second)
+      for (const int node : side)
+        area[node] += find_outward_normal(*model_.mesh, elements[0].element, elements[0].opposite).second / D;
+  }
+  for (const auto& [name, sides] : open) {
+    const ExitFlow<D> flow(sides, outflow, area);
+    results::ExitGradient worst{name, 0, {}, {}, {}, false};
+    for (const auto& [side, elements] : sides) {
+      const int e = elements[0].element;
+      const Vec<D> normal = find_outward_normal(*model_.mesh, e, elements[0].opposite).first;
+      const auto& k = model_.soils[static_cast<std::size_t>(model_.mesh->element_region[e])].conductivity;
+      double across = 0;
+      for (std::size_t d = 0; d < D; ++d) across += k[d] * normal[d] * normal[d];
+      for (const int node : side) {
+        const double gradient = flow.find_mean(node) / across;
+        if (!(gradient > worst.gradient)) continue;
+        worst = {name, gradient, to_list<D>(mesh_.nodes[node]), {}, {}, flow.is_peak(node)};
+        if (normal[1] < nearly_level || !is_weighed_) continue;
+        const double saturated = find_saturated_weight(site_.data(), *find_soil(site_.data(), mesh_, e));
+        worst.critical = saturated / site_.water_weight() - 1;
+        worst.factor = *worst.critical / gradient;
+      }
+    }
+    if (worst.gradient > least_gradient) result.exits.push_back(std::move(worst));
+  }
+}
+
+template <int D>
+void FlowMeasures<D>::add_uplift(const fem::SeepageResult<D>& state, double time, results::FlowState& result) const {
+  if (bases_.empty() || !is_weighed_ || !site_.has_ground()) return;
+  const std::vector<Pond> ponds = site_.find_ponds(time);
+  std::vector<mesh::LocalPoint<D>> places;
+  for (const LayerBase& base : bases_) places.push_back({base.above, mesh::to_local(mesh_, base.above, base.middle)});
+  Vec<D> up{};
+  up[1] = 1;
+  const std::vector<double> weights = mesh::overburden_integral<D>(mesh_, find_weights(state), places, up);
+  for (std::size_t i = 0; i < bases_.size(); ++i) {
+    const LayerBase& base = bases_[i];
+    double pressure = -find_standing_pressure(ponds, base.middle[0]);
+    for (const int node : base.nodes) pressure -= state.pressure[node] / D;
+    if (!(pressure > 0)) continue;
+    const double factor = weights[i] / pressure;
+    if (result.uplift && result.uplift->factor <= factor) continue;
+    const int region = mesh_.element_region[base.above];
+    result.uplift = results::UpliftPlace{mesh_.region_names[static_cast<std::size_t>(region)], to_list<D>(base.middle),
+                                         weights[i], pressure, factor};
+  }
+}
+
+template <int D>
+void FlowMeasures<D>::add_heaves(const fem::SeepageResult<D>& state, double time, results::FlowState& result) const {
+  if (blocks_.empty() || !is_weighed_ || !site_.has_ground()) return;
+  const std::vector<Pond> ponds = site_.find_ponds(time);
+  const std::vector<double> unit_weights = find_weights(state);
+  const double water = site_.water_weight();
+  Vec<D> up{};
+  up[1] = 1;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    std::vector<mesh::LocalPoint<D>> places;
+    for (const BasePoint& p : blocks_[b]) places.push_back({p.element, p.xi});
+    const std::vector<double> weights = mesh::overburden_integral<D>(mesh_, unit_weights, places, up);
+    results::Heave heave{site_.data().seepage.blocks[b].name, 0, 0, {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const BasePoint& p = blocks_[b][i];
+      const Vec<D> x = mesh::to_global(mesh_, p.element, p.xi);
+      // Hydrostatic pressure of water that stands at the ground, or on it.
+      const double hydrostatic = water * (find_level(site_.ground(), x[0]) - x[1]);
+      double pressure = -find_standing_pressure(ponds, x[0]), first = 1;
+      for (std::size_t k = 0; k < D; ++k) {
+        pressure -= p.xi[k] * state.pressure[mesh_.elements[p.element][k + 1]];
+        first -= p.xi[k];
+      }
+      pressure -= first * state.pressure[mesh_.elements[p.element][0]];
+      heave.weight += p.width * (weights[i] - hydrostatic);
+      heave.force += p.width * (pressure - hydrostatic);
+    }
+    if (heave.force > 0) heave.factor = heave.weight / heave.force;
+    result.heaves.push_back(std::move(heave));
+  }
+}
+
+template <int D>
+results::FlowState FlowMeasures<D>::measure(const fem::SeepageResult<D>& state, double time) const {
+  results::FlowState result;
+  result.time = time;
+  result.inflow = state.inflow;
+  result.outflow = state.outflow;
+  add_exits(state, result);
+  if constexpr (D == 2) {
+    add_sections(state, result);
+    add_uplift(state, time, result);
+    add_heaves(state, time, result);
+  }
+  return result;
+}
+
+template class FlowMeasures<2>;
+template class FlowMeasures<3>;
+
+}  // namespace talus::site
