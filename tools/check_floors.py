@@ -47,7 +47,7 @@ ORDER = {
     "bounds": ["conic", ""],
     "input": ["language", "case", ""],
     "report": ["folder", "pack", "content", "words", ""],
-    "run": ["common", "lem", "fem", "bounds", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "forecast", ""],
+    "run": ["common", "lem", "fem", "bounds", "seepage", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "forecast", ""],
 }
 LONGEST = 500
 # file → why it may be longer

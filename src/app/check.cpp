@@ -85,6 +85,11 @@ std::string describe_points(const input::Case& data) {
                      count(data.stages.size(), "stage", "stages"), time);
 }
 
+std::string describe_flow(const input::SeepageAnalysis& seepage) {
+  return fmt::format("  seepage: {}\n",
+                     seepage.times.empty() ? "steady flow" : "flow at " + count(seepage.times.size(), "time", "times"));
+}
+
 /// Returns one line on the soil and one on each method of the case, with its forecast.
 std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
@@ -93,6 +98,7 @@ std::string summarise(const input::Case& data) {
     if (needs.method == input::Method::fem) text += describe_elements(data);
     if (needs.method == input::Method::bounds) text += describe_bounds(data.bounds);
     if (needs.method == input::Method::mpm) text += describe_points(data);
+    if (needs.method == input::Method::seepage) text += describe_flow(data.seepage);
     if (const std::string words = run::describe(needs); !words.empty()) text += fmt::format("    {}\n", words);
   }
   if (const input::PartialFactorValues factors = input::find_partial_factors(data.partial_factors); factors.is_active())

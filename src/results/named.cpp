@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "base/numbers.hpp"
@@ -224,6 +225,31 @@ class Values {
     add_member("seepage", seepage, "largest_suction", ResultKind::seepage);
   }
 
+  /// Adds the discharges of the last state, and the worst of all states of what endangers the soil.
+  void add_flow(const FlowResult& flow) {
+    if (flow.states.empty()) return;
+    const FlowState& last = flow.states.back();
+    for (const SectionFlow& s : last.sections)
+      add(ResultKind::seepage, fmt::format("flow.section[{}]", s.name), fmt::format("discharge through '{}'", s.name),
+          "m3/s", "discharge", s.discharge);
+    std::set<std::string> named;
+    for (const FlowState& state : flow.states)
+      for (const ExitGradient& exit : state.exits) {
+        if (!named.insert(exit.name).second) continue;
+        const ExitGradient& worst = *find_worst_exit(flow, exit.name).found;
+        add(ResultKind::seepage, fmt::format("flow.exit_gradient[{}]", exit.name),
+            fmt::format("largest exit gradient at '{}'", exit.name), "", "exit_gradient", worst.gradient);
+        add(ResultKind::seepage, fmt::format("flow.boiling[{}]", exit.name),
+            fmt::format("factor of safety against boiling at '{}'", exit.name), "", "boiling", worst.factor);
+      }
+    if (const auto worst = find_worst_uplift(flow); worst.found != nullptr)
+      add(ResultKind::seepage, "flow.uplift", "factor of safety against uplift", "", "uplift", worst.found->factor);
+    for (const Heave& heave : last.heaves)
+      if (const auto worst = find_worst_heave(flow, heave.name); worst.found != nullptr)
+        add(ResultKind::seepage, fmt::format("flow.heave[{}]", heave.name),
+            fmt::format("factor of safety against heave of '{}'", heave.name), "", "heave", worst.found->factor);
+  }
+
   /// Adds the number of `owner` with the key `key`, named `called` or, if that is null, `key`.
   void add_member(const std::string& path, const auto& owner, const char* key, ResultKind kind,
                   const std::string& of = "", const char* called = nullptr) {
@@ -270,6 +296,7 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
   if (run.elements) values.add_elements(*run.elements);
   if (run.bounds) values.add_bounds(*run.bounds);
   if (run.timeline) values.add_timeline(*run.timeline);
+  if (run.flow) values.add_flow(*run.flow);
   if (run.methods && run.methods->partial_factors) values.add_over_design(run.methods->partial_factors->over_design);
   if (run.factor_of_safety) values.add_factors(*run.factor_of_safety);
   if (run.runouts)

@@ -13,6 +13,7 @@
 #include "results/bounds.hpp"
 #include "results/comparison.hpp"
 #include "results/elements.hpp"
+#include "results/flow.hpp"
 #include "results/runout.hpp"
 #include "results/slices.hpp"
 #include "results/timeline.hpp"
@@ -243,6 +244,7 @@ struct RunResult {
   std::optional<ElementResult> elements;
   std::optional<BoundsResult> bounds;
   std::optional<Timeline> timeline;
+  std::optional<FlowResult> flow;
   // Results of MPM.
   std::optional<Mesh> mesh;
   std::optional<std::vector<Stage>> stages;
@@ -296,6 +298,7 @@ void describe(auto& v, As<RunResult> auto& r) {
   v.maybe("fem", r.elements, {"", "strength reduction by FEM"});
   v.maybe("bounds", r.bounds, {"", "limit analysis"});
   v.maybe("timeline", r.timeline, {"", "the factor of safety in time"});
+  v.maybe("flow", r.flow, {"", "flow of water by the method \"seepage\""});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});

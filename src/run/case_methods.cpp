@@ -114,6 +114,7 @@ void prepare_methods(const CaseContext& context, CaseMethods<D>& methods, result
   }
   if (has_elements) methods.elements.emplace(site, alone, options, hash).prepare();
   if (has_bounds) methods.bounds.emplace(site, alone, options, hash).prepare();
+  if (input::uses(data, Method::seepage)) methods.seepage.emplace(site, alone, options, hash).prepare();
   if (data.timeline) methods.timeline.emplace(data, options, hash);
 }
 

@@ -14,6 +14,7 @@
 #include "run/fem/element_run.hpp"
 #include "run/lem/slice_run.hpp"
 #include "run/mpm/point_run.hpp"
+#include "run/seepage/seepage_run.hpp"
 #include "run/timeline/timeline_run.hpp"
 #include "site/design_values.hpp"
 
@@ -32,6 +33,7 @@ struct CaseMethods {
   std::optional<SliceRun> slices;
   std::optional<ElementRun<D>> elements;
   std::optional<BoundsRun> bounds;
+  std::optional<SeepageRun<D>> seepage;
   std::optional<TimelineRun> timeline;
   std::unique_ptr<const input::Case> point_case;
   std::vector<std::string> point_notes;  ///< on the earthquake direction of MPM, and on its coarser mesh

@@ -32,6 +32,7 @@ void keep_water(const fs::path& folder, const CaseMethods<D>& m) {
   if (fields == nullptr && m.slices) fields = m.slices->water_fields();
   if (fields == nullptr && m.elements) fields = m.elements->water_fields();
   if (fields == nullptr && m.bounds) fields = m.bounds->water_fields();
+  if (fields == nullptr && m.seepage) fields = m.seepage->water_fields();
   if (fields != nullptr) results::write_file(folder / "water.json", *fields, -1);
   if (const results::WaterFields* in_time = m.timeline ? m.timeline->water_fields() : nullptr)
     results::write_file(folder / "timeline_water.json", *in_time, -1);
@@ -43,15 +44,16 @@ std::vector<results::TimedPart> list_parts(const results::RunResult& run) {
   if (run.slices) parts.push_back({"lem", "limit equilibrium", run.slices->seconds});
   if (run.elements) parts.push_back({"fem", "FEM", run.elements->seconds.value_or(0)});
   if (run.bounds) parts.push_back({"bounds", "limit analysis", run.bounds->seconds.value_or(0)});
+  if (run.flow) parts.push_back({"seepage", "seepage", run.flow->seconds.value_or(0)});
   return parts;
 }
 
-/// MPM alone, with the values of the case, has no other method to be compared with.
+/// MPM or seepage alone, with the values of the case, has no other method to be compared with.
 template <int D>
 void compare(const CaseContext& context, const CaseMethods<D>& m, results::RunResult& run) {
   const site::DesignValues& design = context.design;
   const RunOptions& options = context.options;
-  if (m.points && !m.slices && !m.elements && !m.bounds && !design.statement) return;
+  if (!m.slices && !m.elements && !m.bounds && !design.statement) return;
   run.methods =
       compare_methods(design.data, m.slices ? m.slices->slope() : nullptr, run, options.folder, options.threads);
   run.warnings.insert(run.warnings.begin(), run.methods->warnings.begin(), run.methods->warnings.end());
@@ -80,6 +82,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   if (m.slices) m.slices->write_result(run);
   if (m.elements) m.elements->write_result(run);
   if (m.bounds) m.bounds->write_result(run);
+  if (m.seepage) m.seepage->write_result(run);
   judge_elements(data, run);
   if (m.timeline) {
     releases.add_results(run, has_points);

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "base/numbers.hpp"
+#include "base/units.hpp"
 #include "results/governing.hpp"
 
 namespace talus::run {
@@ -269,6 +271,43 @@ std::string write_water(const results::RunResult& run, const Units& in) {
   return text;
 }
 
+/// Formats the discharges of the last state, and the least safety of all times.
+std::string write_flow(const results::FlowResult& flow, const Units& in) {
+  if (flow.states.empty()) return "";
+  const auto at = [&](const std::vector<double>& x) {
+    return fmt::format("x = {}, y = {}", in.write_level(x[0]), in.write_level(x[1]));
+  };
+  const auto when = [&](double time) {
+    return flow.states.size() > 1 ? ", at " + units::format_time(time) : std::string();
+  };
+  std::string text;
+  const results::FlowState& last = flow.states.back();
+  for (const results::SectionFlow& s : last.sections)
+    text += fmt::format("Through '{}': {:.4g} {}{}\n", s.name, s.discharge / in.volume_unit(), in.flow_name(),
+                        when(last.time));
+  std::set<std::string> named;
+  for (const results::FlowState& state : flow.states)
+    for (const results::ExitGradient& exit : state.exits) {
+      if (!named.insert(exit.name).second) continue;
+      const auto worst = results::find_worst_exit(flow, exit.name);
+      text +=
+          fmt::format("Exit gradient at '{}': {:.3g} at {}{}{}{}\n", exit.name, worst.found->gradient,
+                      at(worst.found->at), when(worst.time),
+                      worst.found->factor ? fmt::format(", factor against boiling {:.3g}", *worst.found->factor) : "",
+                      worst.found->grows ? ", depends on the mesh" : "");
+    }
+  if (const auto worst = results::find_worst_uplift(flow); worst.found != nullptr)
+    text += fmt::format("Factor against uplift of '{}': {:.3g} at {}{}\n", worst.found->layer, worst.found->factor,
+                        at(worst.found->at), when(worst.time));
+  for (const results::Heave& heave : last.heaves) {
+    const auto worst = results::find_worst_heave(flow, heave.name);
+    text += worst.found == nullptr ? fmt::format("Heave of '{}': nothing lifts it\n", heave.name)
+                                   : fmt::format("Factor against heave of '{}': {:.3g}{}\n", heave.name,
+                                                 *worst.found->factor, when(worst.time));
+  }
+  return text;
+}
+
 /// "Spencer, factor of safety: 1.386, published 1.39 ± 0.02 (a referee): passes".
 std::string write_comparisons(const std::vector<results::Comparison>& comparisons) {
   std::string text = comparisons.empty() ? "" : "Compared with published values:\n";
@@ -308,6 +347,7 @@ std::string write_digest(const results::RunResult& run) {
   if (run.factor_of_safety) text += write_factors(*run.factor_of_safety, units);
   text += write_runouts(run, units);
   text += write_water(run, units);
+  if (run.flow) text += write_flow(*run.flow, units);
   text += write_comparisons(run.comparisons);
   for (const std::string& w : run.warnings) text += fmt::format("warning: {}\n", w);
   return text;

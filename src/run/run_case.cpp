@@ -75,6 +75,7 @@ class CaseRun {
     if (is_released(data_)) releases_.prepare(run_);
     if (methods_.elements) methods_.elements->calculate();
     if (methods_.bounds) methods_.bounds->calculate(find_start());
+    if (methods_.seepage) methods_.seepage->calculate();
     if (methods_.points) {
       methods_.points->calculate(run_);
       has_points_ = true;

@@ -327,6 +327,33 @@ void format_timeline(const results::RunResult& run, json& sentences) {
     sentences.push_back(std::move(releases));
 }
 
+/// Adds what endangers the soil by the flow of water alone.
+void format_flow(const results::RunResult& run, json& sentences) {
+  if (!run.flow || run.flow->states.empty()) return;
+  const ShownUnits units = read_units(run);
+  const results::FlowResult& flow = *run.flow;
+  const auto place = [&](const std::vector<double>& at) {
+    return fmt::format("x = {}, y = {}", format_coordinate(at[0], units.length),
+                       format_coordinate(at[1], units.length));
+  };
+  const results::ExitGradient* steepest = nullptr;
+  for (const results::FlowState& state : flow.states)
+    for (const results::ExitGradient& exit : state.exits)
+      if (steepest == nullptr || exit.gradient > steepest->gradient) steepest = &exit;
+  if (steepest != nullptr)
+    sentences.push_back(
+        fmt::format("The largest exit gradient is {:.3g}, at '{}', {}{}{}.", steepest->gradient, steepest->name,
+                    place(steepest->at),
+                    steepest->factor ? fmt::format(": the factor against boiling is {:.3g}", *steepest->factor) : "",
+                    steepest->grows ? "; it depends on the size of the elements there" : ""));
+  if (const auto worst = results::find_worst_uplift(flow); worst.found != nullptr)
+    sentences.push_back(fmt::format("The least factor against uplift is {:.3g}, of layer '{}' at {}.",
+                                    worst.found->factor, worst.found->layer, place(worst.found->at)));
+  for (const results::Heave& heave : flow.states.back().heaves)
+    if (const auto worst = results::find_worst_heave(flow, heave.name); worst.found != nullptr)
+      sentences.push_back(fmt::format("The factor against heave of '{}' is {:.3g}.", heave.name, *worst.found->factor));
+}
+
 }  // namespace
 
 std::vector<std::string> list_unrest(const results::RunResult& run) {
@@ -356,6 +383,7 @@ json make_answer(const ResultFolder& folder) {
   if (!lone) format_methods(run, factors, sentences);
   format_drawdown(run, sentences);
   format_factor(run, own, lone, sentences);
+  format_flow(run, sentences);
   format_runouts(run, sentences);
   if (run.motion && !run.motion->sentence.empty()) sentences.push_back(run.motion->sentence);
   for (const std::string& sentence : describe_water(folder)) sentences.push_back(sentence);

@@ -207,6 +207,21 @@ MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
   return f;
 }
 
+/// The matrix of seepage is smaller than that of FEM, which bounds its memory.
+MethodForecast forecast_flow(const input::Case& data) {
+  MethodForecast f;
+  f.method = input::Method::seepage;
+  f.dimension = data.mesh.dimension;
+  f.size = data.mesh.size;
+  const ElementCount count = count_elements(data.mesh);
+  f.elements = count.soil;
+  f.times = static_cast<double>(data.seepage.times.size());
+  const std::size_t rank = get_rank(f.dimension);
+  f.bytes =
+      program_bytes + mesh_bytes[rank] * count.all + matrix_bytes[rank] * std::pow(count.soil, matrix_power[rank]);
+  return f;
+}
+
 /// Adds the largest number of steps of all stages and trials, and their time.
 void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, double coarse_points) {
   // Each run is repeated on elements twice as large.
@@ -304,6 +319,7 @@ std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
   if (input::uses(data, input::Method::fem)) all.push_back(forecast_elements(data));
   if (input::uses(data, input::Method::bounds)) all.push_back(forecast_bounds(data.bounds));
   if (input::uses(data, input::Method::mpm)) all.push_back(forecast_points(data, with_time));
+  if (input::uses(data, input::Method::seepage)) all.push_back(forecast_flow(data));
   return all;
 }
 

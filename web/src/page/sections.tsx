@@ -23,6 +23,7 @@ import { report } from "../state";
 import { TimelinePane } from "../timeline/TimelinePane";
 import { TimelineSection } from "../timeline/TimelineSection";
 import { Viewer } from "../viewer/Viewer";
+import { FlowSection } from "../water/FlowSection";
 import { WaterSection } from "../water/WaterSection";
 import { Answer } from "./Answer";
 import { InputPart } from "./InputPart";
@@ -139,9 +140,17 @@ const sections: Section[] = [
     id: "pore-water",
     label: "Pore water",
     // Without MPM the section itself shows it.
-    has: ({ model, sequences }) => model.water_mesh !== undefined && sequences.length > 0,
+    has: ({ model, sequences, result }) =>
+      model.water_mesh !== undefined && (sequences.length > 0 || result.flow !== undefined),
     draw: () => <WaterSection />,
-    chart: { title: "Pore water at the start", height: 620 },
+    chart: { title: "Pore water", height: 620 },
+  },
+  {
+    id: "flow",
+    label: "Seepage",
+    has: ({ result }) => (result.flow?.states.length ?? 0) > 0,
+    draw: () => <FlowSection />,
+    chart: { title: "Seepage: discharge, exit gradients, uplift and heave", height: 700 },
   },
   {
     id: "water",
