@@ -55,9 +55,11 @@ inline Marked take_mark(std::string text) {
   return marked;
 }
 
-inline std::vector<Diagnostic> find_faults(const std::string& text, const std::vector<Override>& overrides = {}) {
+/// `name` of the case file, beside which its tables lie.
+inline std::vector<Diagnostic> find_faults(const std::string& text, const std::vector<Override>& overrides = {},
+                                           const std::string& name = "slope.toml") {
   try {
-    read_case_text(text, "slope.toml", overrides);
+    read_case_text(text, name, overrides);
   } catch (const InputError& error) {
     EXPECT_FALSE(error.diagnostics().empty());
     return error.diagnostics();
