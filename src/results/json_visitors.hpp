@@ -15,28 +15,12 @@
 #include "base/error.hpp"
 #include "base/json_tree.hpp"
 #include "results/about.hpp"
+#include "results/shapes.hpp"
 
 namespace talus::results {
 
 template <class T>
 nlohmann::json write_value(const T& value);
-
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-template <class T>
-inline constexpr bool is_array = false;
-template <class T, std::size_t N>
-inline constexpr bool is_array<std::array<T, N>> = true;
-template <class T>
-inline constexpr bool is_map = false;
-template <class T>
-inline constexpr bool is_map<std::map<std::string, T>> = true;
 
 /// Writes a struct as an object.
 class JsonWriter {
