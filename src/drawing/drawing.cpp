@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/drawing.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/foreign_code.hpp"
 #include "base/text.hpp"
+#include "base/units.hpp"
 #include "base/user_file.hpp"
 
 namespace talus::drawing {
@@ -26,17 +30,22 @@ std::string get_format(const std::string& path) {
   return found->second;
 }
 
+/// Units of length by their code of $INSUNITS.
+const std::map<int, const char*>& list_units() {
+  static const std::map<int, const char*> units{{1, "inch"},  {2, "ft"},  {4, "mm"},
+                                                {5, "cm"},    {6, "m"},   {7, "km"},
+                                                {10, "yard"}, {14, "dm"}, {21, "US_survey_foot"}};
+  return units;
+}
+
 /// Returns the unit of $INSUNITS in the header of a DXF; std::nullopt if there is none, or none of a survey.
 std::optional<std::string> find_unit(const std::string& text) {
   const std::size_t at = text.find("$INSUNITS");
   if (at == std::string::npos) return std::nullopt;
   const std::size_t end = text.find('\n', at), code = text.find("70", end), number = text.find('\n', code);
   if (number == std::string::npos) return std::nullopt;
-  const std::map<int, const char*> units{{1, "inch"},  {2, "ft"},  {4, "mm"},
-                                         {5, "cm"},    {6, "m"},   {7, "km"},
-                                         {10, "yard"}, {14, "dm"}, {21, "US_survey_foot"}};
-  const auto found = units.find(std::atoi(text.c_str() + number));
-  return found == units.end() ? std::nullopt : std::optional<std::string>(found->second);
+  const auto found = list_units().find(std::atoi(text.c_str() + number));
+  return found == list_units().end() ? std::nullopt : std::optional<std::string>(found->second);
 }
 
 }  // namespace
@@ -74,6 +83,46 @@ Drawing read_drawing(const std::string& path) {
   drawing.remarks.resize(message.get<std::size_t>());
   for (std::string& remark : drawing.remarks) remark = message.get_text();
   return drawing;
+}
+
+bool is_result_line(const DrawnLine& line) {
+  if (line.closed) return false;
+  if (line.layer == pond_layer) return true;
+  // A soil may be called slip_zone, so the prefix alone does not count.
+  constexpr std::array methods{"lem", "fem", "bounds", "mpm"};
+  return std::any_of(methods.begin(), methods.end(), [&](const char* method) {
+    return line.layer.starts_with(std::string(slip_prefix) + method + "_");
+  });
+}
+
+int find_unit_code(const std::string& unit) {
+  const double si = units::parse_as_si("1 " + unit, "m", "--units");
+  std::string known;
+  for (const auto& [code, name] : list_units()) {
+    if (std::abs(units::get_si_factor(name) / si - 1) < 1e-9) return code;
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  fail_input("a DXF cannot state the unit '{}'; it can state {}", unit, known);
+}
+
+void write_drawing(const NewDrawing& drawing, const std::filesystem::path& path) {
+  Message message;
+  try {
+    message = do_in_child("writing the drawing", [&](Message& out) {
+      std::string why;
+      void* write = load_module("libtalus_gdal.so", "talus_write_drawing", false, why);
+      if (write == nullptr)
+        fail_input("this build of the program cannot write drawings, because it has no GDAL ({})", why);
+      limit_processor_time(longest_reading);
+      limit_memory(most_memory);
+      reinterpret_cast<WriteByGdal>(write)(drawing, out);
+    });
+  } catch (const ChildCrash& crash) {
+    throw Error(ExitCode::cannot_write, "cannot write '{}': {}", path.string(), crash.what());
+  }
+  if (const std::string error = message.get_text(); !error.empty())
+    throw Error(ExitCode::cannot_write, "cannot write '{}': {}", path.string(), error);
+  write_atomically(path, message.get_text());
 }
 
 }  // namespace talus::drawing

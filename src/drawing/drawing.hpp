@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Lines and texts of a drawing (DXF, GeoPackage, GeoJSON), read by GDAL in the module libtalus_gdal.so.
+// Lines and texts of a drawing (DXF, GeoPackage, GeoJSON), read and written by GDAL in the module libtalus_gdal.so.
 
 #include <array>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,5 +57,36 @@ Drawing read_drawing(const std::string& path);
 /// The function of the module: reads `path` by the driver of `format` into a Message of an error text (empty: none),
 /// lines, texts and remarks.
 using ReadByGdal = void (*)(const char* path, const char* format, Message& out);
+
+// Drawings of results.
+
+/// Layers of a section of `talus export`, beside those of its soils. Slip surfaces are on layers of this prefix, a
+/// method, and their name: "slip_lem_spencer_1.434". `talus import` leaves ponds and slip surfaces out.
+inline constexpr const char *ground_layer = "ground", *water_layer = "water_table", *pond_layer = "ponds",
+                            *slip_prefix = "slip_";
+
+/// Returns true for an open line on a layer of results, which is no boundary of soils.
+bool is_result_line(const DrawnLine& line);
+
+/// A drawing to be written.
+struct NewDrawing {
+  std::vector<DrawnLine> lines;                ///< `entity` and `handle` are not used
+  std::vector<DrawnText> texts;                ///< above the section
+  std::vector<DrawnText> labels;               ///< names of regions, within them
+  std::map<std::string, std::string> colours;  ///< by layer, "#2f7fd6"
+  double text_height = 0;                      ///< in units of the drawing
+  int unit_code = 0;                           ///< of $INSUNITS
+};
+
+/// Returns the code of $INSUNITS for a unit of length, such as 6 for "m". Throws Error (wrong_input) for a unit that a
+/// DXF cannot state.
+int find_unit_code(const std::string& unit);
+
+/// Writes `drawing` as DXF (AutoCAD 2004) in a child process. Characters that names of layers may not have become
+/// underscores; texts keep them. Throws Error (wrong_input) if this build has no GDAL, and Error (cannot_write).
+void write_drawing(const NewDrawing& drawing, const std::filesystem::path& path);
+
+/// The function of the module: writes an error text (empty: none) and the bytes of the file into a Message.
+using WriteByGdal = void (*)(const NewDrawing& drawing, Message& out);
 
 }  // namespace talus::drawing

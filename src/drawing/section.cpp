@@ -206,7 +206,7 @@ class SectionFinder {
           open.size(), most_boundaries);
     set_water(water);
     if (!open.empty()) set_layers(open, closed);
-    for (const Chain& chain : closed) section_.regions.push_back({name_region(chain), chain.points});
+    add_regions(closed);
     if (section_.layers.empty() && section_.regions.empty())
       fail_input("the drawing shows no section: no closed lines, and no two lines above one another");
     remark_texts();
@@ -256,6 +256,10 @@ class SectionFinder {
     std::vector<Chain> all;
     for (const DrawnLine& line : drawing_.lines) {
       if (!is_asked(line.layer)) continue;
+      if (options_.layers.empty() && is_result_line(line)) {
+        ++result_lines_;
+        continue;
+      }
       Chain chain{line.layer, line.handle, line.closed, line.points};
       for (Point2& p : chain.points)
         for (double& c : p) c *= options_.unit;
@@ -264,6 +268,9 @@ class SectionFinder {
       else
         remark(chain, "has a coordinate that is not a number or too large, and was left out");
     }
+    if (result_lines_ > 0)
+      section_.remarks.push_back(
+          fmt::format("{} slip surfaces and ponds of talus export were left out", result_lines_));
     for (const std::string& layer : options_.layers)
       if (std::none_of(all.begin(), all.end(), [&](const Chain& c) { return c.layer == layer; }))
         fail_input("the drawing has no lines on a layer '{}'", layer);
@@ -358,17 +365,25 @@ class SectionFinder {
 
   std::string name(const std::string& wanted) { return take_name(names_, wanted); }
 
-  /// Names a region after the only text in it, or after its layer.
-  std::string name_region(const Chain& chain) {
-    const DrawnText* label = nullptr;
-    int count = 0;
-    for (const DrawnText& text : drawing_.texts)
-      if (is_asked(text.layer) &&
-          mesh::is_inside({text.at[0] * options_.unit, text.at[1] * options_.unit}, chain.points))
-        label = &text, ++count;
-    if (count != 1) return name(chain.layer);
-    ++used_texts_;
-    return name(label->text);
+  /// Names regions after the only text in them, or after their layers. A text belongs to the smallest region around it.
+  void add_regions(const std::vector<Chain>& closed) {
+    std::vector<std::vector<const DrawnText*>> labels(closed.size());
+    for (const DrawnText& text : drawing_.texts) {
+      if (!is_asked(text.layer)) continue;
+      const Point2 at{text.at[0] * options_.unit, text.at[1] * options_.unit};
+      std::optional<std::size_t> smallest;
+      for (std::size_t i = 0; i < closed.size(); ++i)
+        if (mesh::is_inside(at, closed[i].points) &&
+            (!smallest ||
+             std::abs(mesh::compute_area(closed[i].points)) < std::abs(mesh::compute_area(closed[*smallest].points))))
+          smallest = i;
+      if (smallest) labels[*smallest].push_back(&text);
+    }
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const bool has_one = labels[i].size() == 1;
+      section_.regions.push_back({name(has_one ? labels[i].front()->text : closed[i].layer), closed[i].points});
+      if (has_one) ++used_texts_;
+    }
   }
 
   void remark_texts() {
@@ -381,7 +396,7 @@ class SectionFinder {
   DrawnSection section_;
   std::set<std::string> names_;
   double tolerance_ = 0;  ///< length below which distances count as zero [m]
-  int used_texts_ = 0;
+  int used_texts_ = 0, result_lines_ = 0;
 };
 
 }  // namespace

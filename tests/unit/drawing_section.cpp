@@ -54,6 +54,22 @@ TEST(DrawnSection, KnowsGroundAndWaterByTheirNames) {
   ASSERT_EQ(section.layers.size(), 1u);
 }
 
+TEST(DrawnSection, LeavesResultsOut) {
+  Drawing drawing;
+  drawing.lines = {draw("clay", {{0, 0}, {44, 0}, {44, 10}, {0, 10}}, true),
+                   draw(ground_layer, {{0, 10}, {44, 10}}),
+                   draw(water_layer, {{0, 8}, {44, 5}}),
+                   draw(pond_layer, {{30, 11}, {44, 11}}),
+                   draw("slip_lem_spencer_1.434", {{5, 10}, {20, 5}, {30, 10}}),
+                   draw("slip_zone", {{10, 4}, {20, 4}, {20, 6}, {10, 6}}, true)};
+  const DrawnSection section = find_section(drawing, {});
+  EXPECT_TRUE(section.ground.empty());
+  ASSERT_EQ(section.regions.size(), 2u);
+  EXPECT_EQ(section.regions[1].name, "slip_zone") << "a soil of this name is no result";
+  EXPECT_EQ(section.water_table, (Polyline{{0, 8}, {44, 5}}));
+  EXPECT_TRUE(has_remark(section, "2 slip surfaces and ponds"));
+}
+
 TEST(DrawnSection, TakesAnOutlineWithLinesInIt) {
   Drawing drawing;
   drawing.lines = {draw("EXTERNAL", {{0, 0}, {44, 0}, {44, 5}, {32, 5}, {12, 15}, {0, 15}}, true),
