@@ -31,8 +31,10 @@ ALLOWED = {
     "study": ["base", "results", "input", "lem", "output", "run"],
     "report": ["base", "material", "mesh", "results", "input", "output", "site", "run"],
     "drawing": ["base", "mesh"],
+    "export": ["base", "mesh", "results", "input", "output", "site", "drawing", "report/folder"],
     "gdal": ["base", "drawing"],
-    "app": ["base", "drawing", "results", "input", "output", "run", "laboratory", "study", "report"],
+    "xlsx": ["base", "results", "export"],
+    "app": ["base", "drawing", "export", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
 APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots"), ("mpm/two_velocity", "mpm/darcy")]

@@ -29,7 +29,7 @@ HELPER = re.compile(r'^(?:const )?(?:nlohmann::)?(?:json|std::optional<double>|d
 INCLUDE = re.compile(r'#include <nlohmann/json\.hpp>')
 # Our own words that the source searches for: .find("…"), starts_with("…") with a capital letter or a blank in it.
 SEARCH = re.compile(r'(?:\.find|starts_with|ends_with)\(\s*"[^"]*(?:[A-Z]| )[^"]*"')
-FOLDERS = {"analysis", "methods", "report", "study", "laboratory", "app", "output", "run", "site"}
+FOLDERS = {"analysis", "methods", "report", "export", "study", "laboratory", "app", "output", "run", "site"}
 
 
 def strip_comments(text):

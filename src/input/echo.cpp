@@ -195,6 +195,36 @@ std::optional<EchoedKey> find_key(const JsonTree& echo, const std::string& path)
   return EchoedKey{write_value(at->at("value")), at->value("unit", "")};
 }
 
+namespace {
+
+void add_keys(const json& node, const std::string& path, std::vector<ListedKey>& keys) {
+  if (node.is_object() && node.contains("value") && node.contains("given")) {
+    ListedKey key{path, std::nullopt, "", node.value("unit", ""), node.at("given").get<bool>()};
+    const json& value = node.at("value");
+    if (value.is_number())
+      key.number = value.get<double>();
+    else if (value.is_string())
+      key.text = value.get<std::string>();
+    else if (!value.is_null())
+      key.text = value.dump();
+    keys.push_back(std::move(key));
+    return;
+  }
+  std::size_t i = 0;
+  for (const auto& [name, inner] : node.items()) {
+    const std::string step = node.is_array() ? std::to_string(i++) : name;
+    if (inner.is_structured()) add_keys(inner, path.empty() ? step : path + "." + step, keys);
+  }
+}
+
+}  // namespace
+
+std::vector<ListedKey> list_keys(const JsonTree& echo) {
+  std::vector<ListedKey> keys;
+  add_keys(echo.get(), "", keys);
+  return keys;
+}
+
 std::string write_calculated(const JsonTree& echo) {
   return strip_marks(echo.get()).dump();
 }

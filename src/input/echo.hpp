@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/json_tree.hpp"
 #include "input/case/case.hpp"
@@ -39,6 +40,18 @@ struct EchoedKey {
 
 /// Returns the key at a dotted path as for --set; std::nullopt if it does not apply to the case.
 std::optional<EchoedKey> find_key(const JsonTree& echo, const std::string& path);
+
+/// A key of a case with its path, for lists of the input.
+struct ListedKey {
+  std::string path;              ///< "materials.sand.cohesion", "stage.0.duration"
+  std::optional<double> number;  ///< for a number
+  std::string text;              ///< for every other value, lists as JSON; empty: none
+  std::string unit;              ///< empty: a plain number or a word
+  bool is_given = false;         ///< false: a default
+};
+
+/// Returns all keys of an echo, in its order.
+std::vector<ListedKey> list_keys(const JsonTree& echo);
 
 /// Returns the echo without the marks of given values, on one line: equal for cases with equal calculations.
 std::string write_calculated(const JsonTree& echo);
