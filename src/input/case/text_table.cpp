@@ -23,10 +23,20 @@ std::string_view trim(std::string_view text) {
 
 constexpr char blanks = ' ';  // columns that any number of blanks separate
 
+/// Returns the length of the quoted text that `text` begins with, after blanks; 0 if it begins with none. A quotation
+/// mark within it is doubled (RFC 4180).
+std::size_t measure_quoted(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos || text[first] != '"') return 0;
+  for (std::size_t i = first + 1; i < text.size(); ++i)
+    if (text[i] == '"' && (i + 1 == text.size() || text[++i] != '"')) return i;
+  return 0;
+}
+
 /// Removes the text before the next separator, and the separator, from the front of `text` and returns that text.
 std::string_view take_part(std::string_view& text, char separator) {
   if (separator == blanks) text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::size_t end = std::min(text.find(separator, measure_quoted(text)), text.size());
   const std::string_view part = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
   return part;
@@ -34,9 +44,14 @@ std::string_view take_part(std::string_view& text, char separator) {
 
 std::size_t count_columns(std::string_view line, char separator) {
   std::size_t count = 0;
-  if (separator != blanks) return static_cast<std::size_t>(std::count(line.begin(), line.end(), separator)) + 1;
-  for (line = trim(line); !line.empty(); ++count) take_part(line, separator);
-  return count;
+  if (separator == blanks) line = trim(line);
+  const bool ends_open = separator != blanks && line.ends_with(separator);
+  for (; !line.empty(); ++count) take_part(line, separator);
+  return count + (ends_open ? 1 : 0);
+}
+
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
 }
 
 TextTable::Heading read_heading(std::string_view cell) {
@@ -60,8 +75,10 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
   std::string_view rest = text_;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, which spreadsheets write
   for (int number = 1; !rest.empty(); ++number) {
-    const std::string_view line = take_part(rest, '\n');
-    if (trim(line).empty() || trim(line)[0] == '#') continue;
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (trim(line).empty() || is_comment(trim(line))) continue;
     if (separator_ == 0) {
       read_header(line);
       if (!is_headless_) continue;
@@ -72,8 +89,16 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
 
 void TextTable::read_header(std::string_view line) {
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  const bool has_blanks = !has('[') && trim(line).find(blanks) != std::string_view::npos;
-  separator_ = has(';') ? ';' : has('\t') ? '\t' : has(',') || !has_blanks ? ',' : blanks;
+  std::string joined;
+  if (!has(';') && !has('\t') && !has(',')) {
+    // Among blanks, a unit belongs to the name before it: "x [m] depth [m]".
+    for (const char c : trim(line)) {
+      while (c == '[' && joined.ends_with(blanks)) joined.pop_back();
+      joined += c;
+    }
+    line = joined;
+  }
+  separator_ = has(';') ? ';' : has('\t') ? '\t' : has(',') || !has(blanks) ? ',' : blanks;
   const std::size_t columns = count_columns(line, separator_);
   if (columns > most_columns) fail_input("'{}' has {} columns; a table has at most {}", file_, columns, most_columns);
   for (std::size_t i = 0; i < columns; ++i) header_.push_back(read_heading(trim(take_part(line, separator_))));
@@ -84,7 +109,7 @@ void TextTable::read_header(std::string_view line) {
 }
 
 bool TextTable::try_number(std::string text, double& value) const {
-  if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
+  if (separator_ == ';' || separator_ == '\t') std::replace(text.begin(), text.end(), ',', '.');
   const char* begin = text.data() + (text.rfind('+', 0) == 0 ? 1 : 0);
   const char* end = text.data() + text.size();
   return !text.empty() && parse_number(begin, end, value) == end && std::isfinite(value);

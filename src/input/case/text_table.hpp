@@ -10,9 +10,9 @@
 
 namespace talus::input {
 
-/// A table as text. Columns are separated by commas, semicolons (then a comma may be the decimal separator), tabs or
-/// blanks; lines that begin with # are skipped. If the first line has numbers only, it is a row, and the columns are
-/// named 1, 2, ….
+/// A table as text. Columns are separated by commas, semicolons or tabs (then a comma may be the decimal separator) or
+/// blanks; a cell in quotation marks may contain the separator. Lines that begin with #, % or // are skipped. If the
+/// first line has numbers only, it is a row, and the columns are named 1, 2, ….
 class TextTable {
  public:
   /// A column of the header: "axial_strain [%]".
