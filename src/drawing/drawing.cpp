@@ -26,7 +26,7 @@ std::string get_format(const std::string& path) {
       {".dxf", "DXF"}, {".gpkg", "GPKG"}, {".geojson", "GeoJSON"}, {".json", "GeoJSON"}};
   const auto found = formats.find(ending);
   if (found == formats.end())
-    fail_input("'{}' does not end in .dxf, .gpkg, .geojson or .json, the drawings that can be read", path);
+    fail_input("'{}' does not end in .dxf, .gpkg, .geojson, .json, .gsz or .csv, the files that can be read", path);
   return found->second;
 }
 
@@ -50,6 +50,19 @@ std::optional<std::string> find_unit(const std::string& text) {
 
 }  // namespace
 
+bool has_gdal() {
+  std::string why;
+  return load_module("libtalus_gdal.so", "talus_subdivide", false, why) != nullptr;
+}
+
+void* load_gdal(const char* name) {
+  std::string why;
+  void* function = load_module("libtalus_gdal.so", name, false, why);
+  if (function == nullptr)
+    fail_input("this build of the program cannot read drawings, because it has no GDAL ({})", why);
+  return function;
+}
+
 Drawing read_drawing(const std::string& path) {
   Drawing drawing;
   drawing.format = get_format(path);
@@ -65,10 +78,7 @@ Drawing read_drawing(const std::string& path) {
   Message message;
   try {
     message = do_in_child("reading the drawing", [&](Message& out) {
-      std::string why;
-      void* read = load_module("libtalus_gdal.so", "talus_read_drawing", false, why);
-      if (read == nullptr)
-        fail_input("this build of the program cannot read drawings, because it has no GDAL ({})", why);
+      void* read = load_gdal("talus_read_drawing");
       limit_processor_time(longest_reading);
       limit_memory(most_memory);
       reinterpret_cast<ReadByGdal>(read)(path.c_str(), drawing.format.c_str(), out);

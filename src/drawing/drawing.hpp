@@ -14,6 +14,7 @@
 namespace talus::drawing {
 
 using Point = std::array<double, 2>;
+using Polyline = std::vector<Point>;
 
 /// A polyline; arcs and splines are approximated.
 struct DrawnLine {
@@ -88,5 +89,16 @@ void write_drawing(const NewDrawing& drawing, const std::filesystem::path& path)
 
 /// The function of the module: writes an error text (empty: none) and the bytes of the file into a Message.
 using WriteByGdal = void (*)(const NewDrawing& drawing, Message& out);
+
+/// The function of the module that divides lines where they meet into edges, and returns the outlines of the areas
+/// between them; `error` is empty if it succeeds.
+using SubdivideByGdal = void (*)(const std::vector<Polyline>& lines, std::vector<Polyline>& edges,
+                                 std::vector<Polyline>& faces, std::string& error);
+
+/// Returns true if the module of GDAL can be loaded.
+bool has_gdal();
+
+/// Returns the function `name` of the module. Throws Error (wrong_input) in a build without GDAL.
+void* load_gdal(const char* name);
 
 }  // namespace talus::drawing

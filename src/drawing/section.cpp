@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,6 +11,8 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drawing/case_text.hpp"
+#include "drawing/lines.hpp"
+#include "drawing/subdivision.hpp"
 #include "mesh/layers.hpp"
 
 namespace talus::drawing {
@@ -21,13 +20,6 @@ namespace {
 
 using mesh::Point2;
 using mesh::Polyline;
-
-/// Lines of one layer that meet, as one.
-struct Chain {
-  std::string layer, handle;
-  bool closed = false;
-  Polyline points;
-};
 
 bool has_word(const std::string& layer, std::initializer_list<const char*> words) {
   const std::string name = to_lower(layer);
@@ -42,147 +34,6 @@ bool is_ground(const std::string& layer) {
   return !is_water(layer) && has_word(layer, {"ground", "surface", "terrain", "topo"});
 }
 
-/// Joins the lines of a layer at points in which exactly two of them end.
-class Joiner {
- public:
-  explicit Joiner(double tolerance) : tolerance_(tolerance) {}
-
-  std::vector<Chain> join(const std::vector<Chain>& lines) {
-    std::vector<Chain> joined;
-    ends_.clear();
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      if (!lines[i].closed)
-        for (const Point2* p : {&lines[i].points.front(), &lines[i].points.back()})
-          ends_[get_cell(*p)].push_back({i, *p});
-    std::vector<char> is_used(lines.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (is_used[i]) continue;
-      is_used[i] = 1;
-      Chain chain = lines[i];
-      for (int side = 0; side < 2 && !chain.closed; ++side) {
-        while (const auto next = find_next(chain.points.back(), is_used)) {
-          is_used[*next] = 1;
-          Polyline more = lines[*next].points;
-          if (!meets(more.front(), chain.points.back())) std::reverse(more.begin(), more.end());
-          chain.points.insert(chain.points.end(), more.begin() + 1, more.end());
-        }
-        if (chain.points.size() > 3 && meets(chain.points.front(), chain.points.back())) {
-          chain.points.pop_back();
-          chain.closed = true;
-        }
-        std::reverse(chain.points.begin(), chain.points.end());
-      }
-      joined.push_back(std::move(chain));
-    }
-    return joined;
-  }
-
-  bool meets(const Point2& a, const Point2& b) const { return std::hypot(a[0] - b[0], a[1] - b[1]) <= tolerance_; }
-
- private:
-  struct End {
-    std::size_t line;
-    Point2 at;
-  };
-  using Cell = std::array<double, 2>;
-  Cell get_cell(const Point2& p) const { return {std::floor(p[0] / tolerance_), std::floor(p[1] / tolerance_)}; }
-
-  /// Returns the unused line that ends at `p`, if it is the only other one.
-  std::optional<std::size_t> find_next(const Point2& p, const std::vector<char>& is_used) const {
-    std::optional<std::size_t> found;
-    int count = 0;
-    const Cell centre = get_cell(p);
-    for (const double dx : {-1.0, 0.0, 1.0})
-      for (const double dy : {-1.0, 0.0, 1.0}) {
-        const auto cell = ends_.find({centre[0] + dx, centre[1] + dy});
-        if (cell == ends_.end()) continue;
-        for (const End& end : cell->second) {
-          if (!meets(end.at, p)) continue;
-          ++count;
-          if (!is_used[end.line]) found = end.line;
-        }
-      }
-    return count == 2 ? found : std::nullopt;
-  }
-
-  double tolerance_;
-  std::map<Cell, std::vector<End>> ends_;
-};
-
-bool is_a_place(const Point2& p) {
-  constexpr double farthest = 1e9;  // [m]
-  return std::abs(p[0]) < farthest && std::abs(p[1]) < farthest;
-}
-
-double measure_extent(const std::vector<Chain>& chains) {
-  Point2 low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const Chain& chain : chains)
-    for (const Point2& p : chain.points)
-      for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], p[d]), high[d] = std::max(high[d], p[d]);
-  return std::max(high[0] - low[0], high[1] - low[1]);
-}
-
-void drop_repeated(Polyline& points, const Joiner& joiner) {
-  points.erase(
-      std::unique(points.begin(), points.end(), [&](const Point2& a, const Point2& b) { return joiner.meets(a, b); }),
-      points.end());
-}
-
-/// Returns the line without points within `tolerance` of it (Douglas and Peucker).
-Polyline simplify(const Polyline& line, bool closed, double tolerance) {
-  using Place = boost::geometry::model::d2::point_xy<double>;
-  boost::geometry::model::linestring<Place> all, fewer;
-  for (const Point2& p : line) all.emplace_back(p[0], p[1]);
-  if (closed) all.push_back(all.front());
-  boost::geometry::simplify(all, fewer, tolerance);
-  if (closed) fewer.pop_back();
-  if (closed && fewer.size() < 3) return line;
-  Polyline points;
-  for (const Place& p : fewer) points.push_back({p.x(), p.y()});
-  return points;
-}
-
-/// Returns the mean height of a line over another one where both are; NaN where they have no common x.
-double compare_levels(const Polyline& a, const Polyline& b) {
-  const double from = std::max(a.front()[0], b.front()[0]), to = std::min(a.back()[0], b.back()[0]);
-  if (!(to > from)) return std::nan("");
-  constexpr int samples = 32;
-  double sum = 0;
-  for (int i = 0; i < samples; ++i) {
-    const double x = from + (to - from) * (i + 0.5) / samples;
-    sum += mesh::find_level(a, x) - mesh::find_level(b, x);
-  }
-  return sum / samples;
-}
-
-/// Splits an outline into the line above and the line below, both from left to right.
-std::pair<Polyline, Polyline> split_outline(const Polyline& outline) {
-  const std::size_t n = outline.size();
-  const auto select = [&](auto&& is_better) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < n; ++i)
-      if (is_better(outline[i], outline[best])) best = i;
-    return best;
-  };
-  const auto is_left = [](const Point2& a, const Point2& b) { return a[0] < b[0]; };
-  const auto is_right = [](const Point2& a, const Point2& b) { return a[0] > b[0]; };
-  const auto walk = [&](std::size_t from, std::size_t to, std::size_t step) {
-    Polyline line{outline[from]};
-    for (std::size_t i = from; i != to;) line.push_back(outline[i = (i + step) % n]);
-    return line;
-  };
-  const auto at_end = [&](bool left, bool top) {
-    return select([&](const Point2& a, const Point2& b) {
-      if (a[0] != b[0]) return left ? is_left(a, b) : is_right(a, b);
-      return top ? a[1] > b[1] : a[1] < b[1];
-    });
-  };
-  const bool clockwise = mesh::compute_area(outline) < 0;
-  const std::size_t forward = clockwise ? 1 : n - 1, backward = n - forward;
-  return {walk(at_end(true, true), at_end(false, true), forward),
-          walk(at_end(true, false), at_end(false, false), backward)};
-}
-
 class SectionFinder {
  public:
   SectionFinder(const Drawing& drawing, const SectionOptions& options) : drawing_(drawing), options_(options) {
@@ -191,14 +42,15 @@ class SectionFinder {
 
   DrawnSection find() {
     std::vector<Chain> chains = list_chains();
-    thin_out(chains);
-    std::vector<Chain> open, closed, water;
-    for (const Chain& chain : chains) {
-      if (chain.closed)
-        closed.push_back(chain);
-      else if (const Polyline line = orient(chain); !line.empty())
-        (is_water(chain.layer) ? water : open).push_back({chain.layer, chain.handle, false, line});
+    thin_out(chains, tolerance_, "the drawing", section_.remarks);
+    std::vector<Chain> lines, open, closed, water;
+    for (Chain& chain : chains) {
+      auto& list = chain.closed ? closed : is_water(chain.layer) ? water : lines;
+      list.push_back(std::move(chain));
     }
+    const bool has_areas = needs_areas(lines) && find_areas(lines, closed);
+    for (const Chain& chain : has_areas ? std::vector<Chain>() : lines)
+      if (const Polyline line = orient(chain); !line.empty()) open.push_back({chain.layer, chain.handle, false, line});
     if (open.size() > most_boundaries)
       fail_input(
           "the drawing has {} lines that do not meet; a section has at most {} boundaries: name its layers with "
@@ -206,7 +58,8 @@ class SectionFinder {
           open.size(), most_boundaries);
     set_water(water);
     if (!open.empty()) set_layers(open, closed);
-    add_regions(closed);
+    if (!has_areas)
+      for (const Chain& chain : closed) add_region(chain.points, chain.layer);
     if (section_.layers.empty() && section_.regions.empty())
       fail_input("the drawing shows no section: no closed lines, and no two lines above one another");
     remark_texts();
@@ -215,32 +68,7 @@ class SectionFinder {
 
  private:
   static constexpr std::size_t most_boundaries = 200;
-  static constexpr std::size_t most_corners = 2000;  // of a section: its checks are of quadratic cost
-
-  /// Leaves out points that are nearly on the line between others, if there are too many.
-  void thin_out(std::vector<Chain>& chains) {
-    const auto count = [&] {
-      std::size_t sum = 0;
-      for (const Chain& chain : chains) sum += chain.points.size();
-      return sum;
-    };
-    const std::size_t before = count();
-    double used = 0;
-    for (double tolerance = tolerance_; count() > most_corners && tolerance < 100 * tolerance_; tolerance *= 2) {
-      used = tolerance;
-      for (Chain& chain : chains)
-        if (chain.points.size() > 2) chain.points = simplify(chain.points, chain.closed, tolerance);
-    }
-    if (count() > most_corners)
-      fail_input(
-          "the drawing has {} points, and a section at most {}: even with lines that move by a thousandth of it, {} "
-          "remain. "
-          "Simplify them, or name the layers of the section with --layers",
-          before, most_corners, count());
-    if (used > 0)
-      section_.remarks.push_back(fmt::format("{} of {} points were left out; the lines moved by less than {:.2g} m",
-                                             before - count(), before, 2 * used));
-  }
+  static constexpr double largest_snap = 0.01;  // of the section
 
   void remark(const Chain& chain, const std::string& what) {
     section_.remarks.push_back(fmt::format("the line {} on layer '{}' {}", chain.handle, chain.layer, what));
@@ -277,10 +105,9 @@ class SectionFinder {
     if (all.empty()) fail_input("the drawing has no lines");
     const double extent = measure_extent(all);
     if (!(extent > 0)) fail_input("the drawing has no extent");
-    tolerance_ = 1e-5 * extent;
-    Joiner joiner(tolerance_);
+    tolerance_ = meeting_distance * extent;
     for (Chain& chain : all) {
-      drop_repeated(chain.points, joiner);
+      drop_repeated(chain.points, tolerance_);
       if (chain.points.size() < (chain.closed ? 3u : 2u))
         remark(chain, "is shorter than a hundred-thousandth of the section and was left out");
       else
@@ -288,7 +115,7 @@ class SectionFinder {
     }
     std::vector<Chain> chains;
     for (const auto& [layer, lines] : by_layer)
-      for (Chain& chain : joiner.join(lines)) chains.push_back(std::move(chain));
+      for (Chain& chain : join_lines(lines, tolerance_)) chains.push_back(std::move(chain));
     return chains;
   }
 
@@ -305,25 +132,17 @@ class SectionFinder {
     return line;
   }
 
-  void set_water(std::vector<Chain>& water) {
+  void set_water(std::vector<Chain>& chains) {
+    std::vector<Chain> water;
+    for (const Chain& chain : chains)
+      if (const Polyline line = orient(chain); !line.empty()) water.push_back({chain.layer, chain.handle, false, line});
     if (water.empty()) return;
     section_.water_table = water.front().points;
     for (std::size_t i = 1; i < water.size(); ++i) remark(water[i], "is a second water table and was left out");
   }
 
-  /// Sorts lines from the top down.
-  static void sort_down(std::vector<Chain>& lines) {
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-      std::size_t top = i;
-      for (std::size_t k = i + 1; k < lines.size(); ++k)
-        if (compare_levels(lines[k].points, lines[top].points) > 0) top = k;
-      std::rotate(lines.begin() + static_cast<std::ptrdiff_t>(i), lines.begin() + static_cast<std::ptrdiff_t>(top),
-                  lines.begin() + static_cast<std::ptrdiff_t>(top) + 1);
-    }
-  }
-
   void set_layers(std::vector<Chain>& lines, std::vector<Chain>& closed) {
-    sort_down(lines);
+    sort_from_ground(lines);
     Chain base;
     if (closed.size() == 1 &&
         std::none_of(lines.begin(), lines.end(), [](const Chain& c) { return is_ground(c.layer); })) {
@@ -334,9 +153,6 @@ class SectionFinder {
         base = {"base", closed.front().handle, false, bottom};
         closed.clear();
       }
-    } else {
-      const auto ground = std::find_if(lines.begin(), lines.end(), [](const Chain& c) { return is_ground(c.layer); });
-      if (ground != lines.end()) std::rotate(lines.begin(), ground, ground + 1);
     }
     if (options_.base && base.points.empty()) {
       const Polyline& ground = lines.front().points;
@@ -365,25 +181,182 @@ class SectionFinder {
 
   std::string name(const std::string& wanted) { return take_name(names_, wanted); }
 
-  /// Names regions after the only text in them, or after their layers. A text belongs to the smallest region around it.
-  void add_regions(const std::vector<Chain>& closed) {
-    std::vector<std::vector<const DrawnText*>> labels(closed.size());
+  /// Returns true if the lines are no boundaries from left to right above one another. Records where two of them cross;
+  /// a boundary may cross the ground, which it then crops out at.
+  bool needs_areas(const std::vector<Chain>& lines) {
+    if (options_.form) return *options_.form == SectionForm::regions;
+    std::vector<Chain> boundaries;
+    bool has_others = false;
+    for (Chain line : lines) {
+      if (line.points.front()[0] > line.points.back()[0]) std::reverse(line.points.begin(), line.points.end());
+      const bool is_boundary = line.points.front()[0] < line.points.back()[0] && mesh::find_fold(line.points) < 0;
+      has_others = has_others || !is_boundary;
+      if (is_boundary) boundaries.push_back(std::move(line));
+    }
+    sort_from_ground(boundaries);
+    for (std::size_t i = 2; i < boundaries.size() && !crossing_; ++i)
+      for (std::size_t k = 1; k < i && !crossing_; ++k)
+        crossing_ = find_crossing(boundaries[k].points, boundaries[i].points, tolerance_);
+    return has_others || crossing_;
+  }
+
+  /// Sorts lines from the top down, after one whose layer is named after the ground.
+  static void sort_from_ground(std::vector<Chain>& lines) {
+    sort_down(lines);
+    const auto ground = std::find_if(lines.begin(), lines.end(), [](const Chain& c) { return is_ground(c.layer); });
+    if (ground != lines.end()) std::rotate(lines.begin(), ground, ground + 1);
+  }
+
+  /// Adds sides and a base below the lines, as one line.
+  void add_base(std::vector<Chain>& chains, double reach) const {
+    Point2 left{1e300, -1e300}, right{-1e300, -1e300};
+    for (const Chain& chain : chains)
+      for (const Point2& p : chain.points) left[0] = std::min(left[0], p[0]), right[0] = std::max(right[0], p[0]);
+    for (const Chain& chain : chains)
+      for (const Point2& p : chain.points)
+        for (Point2* end : {&left, &right})
+          if (std::abs(p[0] - (*end)[0]) <= reach) (*end)[1] = std::max((*end)[1], p[1]);
+    chains.push_back({"", "base", false, {left, {left[0], *options_.base}, {right[0], *options_.base}, right}});
+  }
+
+  /// Makes regions of the areas between the lines; returns false if most of their length bounds none.
+  bool find_areas(const std::vector<Chain>& lines, const std::vector<Chain>& closed) {
+    const bool is_forced = options_.form.has_value();
+    if (!is_forced && !has_gdal()) return false;
+    std::vector<Chain> chains = lines;
+    chains.insert(chains.end(), closed.begin(), closed.end());
+    const double extent = tolerance_ / meeting_distance;
+    const double snap = options_.snap.value_or(snapping_distance * extent);
+    if (!(snap >= tolerance_ && snap <= largest_snap * extent))
+      fail_input("--snap is {:.3g} m; it must be from {:.3g} m to {:.3g} m in this drawing", snap, tolerance_,
+                 largest_snap * extent);
+    if (options_.base) add_base(chains, snap);
+    const Subdivision found = subdivide(chains, snap);
+    double loose = 0;
+    for (const Subdivision::Dangle& dangle : found.dangles) loose += dangle.length;
+    if (found.faces.empty() || (!is_forced && loose > 0.5 * measure_length(lines))) {
+      if (is_forced)
+        fail_input("the lines of the drawing enclose no area: draw the sides and the base, or give --base");
+      if (crossing_)
+        section_.remarks.push_back(
+            fmt::format("lines cross at ({:.6g}, {:.6g}) m, and most of them enclose no areas: they are boundaries of "
+                        "layers. With a base (--base) they enclose areas, and --as regions uses these",
+                        (*crossing_)[0], (*crossing_)[1]));
+      return false;
+    }
+    if (found.faces.size() > most_boundaries)
+      fail_input("the lines of the drawing enclose {} areas; a section has at most {}: name its layers with --layers",
+                 found.faces.size(), most_boundaries);
+    remark_subdivision(found, snap);
+    add_areas(found.faces, chains);
+    return true;
+  }
+
+  static double measure_length(const std::vector<Chain>& lines) {
+    double sum = 0;
+    for (const Chain& line : lines)
+      for (std::size_t i = 1; i < line.points.size(); ++i)
+        sum += std::hypot(line.points[i][0] - line.points[i - 1][0], line.points[i][1] - line.points[i - 1][1]);
+    return sum;
+  }
+
+  void remark_subdivision(const Subdivision& found, double snap) {
+    constexpr std::size_t most_named = 8;
+    section_.remarks.push_back(
+        fmt::format("the lines cross or touch: their {} areas are the soils. Ends and corners nearer than {:.3g} m are "
+                    "one (--snap)",
+                    found.faces.size(), snap));
+    const auto list = [&](const auto& items, auto&& write) {
+      for (std::size_t i = 0; i < std::min(items.size(), most_named); ++i) section_.remarks.push_back(write(items[i]));
+      if (items.size() > most_named)
+        section_.remarks.push_back(fmt::format("… and {} more of this kind", items.size() - most_named));
+    };
+    list(found.snaps, [](const Subdivision::Snap& s) {
+      return fmt::format("a gap of {:.3g} m at ({:.6g}, {:.6g}) m was closed", s.gap, s.at[0], s.at[1]);
+    });
+    list(found.dangles, [](const Subdivision::Dangle& d) {
+      return fmt::format(
+          "a part of a line, {:.4g} m long, that ends at ({:.6g}, {:.6g}) m bounds no area and was left out", d.length,
+          d.end[0], d.end[1]);
+    });
+  }
+
+  void add_areas(std::vector<Polyline> faces, const std::vector<Chain>& chains) {
+    const auto get_top = [](const Polyline& face) {
+      return *std::max_element(face.begin(), face.end(), [](const Point2& a, const Point2& b) { return a[1] < b[1]; });
+    };
+    std::sort(faces.begin(), faces.end(), [&](const Polyline& a, const Polyline& b) {
+      const Point2 p = get_top(a), q = get_top(b);
+      return p[1] != q[1] ? p[1] > q[1] : p[0] < q[0];
+    });
+    all_faces_ = faces;
+    const bool is_below = options_.role == LineRole::bottoms;
+    for (const Polyline& face : faces) {
+      const std::string by = name_longest_side(face, chains, is_below);
+      const std::string how = add_region(face, by);
+      const Point2 top = get_top(face);
+      section_.remarks.push_back(
+          fmt::format("the area of {:.4g} m² below ({:.6g}, {:.6g}) m is '{}', by {}",
+                      std::abs(mesh::compute_area(face)), top[0], top[1], section_.regions.back().name,
+                      !how.empty() ? how
+                      : by.empty() ? "its number"
+                                   : fmt::format("the layer of the line {} it", is_below ? "below" : "above")));
+    }
+  }
+
+  /// Returns the layer of the lines that bound the upper or lower side of an area for the greatest width; empty for the
+  /// default layer of CAD, "0".
+  static std::string name_longest_side(const Polyline& face, const std::vector<Chain>& chains, bool is_below) {
+    std::map<std::string, double> widths;
+    const bool is_clockwise = mesh::compute_area(face) < 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Point2 &a = face[i], &b = face[(i + 1) % face.size()];
+      const double width = is_clockwise == is_below ? a[0] - b[0] : b[0] - a[0];
+      if (!(width > 0)) continue;
+      const Point2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+      const Chain* nearest = nullptr;
+      double least = 1e300;
+      for (const Chain& chain : chains) {
+        const double distance =
+            mesh::compute_distance(middle, chain.closed ? mesh::close_polygon(chain.points) : chain.points);
+        if (distance < least) least = distance, nearest = &chain;
+      }
+      if (nearest != nullptr) widths[nearest->layer] += width;
+    }
+    const auto widest = std::max_element(widths.begin(), widths.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return widest == widths.end() || widest->first == "0" ? "" : widest->first;
+  }
+
+  /// Adds a region with the name of the only text in it, or that of `layer`, or a number. Regions with one text are of
+  /// one material. Returns "its text" if it has one.
+  std::string add_region(const Polyline& outline, const std::string& layer) {
+    std::set<std::string> labels;
+    int count = 0;
     for (const DrawnText& text : drawing_.texts) {
-      if (!is_asked(text.layer)) continue;
       const Point2 at{text.at[0] * options_.unit, text.at[1] * options_.unit};
-      std::optional<std::size_t> smallest;
-      for (std::size_t i = 0; i < closed.size(); ++i)
-        if (mesh::is_inside(at, closed[i].points) &&
-            (!smallest ||
-             std::abs(mesh::compute_area(closed[i].points)) < std::abs(mesh::compute_area(closed[*smallest].points))))
-          smallest = i;
-      if (smallest) labels[*smallest].push_back(&text);
+      if (!is_asked(text.layer) || !mesh::is_inside(at, outline)) continue;
+      // A text in an area within this one belongs to that.
+      const double area = std::abs(mesh::compute_area(outline));
+      if (std::any_of(all_faces_.begin(), all_faces_.end(), [&](const Polyline& other) {
+            return std::abs(mesh::compute_area(other)) < area && mesh::is_inside(at, other);
+          }))
+        continue;
+      labels.insert(text.text);
+      ++count;
     }
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-      const bool has_one = labels[i].size() == 1;
-      section_.regions.push_back({name(has_one ? labels[i].front()->text : closed[i].layer), closed[i].points});
-      if (has_one) ++used_texts_;
+    if (labels.size() != 1) {
+      section_.regions.push_back(
+          {name(layer.empty() ? fmt::format("soil {}", section_.regions.size() + 1) : layer), outline});
+      return "";
     }
+    used_texts_ += count;
+    const std::string& label = *labels.begin();
+    DrawnSoil& soil = section_.regions.emplace_back();
+    soil.name = name(label);
+    soil.points = outline;
+    soil.material = materials_.try_emplace(label, soil.name).first->second;
+    return "its text";
   }
 
   void remark_texts() {
@@ -396,7 +369,10 @@ class SectionFinder {
   DrawnSection section_;
   std::set<std::string> names_;
   double tolerance_ = 0;  ///< length below which distances count as zero [m]
-  int used_texts_ = 0, result_lines_ = 0;
+  int used_texts_ = 0;
+  std::vector<Polyline> all_faces_;
+  std::map<std::string, std::string> materials_;  ///< text → material
+  std::optional<Point2> crossing_;                ///< of two boundaries
 };
 
 }  // namespace
@@ -408,23 +384,32 @@ DrawnSection find_section(const Drawing& drawing, const SectionOptions& options)
 std::string write_case(const DrawnSection& section, const std::string& source) {
   std::string text =
       fmt::format("# Section from {}. Complete the strengths, then: talus check\n\n", clean_text(source));
-  std::vector<std::string> soils;
+  std::string regions = "[regions]\n";
+  std::vector<std::string> materials;
+  const auto add_soil = [&](const DrawnSoil& soil) {
+    const std::string& material = soil.material.empty() ? soil.name : soil.material;
+    regions += fmt::format("\"{}\" = \"{}\"\n", soil.name, material);
+    if (std::find(materials.begin(), materials.end(), material) == materials.end()) materials.push_back(material);
+  };
   if (!section.ground.empty()) text += fmt::format("[geometry]\nground = {}\n\n", write_points(section.ground));
   for (const DrawnSoil& soil : section.layers) {
-    text += fmt::format("[[geometry.layer]]\nname = \"{}\"\nbottom = {}\n\n", soil.name, write_points(soil.points));
-    soils.push_back(soil.name);
+    text += fmt::format("[[geometry.layer]]\nname = \"{}\"\n", soil.name);
+    if (soil.level)
+      text += fmt::format("level = {}\n\n", std::round(*soil.level * 1e6) / 1e6 + 0.0);
+    else
+      text += fmt::format("{} = {}\n\n", soil.are_depths ? "depths" : "bottom", write_points(soil.points));
+    add_soil(soil);
   }
   for (const DrawnSoil& soil : section.regions) {
     text += fmt::format("[[geometry.polygon]]\nname = \"{}\"\npoints = {}\n\n", soil.name, write_points(soil.points));
-    soils.push_back(soil.name);
+    add_soil(soil);
   }
-  text += "[regions]\n";
-  for (const std::string& soil : soils) text += fmt::format("\"{0}\" = \"{0}\"\n", soil);
-  for (const std::string& soil : soils)
+  text += regions;
+  for (const std::string& material : materials)
     text += fmt::format(
         "\n[materials.\"{}\"]\nmodel = \"mohr_coulomb\"\n# unit_weight =     # kN/m3\n# cohesion =        # kPa\n"
         "# friction_angle =  # deg\n",
-        soil);
+        material);
   if (!section.water_table.empty())
     text += fmt::format("\n[initial]\npore_pressure = \"water_table\"\nwater_table = {}\n",
                         write_points(section.water_table));

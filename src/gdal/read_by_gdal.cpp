@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines and texts of a drawing by GDAL. Only the drivers of three formats are registered, since others, such as virtual
-// formats, open further files that a drawing names.
+// Lines and texts of a drawing by GDAL, and the areas that lines enclose, by GEOS. Only the drivers of three formats are
+// registered, since others, such as virtual formats, open further files that a drawing names.
 
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
@@ -133,8 +133,62 @@ std::string read(const char* path, const char* format, Drawing& drawing, Heard& 
   return "";
 }
 
+Polyline copy_points(const OGRSimpleCurve& from) {
+  Polyline points;
+  for (int i = 0; i < from.getNumPoints(); ++i) points.push_back({from.getX(i), from.getY(i)});
+  return points;
+}
+
+/// Adds the lines or the outlines of polygons within a geometry.
+void collect(const OGRGeometry& geometry, std::vector<Polyline>& lines, int depth) {
+  if (depth > deepest) return;
+  switch (wkbFlatten(geometry.getGeometryType())) {
+    case wkbLineString:
+      return lines.push_back(copy_points(*geometry.toLineString()));
+    case wkbPolygon:
+      if (const OGRLinearRing* ring = geometry.toPolygon()->getExteriorRing())
+        lines.push_back(copy_points(*ring)), lines.back().pop_back();
+      return;
+    case wkbMultiLineString:
+    case wkbMultiPolygon:
+    case wkbGeometryCollection:
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) collect(*part, lines, depth + 1);
+      return;
+    default:
+      return;  // points, in which lines touch
+  }
+}
+
+std::string subdivide(const std::vector<Polyline>& lines, std::vector<Polyline>& edges, std::vector<Polyline>& faces) {
+  if (!OGRGeometryFactory::haveGEOS()) return "this build of GDAL has no GEOS";
+  OGRMultiLineString all;
+  for (const Polyline& points : lines) {
+    auto line = std::make_unique<OGRLineString>();
+    for (const auto& p : points) line->addPoint(p[0], p[1]);
+    all.addGeometryDirectly(line.release());
+  }
+  // The union with one of the lines divides all of them where they meet (UnaryUnion() came with GDAL 3.7).
+  const std::unique_ptr<OGRGeometry> noded(all.IsEmpty() ? nullptr : all.Union(all.getGeometryRef(0)));
+  if (!noded) return "GEOS found no intersections";
+  collect(*noded, edges, 0);
+  const std::unique_ptr<OGRGeometry> areas(noded->Polygonize());
+  if (areas) collect(*areas, faces, 0);
+  return "";
+}
+
 }  // namespace
 }  // namespace talus::drawing
+
+extern "C" void talus_subdivide(const std::vector<talus::drawing::Polyline>& lines,
+                                std::vector<talus::drawing::Polyline>& edges,
+                                std::vector<talus::drawing::Polyline>& faces, std::string& error) {
+  using namespace talus::drawing;
+  Heard heard;
+  CPLPushErrorHandlerEx(hear, &heard);
+  error = subdivide(lines, edges, faces);
+  if (!error.empty() && !heard.error.empty()) error = heard.error;
+  CPLPopErrorHandler();
+}
 
 extern "C" void talus_read_drawing(const char* path, const char* format, talus::Message& out) {
   using namespace talus::drawing;
