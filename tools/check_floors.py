@@ -30,7 +30,7 @@ ALLOWED = {
     "laboratory": ["base", "material", "results", "input", "output", "site", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],
     "report": ["base", "material", "mesh", "results", "input", "output", "site", "run"],
-    "drawing": ["base", "mesh"],
+    "drawing": ["base", "mesh", "input/case"],
     "export": ["base", "mesh", "results", "input", "output", "site", "drawing", "report/folder"],
     "gdal": ["base", "drawing"],
     "xlsx": ["base", "results", "export"],

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "drawing/survey_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "base/units.hpp"
+#include "base/user_file.hpp"
+#include "drawing/case_text.hpp"
+#include "input/case/series_file.hpp"
+
+namespace talus::drawing {
+namespace {
+
+constexpr std::size_t most_rows = 200'000;
+constexpr std::uint64_t largest_table = 20 * largest_file::megabyte;
+constexpr std::size_t most_columns = 200, most_depth_columns = 100;
+
+/// Headings of a role, as their letters and digits in lower case; the first that a table has is taken.
+struct Headings {
+  Role role;
+  std::initializer_list<const char*> names;
+};
+
+// AGS 4 (loca…, geol…), drill-hole databases (holeid, from, to) and what surveyors write.
+const std::array known{
+    Headings{Role::hole, {"holeid",   "hole",       "boreholeid",   "borehole", "bhid",    "bh",      "boring",
+                          "boringid", "drillhole",  "drillholeid",  "dhid",     "locaid",  "pointid", "wellid",
+                          "well",     "wellname",   "boreholename", "holename", "bohrung", "sondage", "boring no",
+                          "boringno", "boreholeno", "holeno",       "no",       "id",      "name"}},
+    Headings{Role::x,
+             {"station",  "chainage", "ch",     "stationing",  "distance", "dist",     "distancealong", "offset",
+              "position", "x",        "xcoord", "xcoordinate", "along",    "localx",   "easting",       "east",
+              "locanate", "utme",     "xutm",   "xcollar",     "xmga",     "locationx"}},
+    Headings{Role::northing,
+             {"northing", "north", "locanatn", "utmn", "yutm", "ycollar", "ymga", "locationy", "ycoord", "ycoordinate",
+              "y"}},
+    // The top of a borehole comes first: rows of layers may have elevations of their own.
+    Headings{Role::elevation, {"collar",      "collarelevation",
+                               "collarelev",  "collarlevel",
+                               "collarz",     "zcollar",
+                               "groundlevel", "groundelevation",
+                               "groundelev",  "surfaceelevation",
+                               "surfaceelev", "locagl",
+                               "gl",          "altitude",
+                               "alt",         "elevation",
+                               "elev",        "level",
+                               "z",           "rl",
+                               "height",      "zcoord",
+                               "zcoordinate", "surface"}},
+    Headings{Role::top,
+             {"top", "from", "topdepth", "depthtop", "depthfrom", "fromdepth", "geoltop", "start", "startdepth",
+              "upper", "depthstart", "upperdepth"}},
+    Headings{Role::bottom,
+             {"bottom", "base", "to", "bottomdepth", "depthbottom", "depthbase", "basedepth", "depthto", "todepth",
+              "geolbase", "lower", "depthend", "lowerdepth", "bot", "botdepth", "bottomoflayer", "md", "end"}},
+    Headings{Role::bottom_level,
+             {"bottomelevation", "bottomlevel", "baseelevation", "baselevel", "bottomelev", "baseelev", "bottomz"}},
+    Headings{Role::thickness, {"thickness", "thick"}},
+    Headings{Role::end,
+             {"totaldepth", "enddepth", "finaldepth", "td", "eoh", "holedepth", "maxdepth", "locafdep", "length",
+              "boreholedepth", "depthofhole"}},
+    Headings{Role::soil, {"soil",     "soilname", "soiltype",    "stratum",   "strata",   "unit",    "formation",
+                          "geolgeol", "geology",  "lithology",   "lith",      "litho",    "geolleg", "lithodesc",
+                          "rocktype", "rock",     "layer",       "layername", "material", "surface", "component",
+                          "line",     "boundary", "description", "geoldesc"}},
+};
+
+/// Returns the unit of length that a word names; empty if it names none: "ft" for "feet", "m" for "mAOD".
+std::string find_length_unit(std::string_view text) {
+  std::string word = to_lower(text);
+  word = word.substr(0, word.find_first_of(" +."));
+  constexpr std::array<std::pair<const char*, const char*>, 25> units{
+      {{"m", "m"},      {"meter", "m"},  {"meters", "m"},  {"metre", "m"},  {"metres", "m"},
+       {"maod", "m"},   {"mod", "m"},    {"masl", "m"},    {"mamsl", "m"},  {"mbgl", "m"},
+       {"mbgs", "m"},   {"mnap", "m"},   {"ft", "ft"},     {"foot", "ft"},  {"feet", "ft"},
+       {"ftbgs", "ft"}, {"ftbgl", "ft"}, {"ftamsl", "ft"}, {"ftmsl", "ft"}, {"mm", "mm"},
+       {"cm", "cm"},    {"dm", "dm"},    {"km", "km"},     {"in", "inch"},  {"yd", "yard"}}};
+  for (const auto& [name, unit] : units)
+    if (word == name) return unit;
+  return "";
+}
+
+/// A heading without its unit.
+struct Heading {
+  std::string name, key, unit;
+};
+
+std::string find_key(std::string_view name) {
+  std::string key;
+  for (const char c : to_lower(name))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80) != 0) key += c;
+  return key;
+}
+
+/// Splits "Elevation (ft)", "Depth_m" and "x [m]".
+Heading read_heading(const input::TextTable::Heading& heading) {
+  Heading read{heading.name, "", heading.unit};
+  const std::size_t open = read.name.rfind('(');
+  if (read.unit.empty() && open != std::string::npos && open > 0 && read.name.ends_with(')')) {
+    read.unit = find_length_unit(std::string_view(read.name).substr(open + 1, read.name.size() - open - 2));
+    read.name = read.name.substr(0, read.name.find_last_not_of(" _", open - 1) + 1);
+  }
+  const std::size_t last = read.name.find_last_of("_ ");
+  if (read.unit.empty() && last != std::string::npos && last > 0) {
+    read.unit = find_length_unit(std::string_view(read.name).substr(last + 1));
+    if (!read.unit.empty()) read.name = read.name.substr(0, last);
+  }
+  if (const std::string plain = find_length_unit(read.unit); !plain.empty()) read.unit = plain;
+  read.key = find_key(read.name);
+  return read;
+}
+
+const char* name_form(TableForm form) {
+  switch (form) {
+    case TableForm::lines:
+      return "lines";
+    case TableForm::layers:
+      return "boreholes, with a row for each layer";
+    case TableForm::holes:
+      return "boreholes, with a row for each and a column for each boundary";
+    default:
+      return "positions of boreholes";
+  }
+}
+
+}  // namespace
+
+SurveyTable::SurveyTable(const std::string& path, double unit)
+    : text_([&] {
+        if (const auto fault = find_file_fault(path, largest_table))
+          fail_input("the table '{}' cannot be read: {}", path, fault->why);
+        return input::TextTable(path);
+      }()) {
+  if (text_.header().empty()) fail_input("the table '{}' is empty", path);
+  if (text_.rows() > most_rows)
+    fail_input("the table '{}' has {} rows; at most {} are read", path, text_.rows(), most_rows);
+  if (text_.header().size() > most_columns)
+    fail_input("the table '{}' has {} columns; a survey has at most {}", path, text_.header().size(), most_columns);
+  select_columns(unit);
+  find_form();
+  read_units_row();
+  if (first_row_ >= text_.rows()) fail_input("the table '{}' has a header and no rows", path);
+}
+
+void SurveyTable::select_columns(double unit) {
+  const std::size_t count = text_.header().size();
+  std::vector<Heading> headings;
+  std::vector<char> is_used(count);
+  for (const auto& heading : text_.header()) headings.push_back(read_heading(heading));
+  const auto get_factor = [&](std::size_t i) {
+    if (headings[i].unit.empty()) return unit;
+    has_unit_ = true;
+    return units::parse_as_si("1 " + headings[i].unit, "m",
+                              fmt::format("column '{}' of '{}'", headings[i].name, text_.file()));
+  };
+  const bool is_headless = count >= 2 && headings[0].name == "1" && headings[1].name == "2";
+  if (is_headless) {
+    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit};
+    columns_[static_cast<std::size_t>(Role::elevation)] = Column{1, unit};
+    return;
+  }
+  for (const Headings& of : known)
+    for (const char* name : of.names) {
+      const auto found =
+          std::find_if(headings.begin(), headings.end(), [&](const Heading& h) { return h.key == name; });
+      const auto i = static_cast<std::size_t>(found - headings.begin());
+      if (i == count || is_used[i]) continue;
+      const bool is_text = of.role == Role::hole || of.role == Role::soil;
+      if (!is_text && !is_numeric(i)) continue;
+      is_used[i] = 1;
+      columns_[static_cast<std::size_t>(of.role)] = Column{i, is_text ? 1 : get_factor(i)};
+      break;
+    }
+  // In a table with x and y only, y is the elevation.
+  auto &elevation = columns_[static_cast<std::size_t>(Role::elevation)],
+       &northing = columns_[static_cast<std::size_t>(Role::northing)];
+  if (!elevation && is_headed(Role::northing, {"y"})) std::swap(elevation, northing);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_used[i]) continue;
+    // "depth" is that of a layer where rows are layers, and of the borehole otherwise.
+    if (headings[i].key == "depth" && is_numeric(i)) {
+      const Role role = has(Role::soil) ? Role::bottom : Role::end;
+      if (!has(role)) {
+        columns_[static_cast<std::size_t>(role)] = Column{i, get_factor(i)};
+        continue;
+      }
+    }
+    const bool may_be_depth = has(Role::hole) && !has(Role::soil) && is_numeric(i) && !headings[i].name.empty();
+    if (may_be_depth && depths_.size() < most_depth_columns)
+      depths_.push_back({headings[i].name, i, get_factor(i)});
+    else
+      unused_.push_back(headings[i].name);
+  }
+}
+
+bool SurveyTable::is_headed(Role role, const std::vector<std::string>& keys) const {
+  const auto& column = columns_[static_cast<std::size_t>(role)];
+  return column && std::find(keys.begin(), keys.end(), read_heading(text_.header()[column->number]).key) != keys.end();
+}
+
+void SurveyTable::find_form() {
+  // A column "no" or "id" may number the points of a line, whose further columns are no depths.
+  const bool has_holes =
+      has(Role::hole) && (!has(Role::elevation) || !is_headed(Role::hole, {"id", "no", "nr", "name", "pointid"}) ||
+                          !is_headed(Role::elevation, {"z", "y", "elevation", "elev", "height"}));
+  const bool has_depth = has(Role::bottom) || has(Role::bottom_level) || has(Role::thickness) || has(Role::top);
+  if (has(Role::soil) && has(Role::hole) && has_depth) {
+    form_ = TableForm::layers;
+  } else if (has_holes && has(Role::x) && !has(Role::soil) && !depths_.empty()) {
+    form_ = TableForm::holes;
+  } else if (has(Role::hole) && has(Role::x) && !has(Role::soil) && (has(Role::end) || has(Role::northing))) {
+    form_ = TableForm::collars;
+  } else if (has(Role::x) && has(Role::elevation)) {
+    form_ = TableForm::lines;
+  } else {
+    std::string list;
+    for (const auto& heading : text_.header()) list += fmt::format("{}'{}'", list.empty() ? "" : ", ", heading.name);
+    if (list.size() > 200) list = list.substr(0, 200) + " …";
+    fail_input(
+        "the headings of '{}' are neither those of a line (x, station, chainage or distance, and y, z, elevation or "
+        "level) nor those of boreholes (hole, x, elevation, and bottom and soil, or the depth of each boundary); it "
+        "has {}",
+        text_.file(), clean_text(list));
+  }
+  if (form_ != TableForm::holes) {
+    for (const DepthColumn& column : depths_) unused_.push_back(column.soil);
+    depths_.clear();
+  }
+}
+
+void SurveyTable::read_units_row() {
+  if (text_.rows() == 0) return;
+  bool is_row_of_units = false;
+  const auto take = [&](std::size_t number, double& factor) {
+    std::string cell = text_.cell(0, number);
+    if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
+    const std::string unit = find_length_unit(cell);
+    if (unit.empty()) return;
+    is_row_of_units = has_unit_ = true;
+    factor = units::parse_as_si("1 " + unit, "m", "the unit of a column");
+  };
+  for (std::size_t role = 0; role < columns_.size(); ++role)
+    if (columns_[role] && role != static_cast<std::size_t>(Role::hole) && role != static_cast<std::size_t>(Role::soil))
+      take(columns_[role]->number, columns_[role]->factor);
+  for (DepthColumn& column : depths_) take(column.column, column.factor);
+  if (!is_row_of_units) return;
+  // In AGS data a row of types, such as 2DP, follows.
+  first_row_ = 1;
+  const auto is_type = [&](const std::optional<Column>& column) {
+    const std::string cell = column && text_.rows() > 1 ? text_.cell(1, column->number) : "";
+    return cell.size() == 3 && (cell.ends_with("DP") || cell.ends_with("SF"));
+  };
+  if (std::any_of(columns_.begin(), columns_.end(), is_type)) first_row_ = 2;
+}
+
+bool SurveyTable::is_numeric(std::size_t column) const {
+  constexpr std::size_t most_tries = 20;
+  for (std::size_t row = 0; row < std::min(text_.rows(), most_tries); ++row) {
+    if (input::is_missing(text_.cell(row, column), -99)) continue;
+    try {
+      text_.number(row, column);
+      return true;
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return text_.rows() == 0;
+}
+
+std::optional<double> SurveyTable::read_length(std::size_t row, const DepthColumn& column) const {
+  if (input::is_missing(text_.cell(row, column.column), -99)) return std::nullopt;
+  const double value = text_.number(row, column.column) * column.factor;
+  constexpr double farthest = 1e9;  // [m]
+  if (!(std::abs(value) < farthest)) fail_input("{}: {:.6g} m is too far away", text_.place(row), value);
+  return value;
+}
+
+std::optional<double> SurveyTable::read_length(std::size_t row, Role role) const {
+  const auto& column = columns_[static_cast<std::size_t>(role)];
+  if (!column) return std::nullopt;
+  return read_length(row, {"", column->number, column->factor});
+}
+
+std::string SurveyTable::read_text(std::size_t row, Role role) const {
+  const auto& column = columns_[static_cast<std::size_t>(role)];
+  return column ? text_.cell(row, column->number) : "";
+}
+
+std::string SurveyTable::describe() const {
+  const auto name = [&](Role role) {
+    const auto& column = columns_[static_cast<std::size_t>(role)];
+    return column ? text_.header()[column->number].name : "";
+  };
+  std::string columns;
+  for (const Role role : {Role::hole, Role::x, Role::northing, Role::elevation, Role::top, Role::bottom,
+                          Role::bottom_level, Role::thickness, Role::end, Role::soil})
+    if (has(role)) columns += fmt::format("{}'{}'", columns.empty() ? "" : ", ", name(role));
+  std::string sentence = fmt::format("{} has {}; columns used: {}", std::filesystem::path(file()).filename().string(),
+                                     name_form(form_), columns);
+  if (!depths_.empty()) sentence += fmt::format(" and {} depths", depths_.size());
+  if (!unused_.empty()) {
+    constexpr std::size_t most_named = 8;
+    sentence += "; not used: ";
+    for (std::size_t i = 0; i < std::min(unused_.size(), most_named); ++i)
+      sentence += fmt::format("{}'{}'", i == 0 ? "" : ", ", unused_[i]);
+    if (unused_.size() > most_named) sentence += fmt::format(" and {} more", unused_.size() - most_named);
+  }
+  return sentence + (has_unit_ ? "" : "; lengths without a unit");
+}
+
+}  // namespace talus::drawing

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A table of a survey, whose columns are recognised by their headings: the points of lines, or boreholes.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/case/text_table.hpp"
+
+namespace talus::drawing {
+
+/// Meaning of a column.
+enum class Role {
+  hole,          ///< name of a borehole
+  x,             ///< position along the section, or easting
+  northing,      ///< second coordinate in plan
+  elevation,     ///< of a point or of the top of a borehole
+  top,           ///< depth of the upper boundary of a layer
+  bottom,        ///< depth of its lower boundary
+  bottom_level,  ///< elevation of its lower boundary
+  thickness,
+  end,   ///< depth of the end of a borehole
+  soil,  ///< name of a layer
+  count,
+};
+
+/// Form of a table.
+enum class TableForm {
+  lines,    ///< points of a line, or of several lines with their names
+  layers,   ///< boreholes with a row for each layer
+  holes,    ///< boreholes with a row each, and a column for the depth of each boundary
+  collars,  ///< positions of boreholes
+};
+
+/// A column with the depth of a lower boundary in a table of form `holes`.
+struct DepthColumn {
+  std::string soil;
+  std::size_t column = 0;
+  double factor = 1;  ///< [m]
+};
+
+class SurveyTable {
+ public:
+  /// Reads a table; a column without a unit has lengths in `unit` [m]. Throws Error (wrong_input) with one sentence if
+  /// the file cannot be read or its headings are not understood.
+  SurveyTable(const std::string& path, double unit);
+
+  TableForm form() const { return form_; }
+  const std::string& file() const { return text_.file(); }
+  /// Number of the first row of values, after a row of units.
+  std::size_t first_row() const { return first_row_; }
+  std::size_t rows() const { return text_.rows(); }
+  bool has(Role role) const { return columns_[static_cast<std::size_t>(role)].has_value(); }
+  /// Returns a length [m]; std::nullopt if the table has no such column or the cell is empty. Throws Error
+  /// (wrong_input) with file and line if it is not a number.
+  std::optional<double> read_length(std::size_t row, Role role) const;
+  std::optional<double> read_length(std::size_t row, const DepthColumn& column) const;
+  /// Returns the text of a cell; empty if the table has no such column.
+  std::string read_text(std::size_t row, Role role) const;
+  std::string place(std::size_t row) const { return text_.place(row); }
+  /// Takes positions of boreholes as the points of a line, if they have elevations.
+  void take_as_lines() {
+    if (has(Role::elevation)) form_ = TableForm::lines;
+  }
+  const std::vector<DepthColumn>& depths() const { return depths_; }
+  /// Returns how the table was understood, in one sentence.
+  std::string describe() const;
+
+ private:
+  struct Column {
+    std::size_t number = 0;
+    double factor = 1;  ///< [m]
+  };
+
+  void select_columns(double unit);
+  void find_form();
+  /// Returns true if the first column of `role` has one of `keys` as heading.
+  bool is_headed(Role role, const std::vector<std::string>& keys) const;
+  /// Takes the first row as units if it has them in a column of lengths.
+  void read_units_row();
+  bool is_numeric(std::size_t column) const;
+
+  input::TextTable text_;
+  TableForm form_ = TableForm::lines;
+  std::array<std::optional<Column>, static_cast<std::size_t>(Role::count)> columns_;
+  std::vector<DepthColumn> depths_;
+  std::vector<std::string> unused_;
+  std::size_t first_row_ = 0;
+  bool has_unit_ = false;
+};
+
+}  // namespace talus::drawing
