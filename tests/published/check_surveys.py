@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Tables of lines and boreholes become sections: check_surveys.py PROGRAM."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data/tables"
+PROGRAM = sys.argv.pop(1)
+HOLES = """\
+hole;x [m];collar (m);top_m;bottom_m;soil
+BH2;20;9,5;0;2,0;fill
+BH2;20;9,5;2;6,5;clay
+BH2;20;9,5;6,5;12;sand
+# a comment
+BH1;0;10,0;0;4,0;clay
+BH1;0;10,0;4,0;11;sand
+BH3;40;5,0;0;3;clay
+BH3;40;5;3;3,5;peat
+BH3;40;5;3,5;5;sand
+BH4;60;5;0;4;clay
+"""
+
+
+class Surveys(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def write(self, **texts):
+        for name, text in texts.items():
+            (self.folder / f"{name}.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
+        return [self.folder / f"{name}.csv" for name in texts]
+
+    def run_import(self, files, *options):
+        case = self.folder / "case.toml"
+        result = subprocess.run([PROGRAM, "import", *files, "-o", case, "--overwrite", *options], capture_output=True, text=True)
+        return result, tomllib.loads(case.read_text()) if result.returncode == 0 else None
+
+    def read(self, files, *options):
+        result, case = self.run_import(files, *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return case, result.stdout
+
+    def find_fault(self, files, *options):
+        result, _ = self.run_import(files, *options)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        return result.stderr
+
+    def run_lem(self, case, **strengths):
+        """Completes every material, checks the case and returns the summary of a run."""
+        text = (self.folder / "case.toml").read_text()
+        for key, value in {"unit_weight": 19, "cohesion": 10, "friction_angle": 28, **strengths}.items():
+            text = "\n".join(f"{key} = {value}" if line.startswith(f"# {key} =") else line for line in text.split("\n"))
+        path = self.folder / "complete.toml"
+        path.write_text(text)
+        checked = subprocess.run([PROGRAM, "check", path], capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        subprocess.run([PROGRAM, "run", path, "-o", self.folder / "out", "--no-report"], check=True, capture_output=True)
+        return json.loads((self.folder / "out/summary.json").read_text())
+
+    def test_lines_become_layers_and_run(self):
+        ground = "x,y\n0,20\n10,20\n30,10\n50,10\n"
+        case, printed = self.read(self.write(ground=ground, clay="x,y\n0,12\n50,7\n", rock="x,y\n0,0\n50,0\n"))
+        self.assertEqual(case["geometry"]["ground"], [[0, 20], [10, 20], [30, 10], [50, 10]])
+        self.assertEqual([layer["name"] for layer in case["geometry"]["layer"]], ["clay", "rock"])
+        self.assertEqual(case["geometry"]["layer"][0]["bottom"], [[0, 12], [50, 7]])
+        self.assertIn("lengths without a unit count as metres", printed)
+        factors = [r["factor"] for r in self.run_lem(case)["lem"]["critical"]]
+        self.assertTrue(all(1 < f < 4 for f in factors), factors)
+
+    def test_separators_units_and_marks_of_spreadsheets_make_no_difference(self):
+        plain, _ = self.read(self.write(a="x,y\n0,20\n40.5,10\n"), "--base=-5")
+        for text in (b"\xef\xbb\xbfStation [m];Elevation [m]\r\n0;20,0\r\n40,5;10\r\n", b"chainage\tlevel\n0\t20\n40,5\t10\n",
+                     b"% from the total station\n0 20\n// end of the cut\n40.5   10\n", b"x [ft],z (mAOD)\n0,20\n132.8740157480315,10\n",
+                     b'Distance_m,Code,Elevation_cm\n0,"a, b",2000\n40.5,c,1000\n',
+                     b"x [m]  y [m]\n0 20\n40.5 10\n", b"x,y\nm,m\n40.5,10\n0,20\n"):
+            case, _ = self.read(self.write(a=text), "--base=-5")
+            self.assertEqual(case["geometry"], plain["geometry"], text)
+        case, _ = self.read(self.write(a="x,y\n0,65.61679790026247\n132.8740157480315,32.808398950131235\n"), "--base=-5", "--units", "ft")
+        self.assertEqual(case["geometry"], plain["geometry"])
+        case, _ = self.read(self.write(a="x,y\n0,20\n40.5,10\n"), "--base=-10 ft")
+        self.assertEqual(case["geometry"]["layer"], [{"name": "soil", "level": -3.048}])
+
+    def test_boreholes_with_a_row_for_each_layer(self):
+        case, printed = self.read(self.write(holes=HOLES))
+        self.assertEqual(case["geometry"]["ground"], [[0, 10], [20, 9.5], [40, 5], [60, 5]])
+        self.assertEqual(case["geometry"]["layer"], [
+            {"name": "fill", "depths": [[0, 0], [20, 2], [40, 0], [60, 0]]}, {"name": "clay", "depths": [[0, 4], [20, 6.5], [40, 3], [60, 4]]},
+            {"name": "peat", "depths": [[0, 4], [20, 6.5], [40, 3.5], [60, 4]]}, {"name": "sand", "level": -2.5}])
+        self.assertIn("borehole BH4 ends above the lower boundary of 'clay', which was drawn through its end, 4 m deep", printed)
+        self.assertIn("level at y = -2.5 m, the lowest end of a borehole", printed)
+        self.assertGreater(self.run_lem(case)["lem"]["critical"][0]["factor"], 1)
+
+    def test_boreholes_with_a_row_each_and_a_ground_of_its_own(self):
+        ground = "x,y\n0,30\n60,20\n"
+        holes = "name;x [m];colluvium [m];weathered rock [m]\nBH1;12,0;4,7;9,5\nBH3;48,0;6,1;\nBH2;24;0;\n"
+        case, printed = self.read(self.write(ground=ground, holes=holes), "--base=0")
+        self.assertEqual(case["geometry"]["layer"], [
+            {"name": "colluvium", "depths": [[12, 4.7], [24, 0], [48, 6.1]]}, {"name": "weathered rock", "depths": [[12, 9.5]]},
+            {"name": "base", "level": 0}])
+        self.assertIn("a row for each and a column for each boundary", printed)
+
+    def test_positions_and_layers_in_two_tables(self):
+        collars = "HOLEID,EASTING,NORTHING,ELEVATION\nA,1000,2000,50\nB,1030,2040,46\nC,1060,2080,40\n"
+        layers = "HOLEID,FROM,TO,LITHOLOGY\nA,0,3,silt\nA,3,20,marl\nB,0,5,silt\nB,5,12,marl\nC,0,2,silt\nC,2,9,marl\n"
+        case, printed = self.read(self.write(collars=collars, layers=layers))
+        self.assertEqual(case["geometry"]["ground"], [[0, 50], [50, 46], [100, 40]], "distances along the line of the boreholes")
+        self.assertEqual(case["geometry"]["layer"][0], {"name": "silt", "depths": [[0, 3], [50, 5], [100, 2]]})
+        self.assertIn("azimuth 36.9°", printed)
+
+    def test_a_soil_that_returns_is_a_layer_of_the_same_material(self):
+        case, _ = self.read(self.write(h="hole,x,z,bottom,soil\nA,0,9,2,clay\nA,0,9,4,sand\nA,0,9,9,clay\nB,20,8,3,clay\nB,20,8,5,sand\nB,20,8,9,clay\n"))
+        self.assertEqual(case["regions"], {"clay": "clay", "sand": "sand", "clay 2": "clay"})
+        self.assertEqual(set(case["materials"]), {"clay", "sand"})
+
+    def test_orders_that_contradict_one_another_are_named(self):
+        fault = self.find_fault(self.write(h="hole,x,z,bottom,soil\nA,0,9,2,clay\nA,0,9,4,sand\nB,20,8,3,sand\nB,20,8,5,clay\n"))
+        self.assertRegex(fault, r"'clay' is above 'sand' in borehole A \(.*h.csv:2\), and below it in borehole B \(.*h.csv:4\)")
+        rows = [f"{hole},{x},9,{depth},{soil}" for hole, x, soils in (("A", 0, "ab"), ("B", 9, "bc"), ("C", 18, "ca")) for depth, soil in zip((2, 5), soils)]
+        fault = self.find_fault(self.write(h="\n".join(["hole,x,z,bottom,soil", *rows])))
+        for part in ("'a' is above 'b' in borehole A", "'b' is above 'c' in borehole B", "'c' is above 'a' in borehole C"):
+            self.assertIn(part, fault)
+
+    def test_what_is_not_understood_is_listed_with_its_line(self):
+        case, printed = self.read(self.write(a="x,y\n0,20\nabout here,15\n20,\n40,10\n"), "--base=0")
+        self.assertEqual(case["geometry"]["ground"], [[0, 20], [40, 10]])
+        self.assertIn("a.csv:3: 'about here' is not a number; the row was not used", printed)
+        self.assertIn("1 row of", printed)
+        _, printed = self.read(self.write(h=HOLES + "BH5;80;5;0;two;clay\n"))
+        self.assertIn("h.csv:12: 'two' is not a number", printed)
+        self.assertIn("borehole BH5 was left out, because of a row that is not understood", printed)
+
+    def test_faults_are_one_sentence(self):
+        for text, options, fault in (
+                ("a,b\n1,2\n", (), "neither those of a line"), ("", (), "is empty"), ("x,y\n", (), "no rows"),
+                ("x,y\n0,1\n5,1\n3,1\n9,1\n", ("--base=0",), "a.csv:4: the line folds back from x = 5 m to x = 3 m"),
+                ("x,y\n0,1\n5,1\n", (), "nothing below it"), ("x,y\n0,1\n0,5\n", ("--base=0",), "has no width"),
+                ("hole,x,z,bottom,soil\nA,1,2,3,clay\n", (), "one borehole and no ground"),
+                ("hole,x,z,bottom,soil\nA,1,2,3,clay\nB,1,2,3,clay\n", (), "are both at x = 1 m"),
+                ("hole,x,z,bottom,soil\nA,1,2,3,clay\nA,1,2,9,sand\nB,9,2,3,clay\n", ("--base=0",), "is not below the lowest boundary"),
+                ("hole,bottom,soil\nA,3,clay\nB,4,clay\n", (), "has no position"),
+                ("x [kg],y\n0,1\n", (), "'x' of"), ("x,y\n0,1\n5,1\n", ("--lines", "tops"), "no meaning for tables"),
+                ("x,y\n0,1\n5,1e12\n", ("--base=0",), "has one point"), ("x,y\n" + "".join(f"{i},{i % 2}\n" for i in range(5000)), ("--base=-9",), "the survey has 5000 points")):
+            self.assertIn(fault, self.find_fault(self.write(a=text), *options), text[:60])
+        self.assertIn("cannot be read: there is no such file", self.find_fault([self.folder / "none.csv"]))
+        (self.folder / "b.dxf").write_text("")
+        self.assertIn("several files must be tables", self.find_fault([*self.write(a="x,y\n0,1\n5,1\n"), self.folder / "b.dxf"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
