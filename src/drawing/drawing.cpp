@@ -48,6 +48,17 @@ std::optional<std::string> find_unit(const std::string& text) {
   return found == list_units().end() ? std::nullopt : std::optional<std::string>(found->second);
 }
 
+/// Returns true if all coordinates may be degrees and the lines extend over less than a section would.
+bool are_degrees(const Drawing& drawing) {
+  constexpr double smallest_section = 0.25;
+  Point low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const DrawnLine& line : drawing.lines)
+    for (const Point& p : line.points)
+      for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], p[d]), high[d] = std::max(high[d], p[d]);
+  return low[0] >= -180 && high[0] <= 180 && low[1] >= -90 && high[1] <= 90 &&
+         std::max(high[0] - low[0], high[1] - low[1]) < smallest_section;
+}
+
 }  // namespace
 
 bool has_gdal() {
@@ -92,6 +103,15 @@ Drawing read_drawing(const std::string& path) {
   take(drawing.lines, drawing.texts);
   drawing.remarks.resize(message.get<std::size_t>());
   for (std::string& remark : drawing.remarks) remark = message.get_text();
+  // GeoJSON without a coordinate system counts as longitude and latitude for GDAL; here it is a section in metres.
+  const std::string geographic = message.get_text();
+  const bool is_stated = drawing.format != "GeoJSON" || text.find("\"crs\"") != std::string::npos;
+  if (!geographic.empty() && (is_stated || are_degrees(drawing)))
+    fail_input(
+        "'{}' has longitudes and latitudes ({}), a map and not a section: bring x along the section and y as "
+        "elevation, "
+        "in a projected or no coordinate system",
+        path, geographic);
   return drawing;
 }
 

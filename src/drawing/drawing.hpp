@@ -23,6 +23,7 @@ struct DrawnLine {
   std::string handle;  ///< of the entity in its file, for messages
   bool closed = false;
   std::vector<Point> points;  ///< a closed line does not repeat its first point; in units of the drawing
+  std::string soil = {};      ///< attribute of a feature of GIS that names its soil
 };
 
 /// A text and its place.
@@ -41,7 +42,7 @@ struct Drawing {
 
 template <class Visit>
 void visit_members(Visit&& visit, Like<DrawnLine> auto& s) {
-  visit(s.layer, s.entity, s.handle, s.closed, s.points);
+  visit(s.layer, s.entity, s.handle, s.closed, s.points, s.soil);
 }
 template <class Visit>
 void visit_members(Visit&& visit, Like<DrawnText> auto& s) {
@@ -56,7 +57,7 @@ inline constexpr std::size_t most_lines = 50'000, most_points = 200'000;
 Drawing read_drawing(const std::string& path);
 
 /// The function of the module: reads `path` by the driver of `format` into a Message of an error text (empty: none),
-/// lines, texts and remarks.
+/// lines, texts, remarks, and the name of a geographic coordinate system (empty: none).
 using ReadByGdal = void (*)(const char* path, const char* format, Message& out);
 
 // Drawings of results.

@@ -16,6 +16,7 @@ struct Chain {
   std::string layer, handle;
   bool closed = false;
   mesh::Polyline points;
+  std::string soil = {};  ///< given by an attribute
 };
 
 /// Points of a section; more are thinned out, since the checks of a section are of quadratic cost.

@@ -59,7 +59,7 @@ class SectionFinder {
     set_water(water);
     if (!open.empty()) set_layers(open, closed);
     if (!has_areas)
-      for (const Chain& chain : closed) add_region(chain.points, chain.layer);
+      for (const Chain& chain : closed) add_region(chain.points, chain.layer, chain.soil);
     if (section_.layers.empty() && section_.regions.empty())
       fail_input("the drawing shows no section: no closed lines, and no two lines above one another");
     remark_texts();
@@ -88,7 +88,7 @@ class SectionFinder {
         ++result_lines_;
         continue;
       }
-      Chain chain{line.layer, line.handle, line.closed, line.points};
+      Chain chain{line.layer, line.handle, line.closed, line.points, line.soil};
       for (Point2& p : chain.points)
         for (double& c : p) c *= options_.unit;
       if (std::all_of(chain.points.begin(), chain.points.end(), is_a_place))
@@ -328,9 +328,9 @@ class SectionFinder {
     return widest == widths.end() || widest->first == "0" ? "" : widest->first;
   }
 
-  /// Adds a region with the name of the only text in it, or that of `layer`, or a number. Regions with one text are of
-  /// one material. Returns "its text" if it has one.
-  std::string add_region(const Polyline& outline, const std::string& layer) {
+  /// Adds a region with the name of `soil`, or of the only text in it, or of `layer`, or a number. Regions of one soil
+  /// or text are of one material. Returns "its text" if it has one.
+  std::string add_region(const Polyline& outline, const std::string& layer, const std::string& soil = {}) {
     std::set<std::string> labels;
     int count = 0;
     for (const DrawnText& text : drawing_.texts) {
@@ -345,6 +345,7 @@ class SectionFinder {
       labels.insert(text.text);
       ++count;
     }
+    if (!soil.empty()) labels = {soil}, count = 0;
     if (labels.size() != 1) {
       section_.regions.push_back(
           {name(layer.empty() ? fmt::format("soil {}", section_.regions.size() + 1) : layer), outline});
@@ -352,10 +353,10 @@ class SectionFinder {
     }
     used_texts_ += count;
     const std::string& label = *labels.begin();
-    DrawnSoil& soil = section_.regions.emplace_back();
-    soil.name = name(label);
-    soil.points = outline;
-    soil.material = materials_.try_emplace(label, soil.name).first->second;
+    DrawnSoil& region = section_.regions.emplace_back();
+    region.name = name(label);
+    region.points = outline;
+    region.material = materials_.try_emplace(label, region.name).first->second;
     return "its text";
   }
 

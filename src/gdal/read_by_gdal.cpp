@@ -41,6 +41,7 @@ class Reader {
       const OGRGeometry* geometry = feature->GetGeometryRef();
       feature_ = feature.get();
       DrawnLine line;
+      line.soil = get_text({"soil", "Soil", "SOIL", "material", "Material"});
       line.layer = get_text({"Layer", "layer", "soil", "material", "name"});
       if (line.layer.empty()) line.layer = layer.GetName();
       line.entity = get_text({"SubClasses"});
@@ -76,7 +77,8 @@ class Reader {
     if (depth > deepest) return remark(head, "is nested too deeply");
     switch (wkbFlatten(geometry.getGeometryType())) {
       case wkbPoint:
-        if (const std::string text = get_text({"Text"}); !text.empty())
+        if (const std::string text = get_text({"Text", "soil", "Soil", "SOIL", "material", "label", "name"});
+            !text.empty())
           drawing_.texts.push_back({head.layer, text, {geometry.toPoint()->getX(), geometry.toPoint()->getY()}});
         else
           remark(head, "is a point");
@@ -118,7 +120,7 @@ class Reader {
   std::size_t points_ = 0;
 };
 
-std::string read(const char* path, const char* format, Drawing& drawing, Heard& heard) {
+std::string read(const char* path, const char* format, Drawing& drawing, std::string& geographic, Heard& heard) {
   RegisterOGRDXF();
   RegisterOGRGeoPackage();
   RegisterOGRGeoJSON();
@@ -126,7 +128,13 @@ std::string read(const char* path, const char* format, Drawing& drawing, Heard& 
   const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path, GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (!data) return heard.error.empty() ? fmt::format("it is not a file of format {}", format) : heard.error;
   try {
-    for (OGRLayer* layer : data->GetLayers()) Reader(drawing).read(*layer);
+    for (OGRLayer* layer : data->GetLayers()) {
+      const OGRSpatialReference* system = layer->GetSpatialRef();
+      // GeoPackages without a system have an undefined one.
+      if (system != nullptr && system->IsGeographic() && !std::string_view(system->GetName()).starts_with("Undefined"))
+        geographic = system->GetName();
+      Reader(drawing).read(*layer);
+    }
   } catch (const std::length_error& error) {
     return error.what();
   }
@@ -196,7 +204,7 @@ extern "C" void talus_read_drawing(const char* path, const char* format, talus::
   CPLSetConfigOption("CPL_DEBUG", "DXF");
   CPLPushErrorHandlerEx(hear, &heard);
   Drawing drawing;
-  std::string error = read(path, format, drawing, heard);
+  std::string geographic, error = read(path, format, drawing, geographic, heard);
   if (error.empty() && drawing.lines.empty()) error = heard.error.empty() ? "it has no lines" : heard.error;
   drawing.remarks.insert(drawing.remarks.end(), heard.remarks.begin(), heard.remarks.end());
   out.put_text(error);
@@ -204,5 +212,6 @@ extern "C" void talus_read_drawing(const char* path, const char* format, talus::
   put(drawing.lines, drawing.texts);
   out.put(drawing.remarks.size());
   for (const std::string& remark : drawing.remarks) out.put_text(remark);
+  out.put_text(geographic);
   CPLPopErrorHandler();
 }

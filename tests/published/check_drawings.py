@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Drawings that other programs wrote are read by `talus import`: check_drawings.py PROGRAM. Exits with 77 without GDAL."""
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,9 +15,10 @@ PROGRAM = sys.argv.pop(1)
 
 class Drawings(unittest.TestCase):
     def run_import(self, name, *options):
+        name = name if isinstance(name, pathlib.Path) or "." in name else f"{name}.dxf"
         with tempfile.TemporaryDirectory() as scratch:
             case = pathlib.Path(scratch) / "case.toml"
-            result = subprocess.run([PROGRAM, "import", DATA / f"{name}.dxf", "-o", case, *options], capture_output=True, text=True)
+            result = subprocess.run([PROGRAM, "import", DATA / name, "-o", case, *options], capture_output=True, text=True)
             return result, tomllib.loads(case.read_text()) if case.exists() else None
 
     def read(self, name, *options):
@@ -33,6 +35,80 @@ class Drawings(unittest.TestCase):
         self.assertEqual(polygons, [])
         self.assertEqual(layers[1]["bottom"][0][1], -5)
         self.assertIn("water_table", case["initial"])
+
+    def test_formats_of_gis_give_the_section_of_the_drawing(self):
+        options = ("--units", "m", "--lines", "tops", "--base=-5")
+        wanted, *_ = self.read("geotechstaff_sample_section", *options)
+        for ending in ("gpkg", "geojson"):
+            case, *_ = self.read(f"geotechstaff_sample_section.{ending}", *options)
+            self.assertEqual(case, wanted)
+
+    def test_attributes_name_soils(self):
+        case, _, polygons, _ = self.read("hand_written_cut.geojson")
+        self.assertEqual(case["regions"], {"fill": "fill", "clay": "clay", "clay 2": "clay"})
+        self.assertEqual(sorted(case["materials"]), ["clay", "fill"])
+        self.assertEqual(case["initial"]["water_table"], [[0, 12], [30, 8], [50, 8]])
+
+    def test_maps_are_refused(self):
+        text = (DATA / "hand_written_cut.geojson").read_text()
+        stated = text.replace("{", '{"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}},', 1)
+        degrees = re.sub(r"\[(\d+), (\d+)\]", lambda m: f"[{8.5 + int(m[1]) / 1e5:.6f}, {47.3 + int(m[2]) / 1e5:.6f}]", text)
+        for kind in (stated, degrees):
+            with tempfile.NamedTemporaryFile(suffix=".geojson") as file:
+                pathlib.Path(file.name).write_text(kind)
+                result, _ = self.run_import(pathlib.Path(file.name))
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("has longitudes and latitudes (WGS 84), a map and not a section", result.stderr)
+
+    def write_dxf(self, lines, texts=()):
+        pairs = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, 6), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
+        for layer, points in lines:
+            for (x1, y1), (x2, y2) in zip(points, points[1:]):
+                pairs += [(0, "LINE"), (8, layer), (10, x1), (20, y1), (11, x2), (21, y2)]
+        for text, x, y in texts:
+            pairs += [(0, "MTEXT"), (8, "labels"), (10, x), (20, y), (40, 1), (1, text)]
+        file = tempfile.NamedTemporaryFile(suffix=".dxf")
+        self.addCleanup(file.close)
+        path = pathlib.Path(file.name)
+        path.write_text("".join(f"{code}\n{value}\n" for code, value in [*pairs, (0, "ENDSEC"), (0, "EOF")]))
+        return path
+
+    def test_crossing_lines_enclose_the_soils(self):
+        lines = [("GROUND", [(0, 20), (15, 20), (35, 10), (50, 10)]), ("FILL", [(-1, 14), (51, 8)]), ("CLAY", [(0, 8), (50, 12)]),
+                 ("sides", [(0, -1), (0, 20)]), ("sides", [(50, 10.004), (50, 0)]), ("BASE", [(0, 0), (49.997, 0)]), ("wall", [(35, 10), (35, 4)])]
+        drawing = self.write_dxf(lines, [("upper fill", 5, 17), ("stiff clay", 10, 5)])
+        case, layers, polygons, printed = self.read(drawing)
+        self.assertEqual(layers, [])
+        self.assertEqual([p["name"] for p in polygons], ["upper fill", "FILL", "CLAY", "stiff clay", "GROUND"])
+        area = sum(abs(sum(x1 * y2 - x2 * y1 for (x1, y1), (x2, y2) in zip(p["points"], p["points"][1:] + p["points"][:1]))) / 2 for p in polygons)
+        self.assertAlmostEqual(area, 15 * 20 + 20 * 15 + 15 * 10, delta=0.1)
+        for part in ("a gap of 0.004 m at (50, 10) m was closed", "a gap of 0.003 m at (49.997, 0) m was closed",
+                     "a part of a line, 5.846 m long, that ends at (35, 4) m bounds no area", "a part of a line, 1 m long, that ends at (0, -1) m",
+                     "Ends and corners nearer than 0.0052 m are one", "'upper fill', by its text", "'FILL', by the layer of the line above it"):
+            self.assertIn(part, printed)
+        # The two polygons at a crossing share its corner exactly.
+        self.assertEqual(sum([30.11811, 10.409449] in p["points"] for p in polygons), 4)
+
+    def test_gaps_are_closed_up_to_snap(self):
+        lines = [("a", [(0, 0), (0, 10), (20, 10), (20, 0), (0, 0)][:4]), ("b", [(0.05, 0), (19.95, 0)]), ("c", [(10, 9.96), (10, 0.04)])]
+        drawing = self.write_dxf(lines)
+        *_, polygons, printed = self.read(drawing, "--as", "regions", "--snap", "0.06")
+        self.assertEqual(len(polygons), 2)
+        self.assertIn("a gap of 0.05 m", printed)
+        result, _ = self.run_import(drawing, "--as", "regions")
+        self.assertIn("the lines of the drawing enclose no area", result.stderr)
+        result, _ = self.run_import(drawing, "--as", "regions", "--snap", "3")
+        self.assertIn("--snap is 3 m; it must be from", result.stderr)
+
+    def test_a_base_closes_crossing_boundaries(self):
+        lines = [("GROUND", [(0, 20), (50, 10)]), ("A", [(0, 15), (50, 5)]), ("B", [(0, 8), (50, 8)])]
+        *_, layers, polygons, printed = self.read(self.write_dxf(lines))
+        self.assertEqual((len(layers), len(polygons)), (2, 0))
+        self.assertIn("lines cross at (50, 5) m", printed)
+        *_, layers, polygons, _ = self.read(self.write_dxf(lines), "--base=-4 m")
+        self.assertEqual((len(layers), len(polygons)), (0, 4))
+        *_, layers, polygons, _ = self.read(self.write_dxf(lines), "--base=-4", "--as", "layers")
+        self.assertEqual((len(layers), len(polygons)), (3, 0))
 
     def test_units_must_be_known(self):
         result, _ = self.run_import("cloudcompare_dxflib_profile")
@@ -55,10 +131,10 @@ class Drawings(unittest.TestCase):
 
 # Layers and closed regions, or the sentence.
 EXPECTED = {
-    "autocad2017_R12": (16, 2), "bricscad_edgeminer_lines_arcs": (0, 8), "cadman_sdi_empty_handles": (0, 2),
+    "autocad2017_R12": (0, 22), "bricscad_edgeminer_lines_arcs": (0, 8), "cadman_sdi_empty_handles": (0, 2),
     "cloudcompare_dxflib_profile": (0, 1), "ezdxf_small_r13_dos932": (2, 4), "geotechstaff_sample_section": (1, 0),
     "leica_disto_s910": "the drawing shows no section: no closed lines, and no two lines above one another",
-    "librecad_hatches": (0, 2), "librecad_layers": (0, 3), "qcad_supported_entities": (16, 18),
+    "librecad_hatches": (0, 2), "librecad_layers": (0, 3), "qcad_supported_entities": (0, 39),
 }
 
 if __name__ == "__main__":
