@@ -137,6 +137,20 @@ class Surveys(unittest.TestCase):
         self.assertIn("h.csv:12: 'two' is not a number", printed)
         self.assertIn("borehole BH5 was left out, because of a row that is not understood", printed)
 
+    def test_tables_of_others(self):
+        case, printed = self.read([DATA / "subsurface_no_tops.csv"])
+        self.assertEqual([layer["name"] for layer in case["geometry"]["layer"]],
+                         ["Quaternary", "MittlererBuntsandsteinGP", "Zechstein", "UntererKeuperGP", "OberJura", "UnterJura", "MittelJura"])
+        self.assertAlmostEqual(case["geometry"]["ground"][1][0], ((32429575.25 - 32428405.75)**2 + (5782307.49 - 5784686.57)**2)**0.5, places=3)
+        case, printed = self.read([DATA / "pygslib_collar.csv", DATA / "pygslib_litho.csv"])
+        self.assertEqual(case["geometry"]["layer"][0]["name"], "Casing")
+        self.assertEqual(len(case["geometry"]["layer"]), 12)
+        self.assertEqual(case["regions"]["Early Diorite 2"], "Early Diorite")
+        self.assertIn("borehole B-576 (", printed)
+        case, _ = self.read([DATA / "own_slope_surface.csv", DATA / "own_slope_base.csv"])
+        self.assertEqual(len(case["geometry"]["ground"]), 60)
+        self.assertGreater(self.run_lem(case)["lem"]["critical"][0]["factor"], 1)
+
     def test_faults_are_one_sentence(self):
         for text, options, fault in (
                 ("a,b\n1,2\n", (), "neither those of a line"), ("", (), "is empty"), ("x,y\n", (), "no rows"),
@@ -147,9 +161,9 @@ class Surveys(unittest.TestCase):
                 ("hole,x,z,bottom,soil\nA,1,2,3,clay\nA,1,2,9,sand\nB,9,2,3,clay\n", ("--base=0",), "is not below the lowest boundary"),
                 ("hole,bottom,soil\nA,3,clay\nB,4,clay\n", (), "has no position"),
                 ("x [kg],y\n0,1\n", (), "'x' of"), ("x,y\n0,1\n5,1\n", ("--lines", "tops"), "no meaning for tables"),
-                ("x,y\n0,1\n5,1e12\n", ("--base=0",), "has one point"), ("x,y\n" + "".join(f"{i},{i % 2}\n" for i in range(5000)), ("--base=-9",), "the survey has 5000 points")):
+                ("x,y\n0,1\n5,1e12\n", ("--base=0",), "has one point"), ("x,y\n" + "".join(f"{i / 50},{i % 2}\n" for i in range(5000)), ("--base=-9",), "the survey has 5000 points")):
             self.assertIn(fault, self.find_fault(self.write(a=text), *options), text[:60])
-        self.assertIn("cannot be read: there is no such file", self.find_fault([self.folder / "none.csv"]))
+        self.assertIn("cannot be read: No such file", self.find_fault([self.folder / "none.csv"]))
         (self.folder / "b.dxf").write_text("")
         self.assertIn("several files must be tables", self.find_fault([*self.write(a="x,y\n0,1\n5,1\n"), self.folder / "b.dxf"]))
 
