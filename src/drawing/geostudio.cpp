@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -224,24 +225,48 @@ class Translator {
     std::map<std::string, mesh::Point2> local;
     for (const pugi::xml_node& point : entry_.child("DataPoints").children("DataPoint"))
       if (const auto p = find_point(point)) local[point.attribute("Number").value()] = *p;
-    int count = 0;
+    std::vector<std::pair<std::string, mesh::Polyline>> lines;  // ID and points
     for (const pugi::xml_node& surface : surfaces.children("PiezometricSurface")) {
-      if (++count > 1) continue;
       mesh::Polyline line;
       for (const pugi::xml_node& point : surface.child("DataPoints").children("DataPoint"))
         if (const auto at = local.find(point.child_value()); at != local.end()) line.push_back(at->second);
       if (line.size() > 1 && line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
-      if (line.size() < 2) continue;
-      text_ += fmt::format("\n[initial]\npore_pressure = \"water_table\"\nwater_table = {}\n", write_points(line));
+      if (line.size() >= 2) lines.emplace_back(surface.child("ID").child_value(), std::move(line));
     }
-    if (count > 1) remarks_.push_back(fmt::format("of {} piezometric surfaces the first was read", count));
-    std::set<std::string> with_water;
+    if (lines.empty()) return;
+    // The first surface is the water table, also where water stands on the ground; the others act in their soils.
+    text_ += fmt::format("\n[initial]\npore_pressure = \"water_table\"\nwater_table = {}\n",
+                         write_points(lines.front().second));
+    if (lines.size() > 1)
+      remarks_.push_back(fmt::format(
+          "of {} piezometric surfaces the first is the water table; water stands on the ground under it only",
+          lines.size()));
+    std::map<std::string, std::string> line_of;  // material → ID
     for (const pugi::xml_node& use : entry_.child("MaterialUsesPiezs").children("MaterialUsesPiez"))
-      with_water.insert(use.attribute("ID").value());
-    for (const auto& [id, name] : materials_)
-      if (count > 0 && !with_water.contains(id))
+      line_of[use.attribute("ID").value()] = use.attribute("UsesID").value();
+    for (const auto& [id, name] : materials_) {
+      const auto used = line_of.find(id);
+      if (used == line_of.end()) {
+        // Below all soil: its pore pressure is zero.
+        write_line(name, {{lines.front().second.front()[0], find_lowest()}});
         remarks_.push_back(fmt::format(
-            "material '{}' has no piezometric surface there; here the water table acts in all soils", name));
+            "material '{}' has no piezometric surface there; its line lies at the base of the section", name));
+        continue;
+      }
+      for (std::size_t i = 1; i < lines.size(); ++i)
+        if (lines[i].first == used->second) write_line(name, lines[i].second);
+    }
+  }
+
+  double find_lowest() const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const auto& [id, p] : points_) lowest = std::min(lowest, p[1]);
+    return lowest;
+  }
+
+  void write_line(const std::string& material, const mesh::Polyline& line) {
+    text_ += fmt::format("\n[[initial.piezometric_line]]\nmaterials = [\"{}\"]\npoints = {}\n", material,
+                         write_points(line));
   }
 
   /// Returns an acceleration of the earthquake; zero if it is left out.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // GeoStudio files (.gsz): a SLOPE/W analysis as a case file. Read are regions, Mohr–Coulomb and undrained strengths,
-// one piezometric surface, entry and exit ranges, and an earthquake.
+// piezometric surfaces by material, entry and exit ranges, and an earthquake.
 
 #include <string>
 #include <vector>

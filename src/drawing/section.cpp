@@ -58,8 +58,10 @@ class SectionFinder {
           open.size(), most_boundaries);
     set_water(water);
     if (!open.empty()) set_layers(open, closed);
-    if (!has_areas)
+    if (!has_areas) {
+      for (const Chain& chain : closed) all_faces_.push_back(chain.points);
       for (const Chain& chain : closed) add_region(chain.points, chain.layer, chain.soil);
+    }
     if (section_.layers.empty() && section_.regions.empty())
       fail_input("the drawing shows no section: no closed lines, and no two lines above one another");
     remark_texts();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines and texts of a drawing by GDAL, and the areas that lines enclose, by GEOS. Only the drivers of three formats are
-// registered, since others, such as virtual formats, open further files that a drawing names.
+// Lines and texts of a drawing by GDAL, and the areas that lines enclose, by GEOS. Only the drivers of three formats
+// are registered, since others, such as virtual formats, open further files that a drawing names.
 
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>

@@ -59,6 +59,9 @@ TEST(GeoStudio, AnAnalysisBecomesACase) {
   EXPECT_NEAR(sand.friction_angle, 32 * 3.14159265358979 / 180, 1e-12);
   EXPECT_EQ(data.initial.water.water_table.front(), (std::array<double, 2>{0, 2.4384}))
       << "turned to run from left to right";
+  ASSERT_EQ(data.initial.water.lines.size(), 1u) << "the clay uses no surface";
+  EXPECT_EQ(data.initial.water.lines[0].materials, std::vector<std::string>{"Soft _clay_"});
+  EXPECT_EQ(data.initial.water.lines[0].points.front()[1], 0);
   EXPECT_EQ(data.earthquake.horizontal, 0.1);
   EXPECT_EQ(data.lem.entry_exit.entry, (std::vector{1.524, 4.572}));
   EXPECT_TRUE(has_remark(found, "others, for --analysis: 'Later'"));
