@@ -3,14 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+#include <filesystem>
 #include <memory>
 
 #include "app/case_options.hpp"
 #include "app/command_line.hpp"
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
+#include "input/sketch.hpp"
+#include "run/case_picture.hpp"
 #include "run/check_case.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
@@ -106,31 +113,92 @@ std::string summarise(const input::Case& data) {
   return text;
 }
 
+struct CheckOptions : CaseOptions {
+  std::filesystem::path picture;
+
+  /// Throws Error (wrong_input) for a picture in another format.
+  void check_picture() const {
+    if (!picture.empty() && picture.extension() != ".svg")
+      fail_input("'{}' cannot be drawn: the name of the picture of a case ends with .svg", picture.string());
+  }
+};
+
+/// Checks a case and prints its warnings and its summary. `warnings` receives the warnings. Throws InputError with all
+/// faults of the file, and Error for faults that its methods find.
+void check_case(const CheckOptions& options, const std::vector<input::Override>& overrides,
+                std::vector<run::CaseMessage>& warnings) {
+  const input::LoadedCase loaded = input::read_case(options.file, overrides, input::CaseScope::whole_or_tests);
+  for (const Diagnostic& warning : loaded.warnings) warnings.push_back({false, warning});
+  if (!loaded.data.initial.result.empty())
+    input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
+  if (loaded.is_whole) {
+    run::check_ready_mesh(loaded);
+    run::check_methods(loaded.data);
+    run::refuse_above_memory(loaded);
+  }
+  const std::vector<std::string> lines = run::list_warnings(loaded);
+  for (const std::string& line : lines) print(stderr, line + "\n");
+  // Warnings of the ground follow those of the file, and have no place in it.
+  constexpr std::string_view word = "warning: ";
+  for (std::size_t i = loaded.warnings.size(); i < lines.size(); ++i)
+    warnings.push_back({false, {"", 0, 0, lines[i].starts_with(word) ? lines[i].substr(word.size()) : lines[i]}});
+  print(stdout,
+        fmt::format("{}: no errors{}\n{}", options.file,
+                    lines.empty() ? "" : ", " + count(lines.size(), "warning", "warnings"),
+                    loaded.is_whole ? summarise(loaded.data) + study::forecast_study(loaded, overrides)
+                                    : fmt::format("  {} of {}, no slope\n",
+                                                  count(loaded.data.tests.size(), "element test", "element tests"),
+                                                  count(loaded.data.materials.size(), "material", "materials"))));
+}
+
+/// Draws the case with its messages and prints the name of the picture. Throws Error (wrong_input) for a case without a
+/// plane section, and as write_atomically().
+void draw_case(const CheckOptions& options, const std::vector<input::Override>& overrides,
+               const std::vector<run::CaseMessage>& messages) {
+  const input::Sketch sketch = input::read_sketch(options.file, overrides, input::CaseScope::whole_or_tests);
+  output::CasePicture picture = run::make_case_picture(sketch, messages);
+  if (picture.title.empty()) picture.title = options.file;
+  const auto files = FileList::find(options.picture);
+  write_atomically(options.picture, output::write_case_picture(picture));
+  print(stdout, fmt::format("{}\n", options.picture.string()));
+}
+
+/// Draws a case with faults. A fault of the picture is printed, and those of the case remain the error of the command.
+void draw_faulty_case(const CheckOptions& options, const std::vector<input::Override>& overrides,
+                      const std::vector<run::CaseMessage>& messages) {
+  try {
+    draw_case(options, overrides, messages);
+  } catch (const Error& error) {
+    print(stderr, fmt::format("talus: warning: no picture: {}\n", error.what()));
+  }
+}
+
 }  // namespace
 
 void add_check(CLI::App& app) {
   const Command command(app, "check", "Check a case file: list all of its faults, or what it would calculate");
-  const auto options = std::make_shared<CaseOptions>();
+  const auto options = std::make_shared<CheckOptions>();
   options->add_to(command);
+  command
+      .take("--picture", options->picture,
+            "Draw the section with soils, water, loads, supports, mesh and search, and every message at its place")
+      .shown_as("FILE.svg");
   command.act([options] {
+    options->check_picture();
     const std::vector<input::Override> overrides = options->parse_overrides();
-    const input::LoadedCase loaded = input::read_case(options->file, overrides, input::CaseScope::whole_or_tests);
-    if (!loaded.data.initial.result.empty())
-      input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
-    if (loaded.is_whole) {
-      run::check_ready_mesh(loaded);
-      run::check_methods(loaded.data);
-      run::refuse_above_memory(loaded);
+    std::vector<run::CaseMessage> messages;
+    try {
+      check_case(*options, overrides, messages);
+    } catch (const InputError& error) {
+      for (const Diagnostic& fault : error.diagnostics()) messages.push_back({true, fault});
+      if (!options->picture.empty()) draw_faulty_case(*options, overrides, messages);
+      throw;
+    } catch (const Error& error) {
+      messages.push_back({true, {"", 0, 0, error.what()}});
+      if (!options->picture.empty()) draw_faulty_case(*options, overrides, messages);
+      throw;
     }
-    const std::vector<std::string> warnings = run::list_warnings(loaded);
-    for (const std::string& warning : warnings) print(stderr, warning + "\n");
-    print(stdout,
-          fmt::format("{}: no errors{}\n{}", options->file,
-                      warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
-                      loaded.is_whole ? summarise(loaded.data) + study::forecast_study(loaded, overrides)
-                                      : fmt::format("  {} of {}, no slope\n",
-                                                    count(loaded.data.tests.size(), "element test", "element tests"),
-                                                    count(loaded.data.materials.size(), "material", "materials"))));
+    if (!options->picture.empty()) draw_case(*options, overrides, messages);
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -22,6 +23,7 @@
 #include "input/language/codec_types.hpp"
 #include "input/language/parse.hpp"
 #include "input/language/reader.hpp"
+#include "input/sketch.hpp"
 
 namespace talus::input {
 
@@ -77,13 +79,12 @@ void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
 }
 
 /// Reads and checks the case without what needs repeated readings (values of a study, soils of element tests). `root`
-/// is the table of the file.
-std::optional<LoadedCase> read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides,
-                                    CaseScope scope, Findings& findings) {
+/// is the table of the file. Returns false if there are faults; `loaded` then has what could be read.
+bool read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides, CaseScope scope,
+               Findings& findings, LoadedCase& loaded) {
   findings.describe_owners = describe_owners;
   apply_overrides(root, overrides, findings);
   check_format(root, findings.places);
-  LoadedCase loaded;
   loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
   // [geometry] comes first in the file, but its checks depend on whether [mesh] has an external mesh.
   loaded.data.mesh.file = root["mesh"]["file"].value_or(std::string());
@@ -95,7 +96,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   reader.ask_methods(asked);
   describe(reader, loaded.data);
   reader.finish();
-  if (!check_extent(loaded.data, findings)) return std::nullopt;
+  if (!check_extent(loaded.data, findings)) return false;
   complete_units(loaded.data);
   build_layers(loaded.data, name, findings);
   load_series(loaded.data, name, findings);
@@ -126,7 +127,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   check_point_tests(loaded.data, findings);
   complete_calibration(loaded.data, name, findings);
   check_compare(loaded.data, findings);
-  if (!findings.empty()) return std::nullopt;
+  if (!findings.empty()) return false;
   std::vector<std::string> replaced;
   if (loaded.is_whole) replaced = replace_harmful(loaded.data);
   nlohmann::json result = echo(loaded.data, findings.places);
@@ -136,7 +137,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   loaded.warnings = findings.sort_warnings(loaded.data.unusual);
   for (std::string& sentence : replaced) loaded.warnings.push_back({name, 0, 0, std::move(sentence)});
   loaded.file = name;
-  return loaded;
+  return true;
 }
 
 /// Repeated readings of the case with changed values. The study itself is left out, because it may have thousands of
@@ -176,8 +177,8 @@ class Trials {
     Findings findings(places);
     toml::table root = parse_toml(text_, name_);
     root.erase("study");
-    if (auto loaded = read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings))
-      return std::move(*loaded);
+    LoadedCase loaded;
+    if (read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings, loaded)) return loaded;
     return findings.sort().front();
   }
   /// Returns the first fault of the case with one change; std::nullopt if there is none.
@@ -279,21 +280,75 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
                           CaseScope scope) {
   Places places(name);
   Findings findings(places);
-  std::optional<LoadedCase> loaded = read_once(parse_toml(text, name), name, overrides, scope, findings);
-  if (loaded) {
-    loaded->text = text;
+  LoadedCase loaded;
+  if (read_once(parse_toml(text, name), name, overrides, scope, findings, loaded)) {
+    loaded.text = text;
     const Trials trials(text, name, overrides);
-    check_study(*loaded, trials, findings);
-    check_uncertain_numbers(*loaded, trials, findings);
-    read_test_soils(*loaded, trials, findings);
+    check_study(loaded, trials, findings);
+    check_uncertain_numbers(loaded, trials, findings);
+    read_test_soils(loaded, trials, findings);
   }
   if (!findings.empty()) throw InputError(findings.sort());
-  loaded->places = std::move(places);
-  return std::move(*loaded);
+  loaded.places = std::move(places);
+  return loaded;
 }
 
 LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
   return read_case_text(read_text(path), path, overrides, scope);
+}
+
+namespace {
+
+/// The reading of a sketch, which its functions share.
+struct SketchReading {
+  Places places;
+  Findings findings;
+  std::vector<std::pair<std::string, Place>> given;
+
+  explicit SketchReading(const std::string& file) : places(file), findings(places) {}
+
+  /// Returns the path of the last key that begins at or before a place of the file; with --set, the path that it sets.
+  std::string find_path(const Diagnostic& message) const {
+    std::string found;
+    std::pair<int, int> nearest{0, 0};
+    for (const auto& [path, place] : given) {
+      if (place.file != message.file) continue;
+      const std::pair at{place.line, place.column};
+      if (message.line == 0) {
+        if (found.empty() || path.size() < found.size()) found = path;
+      } else if (at <= std::pair{message.line, message.column} && at >= nearest) {
+        // A list of tables begins where its first table does; the longer path is that of the table.
+        if (at > nearest || path.size() > found.size()) found = path;
+        nearest = at;
+      }
+    }
+    return found;
+  }
+};
+
+}  // namespace
+
+Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
+  const auto reading = std::make_shared<SketchReading>(path);
+  Sketch sketch;
+  try {
+    LoadedCase loaded;
+    const bool is_good =
+        read_once(parse_toml(read_text(path), path), path, overrides, scope, reading->findings, loaded);
+    sketch.data = std::move(loaded.data);
+    sketch.is_whole = loaded.is_whole;
+    if (!is_good) normalise_directions(sketch.data);
+    Places places(path);
+    Findings ignored(places);
+    sketch.is_small = check_extent(sketch.data, ignored);
+  } catch (const Error&) {  // not TOML, or of a later format: read_case() reports it
+  }
+  for (const std::string& key : reading->places.list_given())
+    reading->given.emplace_back(key, reading->places.find(key));
+  sketch.is_sound = [reading](const std::string& key) { return reading->findings.is_sound(key); };
+  sketch.is_given = [reading](const std::string& key) { return reading->places.is_given(key); };
+  sketch.find_path = [reading](const Diagnostic& message) { return reading->find_path(message); };
+  return sketch;
 }
 
 void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& sides,

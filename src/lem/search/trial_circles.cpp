@@ -101,13 +101,8 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
 
 // Trial circles about a grid of centres, with radii between two elevations of their deepest points.
 
-namespace {
-
-/// Chooses centres above the crest, up to 1.5 times the height or the width of the slopes, and deepest points down to
-/// 1.5 times the height below the toe, or to the base.
-void choose_grid(const Slope& slope, bool named, GridSearch& grid) {
-  const auto& ground = slope.section().ground;
-  double low = ground.front()[1], high = low, left = slope.right(), right = slope.left(), widest = 0, from = 0;
+GridSearch choose_grid(const std::vector<Point>& ground, double base, GridSearch grid) {
+  double low = ground.front()[1], high = low, left = ground.back()[0], right = ground.front()[0], widest = 0, from = 0;
   for (std::size_t i = 0; i < ground.size(); ++i) {
     low = std::min(low, ground[i][1]), high = std::max(high, ground[i][1]);
     if (i == 0 || ground[i][1] == ground[i - 1][1]) continue;
@@ -116,21 +111,19 @@ void choose_grid(const Slope& slope, bool named, GridSearch& grid) {
     widest = std::max(widest, ground[i][0] - from);
     left = std::min(left, ground[i - 1][0]), right = std::max(right, ground[i][0]);
   }
-  if (!(right > left)) left = slope.left(), right = slope.right();
+  if (!(right > left)) left = ground.front()[0], right = ground.back()[0];
   const double height = high - low;
-  if (!named) {
+  if (grid.from == grid.to) {
     grid.from = {left, high + 0.05 * height};
     grid.to = {right, high + std::max(1.5 * height, 1.5 * widest)};
   }
-  if (!grid.lowest) grid.lowest = std::max(slope.section().base, low - 1.5 * height);
+  if (!grid.lowest) grid.lowest = std::max(base, low - 1.5 * height);
   if (!grid.highest) grid.highest = high - 0.05 * height;
+  return grid;
 }
 
-}  // namespace
-
 TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options, GridSearch& used) {
-  used = options.grid.value_or(GridSearch{});
-  choose_grid(slope, used.from != used.to, used);
+  used = choose_grid(slope.section().ground, slope.section().base, options.grid.value_or(GridSearch{}));
   TrialCircles circles;
   circles.whole_ground = true;
   circles.left = circles.right = {slope.left(), slope.right()};

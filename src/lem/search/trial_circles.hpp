@@ -31,6 +31,10 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
                                      EntryExitSearch& used);
 TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options, GridSearch& used);
 
+/// Completes a grid: centres from above the crest up to 1.5 times the height or the width of the slopes, and deepest
+/// points down to 1.5 times the height below the toe, or to `base` [m].
+GridSearch choose_grid(const std::vector<Point>& ground, double base, GridSearch grid);
+
 // Circles that just touch a region. The factor jumps where a circle enters a strong layer, and its minimum often lies
 // at the jump, in a valley too narrow for a lattice of trial circles.
 

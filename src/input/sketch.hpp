@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A case as far as it can be read, for pictures of cases with faults.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "input/case/case.hpp"
+#include "input/language/parse.hpp"
+
+namespace talus::input {
+
+enum class CaseScope;
+
+struct Sketch {
+  Case data;              ///< values that could not be read have their defaults; is_sound() identifies them
+  bool is_whole = false;  ///< false: no slope, or a text that is not TOML
+  bool is_small = false;  ///< the section has few enough corners for geometric checks
+  /// Returns true if no fault at, below or above a path ("geometry.polygon.0.points.2") is known.
+  std::function<bool(const std::string& path)> is_sound;
+  std::function<bool(const std::string& path)> is_given;
+  /// Returns the path of the key where a message is reported; of the nearest key before its place if no key begins
+  /// there; empty without a place in the case.
+  std::function<std::string(const Diagnostic& message)> find_path;
+};
+
+/// Reads and checks a case file as read_case() does, without values of a study. Does not throw for faults of the case,
+/// which read_case() lists.
+Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope);
+
+}  // namespace talus::input
