@@ -315,6 +315,7 @@ struct SketchReading {
       if (place.file != message.file) continue;
       const std::pair at{place.line, place.column};
       if (message.line == 0) {
+        if (place.line != 0) continue;  // not of --set
         if (found.empty() || path.size() < found.size()) found = path;
       } else if (at <= std::pair{message.line, message.column} && at >= nearest) {
         // A list of tables begins where its first table does; the longer path is that of the table.
@@ -331,6 +332,7 @@ struct SketchReading {
 Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
   const auto reading = std::make_shared<SketchReading>(path);
   Sketch sketch;
+  sketch.file = path;
   try {
     LoadedCase loaded;
     const bool is_good =

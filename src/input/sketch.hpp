@@ -15,6 +15,7 @@ namespace talus::input {
 enum class CaseScope;
 
 struct Sketch {
+  std::string file;       ///< its name in messages
   Case data;              ///< values that could not be read have their defaults; is_sound() identifies them
   bool is_whole = false;  ///< false: no slope, or a text that is not TOML
   bool is_small = false;  ///< the section has few enough corners for geometric checks
@@ -22,7 +23,7 @@ struct Sketch {
   std::function<bool(const std::string& path)> is_sound;
   std::function<bool(const std::string& path)> is_given;
   /// Returns the path of the key where a message is reported; of the nearest key before its place if no key begins
-  /// there; empty without a place in the case.
+  /// there, and of the key that --set gives; empty without a place in the case.
   std::function<std::string(const Diagnostic& message)> find_path;
 };
 

@@ -82,11 +82,10 @@ void add_layers(const PictureSource& source, Picture& picture) {
 }
 
 /// Writes a message without the name of the case file.
-std::string write_message(const CaseMessage& message) {
+std::string write_message(const CaseMessage& message, const std::string& case_file) {
   const Diagnostic& d = message.diagnostic;
-  const std::string place = d.line > 0                     ? fmt::format("line {}: ", d.line)
-                            : d.file.starts_with("--set ") ? d.file + ": "
-                                                           : "";
+  std::string place = d.file == case_file || d.file.empty() ? "" : d.file + ": ";
+  if (d.line > 0) place += fmt::format("line {}: ", d.line);
   return (message.is_error ? "error: " : "warning: ") + place + d.sentence;
 }
 
@@ -154,8 +153,8 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
   add_conditions(source, picture);
   add_search(source, picture);
   for (const CaseMessage& message : messages)
-    picture.messages.push_back(
-        {message.is_error, write_message(message), find_message_place(sketch, source.ground, message.diagnostic)});
+    picture.messages.push_back({message.is_error, write_message(message, sketch.file),
+                                find_message_place(sketch, source.ground, message.diagnostic)});
   return picture;
 }
 

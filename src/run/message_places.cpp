@@ -318,8 +318,7 @@ bool has_points(const std::string& path) {
 
 std::optional<Point> find_message_place(const input::Sketch& sketch, const Polyline& ground,
                                         const Diagnostic& message) {
-  const bool has_key = message.line > 0 || message.file.starts_with("--set ");
-  const std::string path = has_key ? sketch.find_path(message) : "";
+  const std::string path = sketch.find_path(message);
   const PlaceSearch search(sketch, ground, path);
   bool is_exact = false;
   const std::optional<Point> of_key = search.find(is_exact);

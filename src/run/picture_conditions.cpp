@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "base/numbers.hpp"
@@ -87,8 +86,6 @@ void add_flooded(const PictureSource& source, const Polyline& table, Picture& pi
     for (const Point& p : *line)
       if (p[0] >= source.ground.front()[0] && p[0] <= source.ground.back()[0]) breaks.push_back(p[0]);
   std::ranges::sort(breaks);
-  std::optional<Point> widest;
-  double most = 0;
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     const double width = breaks[i] - breaks[i - 1];
     if (!(width > 1e-9 * (source.ground.back()[0] - source.ground.front()[0]))) continue;
@@ -102,9 +99,7 @@ void add_flooded(const PictureSource& source, const Polyline& table, Picture& pi
                              {a, site::find_water_table(table, a)},
                              {b, site::find_water_table(table, b)},
                              {b, site::find_level(source.ground, b)}});
-    if (b - a > most) most = b - a, widest = Point{(a + b) / 2, site::find_water_table(table, (a + b) / 2)};
   }
-  if (widest) picture.pond_levels.push_back(*widest);
 }
 
 void add_water(const PictureSource& source, Picture& picture) {
@@ -126,7 +121,6 @@ void add_water(const PictureSource& source, Picture& picture) {
   if (has_drawdown) add_table(source.data.lem.drawdown->water_table, "water table after drawdown", true);
   if (is_ordered(table)) add_flooded(source, table, picture);
   if (source.ground.size() < 2) return;
-  std::optional<site::Pond> widest;
   std::set<double> levels;
   for (const site::Pond& pond : site::find_ponds(source.data, source.ground, site::find_first_time(source.data))) {
     picture.ponds.push_back({pond.from, {pond.from[0], pond.level_from}, {pond.to[0], pond.level_to}, pond.to});
@@ -134,6 +128,10 @@ void add_water(const PictureSource& source, Picture& picture) {
     if (levels.insert(pond.level_from).second)
       picture.pond_levels.push_back({(pond.from[0] + pond.to[0]) / 2, (pond.level_from + pond.level_to) / 2});
   }
+}
+
+std::string describe_rain(const std::string& on, double rate, const ShownUnit& unit) {
+  return fmt::format("{}: {} {}", on, rate < 0 ? "evaporation" : "rain", format_value(std::abs(rate), unit, 3));
 }
 
 void add_water_sides(const PictureSource& source, Picture& picture, std::set<std::string>& named) {
@@ -160,9 +158,8 @@ void add_water_sides(const PictureSource& source, Picture& picture, std::set<std
         side = {WaterSideKind::seepage_face, side.line, h.on + ": seepage face"};
         break;
       case WaterCondition::rain:
-        side = {
-            WaterSideKind::rain, side.line,
-            fmt::format("{}: rain {}{}", h.on, format_value(values.at(time), source.data.units().rain(), 4), later)};
+        side = {WaterSideKind::rain, side.line,
+                describe_rain(h.on, values.at(time), source.data.units().rain()) + later};
         break;
       case WaterCondition::flux:
         side = {

@@ -111,15 +111,19 @@ void add_ready_mesh(PictureSource& source, Picture& picture) {
   if (static_cast<double>(mesh.elements.size()) <= longest_list) draw_mesh(mesh, picture);
 }
 
+/// Writes a large number with two significant digits: "21000".
+std::string write_rounded(double number) {
+  constexpr double most = 1e15;
+  return number < most ? fmt::format("{:.0f}", round_to_digits(number, 2)) : format_significant(number, 2);
+}
+
 std::string describe_estimate(const PictureSource& source, const mesh::Plan& plan, const char* method) {
   const ElementCount count = count_elements(plan);
   if (!(count.soil > 0) || !std::isfinite(count.soil)) return "";
-  std::string text =
-      fmt::format("{}: elements of {}, about {} with soil", method,
-                  format_value(plan.size, source.data.units().length, 3), format_significant(count.soil, 2));
+  std::string text = fmt::format("{}: elements of {}, about {} with soil", method,
+                                 format_value(plan.size, source.data.units().length, 3), write_rounded(count.soil));
   if (std::string_view(method) == "MPM")
-    text +=
-        fmt::format(", about {} material points", format_significant(count.soil * source.data.points_per_element, 2));
+    text += fmt::format(", about {} material points", write_rounded(count.soil * source.data.points_per_element));
   return text + " (estimated).";
 }
 
@@ -144,11 +148,13 @@ void add_meshes(PictureSource& source, Picture& picture) {
       try {
         const mesh::Mesh<2> mesh = mesh::generate<2>(plan);
         const std::size_t soil = count_soil(mesh);
+        const bool is_background = std::string_view(method) == "MPM";  // FEM has no elements without soil
         draw_mesh(mesh, picture);
-        picture.notes.push_back(fmt::format("{}: elements of {}, {} in the mesh, {} of them with soil{}.", method,
-                                            format_value(plan.size, source.data.units().length, 3),
-                                            mesh.elements.size(), soil,
-                                            std::string_view(method) == "MPM" ? write_points(source.data, soil) : ""));
+        if (!is_background) picture.empty_sides.clear();
+        picture.notes.push_back(fmt::format(
+            "{}: elements of {}, {} with soil{}.", method, format_value(plan.size, source.data.units().length, 3), soil,
+            is_background ? fmt::format(" of {} in the box{}", mesh.elements.size(), write_points(source.data, soil))
+                          : ""));
         return;
       } catch (const Error&) {  // the run reports what the mesh generator refuses; the estimate remains
       }
@@ -158,7 +164,10 @@ void add_meshes(PictureSource& source, Picture& picture) {
   if (has_points && source.data.mesh.size > 0) add(source.data.mesh, "MPM", true);
   if (has_elements && (source.data.mesh.size > 0 || source.data.fem.size)) {
     mesh::Plan plan = mesh::resize(source.data.mesh, source.data.fem.size.value_or(source.data.mesh.size));
-    if (!source.is_faulty && !source.ground.empty()) plan = make_fem_plan(site::Site(source.data));
+    try {
+      if (!source.is_faulty && !source.ground.empty()) plan = make_fem_plan(site::Site(source.data));
+    } catch (const Error&) {  // the plan without corners at loads has nearly as many elements
+    }
     add(plan, "FEM", !has_points);
   }
   if (input::uses(source.data, input::Method::bounds))

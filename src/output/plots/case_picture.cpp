@@ -19,7 +19,7 @@ namespace {
 using Point = results::Point;
 
 constexpr double page_width = 1000, frame_left = 72, frame_right = 24, heading = 44;  ///< [px]
-constexpr double pad_side = 60, pad_top = 84, pad_bottom = 40;  ///< between frame and section [px]
+constexpr double pad_side = 60, pad_top = 46, pad_bottom = 40;  ///< between frame and section [px]
 constexpr double most_height = 560, least_height = 150;         ///< of the section [px]
 constexpr double row = 20;                                      ///< of legend and notes [px]
 constexpr std::size_t most_messages = 300, most_names = 120;
@@ -53,8 +53,8 @@ class Drawing {
   void mark_messages();
   void name_soils();
   void add_label(const Label& label);
+  void avoid(const std::vector<Point>& line);
   void name_line(const std::string& text, const std::vector<Pixel>& line, const char* ink, bool is_needed = true);
-  std::string draw_axes() const;
   std::string draw_legend(double& top) const;
   std::string list_notes(double& top) const;
   std::string list_messages(double& top) const;
@@ -96,9 +96,11 @@ Rectangle Drawing::fit() {
     return frame_;
   view_.scale = std::min((frame_width - 2 * pad_side) / width, most_height / height);
   const double drawn = std::max(least_height, height * view_.scale);
-  frame_.bottom = frame_.top + pad_top + drawn + pad_bottom;
+  // Loads stand above the ground, with their names.
+  const double top = pad_top + (picture_.loads.empty() ? 0 : load_arrow);
+  frame_.bottom = frame_.top + top + drawn + pad_bottom;
   view_.x0 = (frame_.left + frame_.right) / 2 - view_.scale * (box.x0 + box.x1) / 2;
-  view_.y0 = frame_.top + pad_top + drawn / 2 + view_.scale * (box.y0 + box.y1) / 2;
+  view_.y0 = frame_.top + top + drawn / 2 + view_.scale * (box.y0 + box.y1) / 2;
   return frame_;
 }
 
@@ -118,6 +120,13 @@ void Drawing::add_label(const Label& label) {
   }
   const std::size_t at = places_.choose(rectangles, !label.is_needed);
   if (at < label.places.size()) labels_ += write_text(label.places[at], label.text, label.style);
+}
+
+/// Keeps labels off a line.
+void Drawing::avoid(const std::vector<Point>& line) {
+  constexpr double half = 2;
+  for (const AlongLine& p : divide_line(view_(line), 10, 2))
+    places_.occupy({p.at.x - half, p.at.y - half, p.at.x + half, p.at.y + half});
 }
 
 /// Names a line beside its middle, or elsewhere along it.
@@ -377,48 +386,15 @@ void Drawing::draw_section() {
   if (!has_section()) return;
   draw_soils();
   draw_mesh();
+  for (const auto& side : picture_.water_sides) avoid(side.line);
+  for (const auto& range : picture_.ranges) avoid(range.ground);
+  for (const auto& surface : picture_.surfaces) avoid(surface.points);
   // Numbers of messages take their places first, and names of soils, which the legend repeats, take theirs last.
   mark_messages();
   draw_loads();
   draw_water();
   draw_search();
   name_soils();
-}
-
-std::string Drawing::draw_axes() const {
-  const double unit = picture_.length.si;
-  std::string text =
-      write_polygon({{frame_.left, frame_.top},
-                     {frame_.right, frame_.top},
-                     {frame_.right, frame_.bottom},
-                     {frame_.left, frame_.bottom}},
-                    fmt::format("class=\"frame\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"", "#d5dae1"));
-  const auto write_axis = [&](bool is_x) {
-    const double from = (is_x ? (frame_.left - view_.x0) : (view_.y0 - frame_.bottom)) / view_.scale / unit,
-                 to = (is_x ? (frame_.right - view_.x0) : (view_.y0 - frame_.top)) / view_.scale / unit;
-    const double step = find_tic_step(to - from, is_x ? 12 : std::max(3.0, (frame_.bottom - frame_.top) / 45));
-    const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
-    const TextStyle style{
-        .size = 11, .anchor = is_x ? Anchor::middle : Anchor::end, .colour = colour::muted, .halo = false};
-    for (double n = std::ceil(from / step - 1e-9); n * step <= to * (1 + 1e-12) + 1e-9 * step; ++n) {
-      const double value = n * step;
-      std::string label = std::abs(step) < 1e6 && std::abs(value) < 1e9 ? fmt::format("{:.{}f}", value, decimals)
-                                                                        : fmt::format("{:.4g}", value);
-      if (n == 0) label = "0";
-      const Pixel at = is_x ? Pixel{view_.x0 + view_.scale * value * unit, frame_.bottom}
-                            : Pixel{frame_.left, view_.y0 - view_.scale * value * unit};
-      text += write_line({at, is_x ? Pixel{at.x, at.y + 5} : Pixel{at.x - 5, at.y}}, "stroke=\"#5b6675\"");
-      text += write_text(is_x ? Pixel{at.x, at.y + 14} : Pixel{at.x - 8, at.y}, label, style);
-    }
-  };
-  write_axis(true);
-  write_axis(false);
-  const TextStyle name{.size = 12, .anchor = Anchor::middle, .colour = colour::muted, .halo = false};
-  return text +
-         write_text({(frame_.left + frame_.right) / 2, frame_.bottom + 31}, make_label("x", picture_.length.name),
-                    name) +
-         fmt::format("<g transform=\"translate(16 {:.2f}) rotate(-90)\">{}</g>\n", (frame_.top + frame_.bottom) / 2,
-                     write_text({0, 0}, make_label("y", picture_.length.name), name));
 }
 
 std::string Drawing::draw_legend(double& top) const {
@@ -482,12 +458,14 @@ std::string Drawing::write() {
     text += fmt::format(
         "<clipPath id=\"frame\"><rect x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"{3:.2f}\"/>"
         "</clipPath>\n<g clip-path=\"url(#frame)\">\n{4}</g>\n<g class=\"labels\">\n{5}</g>\n{6}{7}",
-        frame_.left, frame_.top, frame_.right - frame_.left, frame_.bottom - frame_.top, drawn_, labels_, draw_axes(),
-        marks_);
+        frame_.left, frame_.top, frame_.right - frame_.left, frame_.bottom - frame_.top, drawn_, labels_,
+        draw_axes(view_, frame_, picture_.length), marks_);
   else
     text += write_text({frame_.left, frame_.top + 24}, "No section could be read from this case.", {.halo = false});
   double top = frame_.bottom + (has_section() ? 48 : 0);
-  text += draw_legend(top) + list_notes(top) + list_messages(top);
+  text += list_messages(top);
+  text += draw_legend(top);
+  text += list_notes(top);
   return write_svg(page_width, top + 16, picture_.title, text);
 }
 

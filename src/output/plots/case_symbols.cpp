@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/plots/gnuplot.hpp"
+
 namespace talus::output {
 namespace {
 
@@ -197,8 +199,14 @@ std::string draw_load(const CasePicture::Load& load, double most, const View& vi
       continue;
     }
     const double length = shortest + (load_arrow - shortest) * size / most;
-    const Pixel tail{p.at.x - length * q[0] / size, p.at.y + length * q[1] / size};
-    text += write_arrow(tail, p.at, colour::load);
+    const Pixel to{q[0] / size, -q[1] / size};
+    // Arrows along the line would hide one another and the line: they are short and stand above it.
+    const double across = std::abs(to.x * p.normal.x + to.y * p.normal.y);
+    const bool is_along = across < 0.2;
+    const Pixel up = p.normal.y < 0 ? p.normal : Pixel{-p.normal.x, -p.normal.y};
+    const Pixel tip = is_along ? move(p.at, up, 6) : p.at;
+    const Pixel tail = move(tip, to, is_along ? -std::min(length, 16.0) : -length);
+    text += write_arrow(tail, tip, colour::load);
     tails.push_back(tail);
   }
   return group("load", write_line(tails, stroke(colour::load, 1.4)) + text);
@@ -227,7 +235,7 @@ std::string draw_range(const CasePicture::GroundRange& range, const View& view) 
   std::vector<Pixel> line = view(range.ground);
   for (Pixel& p : line) p.y -= above;
   const char* ink = range.is_entry ? colour::entry : colour::exit;
-  std::string text = write_line(line, stroke(ink, 3, "stroke-opacity=\"0.75\""));
+  std::string text = write_line(line, stroke(ink, 2, "stroke-opacity=\"0.8\""));
   for (const Pixel& end : {line.front(), line.back()})
     text += write_line({{end.x, end.y - 5}, {end.x, end.y + above}}, stroke(ink, 2));
   return group("range", text);
@@ -245,6 +253,37 @@ std::string draw_centres(const CasePicture::CentreGrid& grid, const View& view) 
       text += write_circle({a.x + share(i, columns) * (b.x - a.x), a.y + share(j, rows) * (b.y - a.y)}, 1.2,
                            fmt::format("fill=\"{}\"", colour::exit));
   return group("centres", text);
+}
+
+std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit& length) {
+  const double unit = length.si;
+  std::string text = write_polygon(
+      {{frame.left, frame.top}, {frame.right, frame.top}, {frame.right, frame.bottom}, {frame.left, frame.bottom}},
+      fmt::format("class=\"frame\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"", "#d5dae1"));
+  const auto write_axis = [&](bool is_x) {
+    const double from = (is_x ? (frame.left - view.x0) : (view.y0 - frame.bottom)) / view.scale / unit,
+                 to = (is_x ? (frame.right - view.x0) : (view.y0 - frame.top)) / view.scale / unit;
+    const double step = find_tic_step(to - from, is_x ? 12 : std::max(3.0, (frame.bottom - frame.top) / 45));
+    const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
+    const TextStyle style{
+        .size = 11, .anchor = is_x ? Anchor::middle : Anchor::end, .colour = colour::muted, .halo = false};
+    for (double n = std::ceil(from / step - 1e-9); n * step <= to * (1 + 1e-12) + 1e-9 * step; ++n) {
+      const double value = n * step;
+      std::string label = std::abs(step) < 1e6 && std::abs(value) < 1e9 ? fmt::format("{:.{}f}", value, decimals)
+                                                                        : fmt::format("{:.4g}", value);
+      if (n == 0) label = "0";
+      const Pixel at = is_x ? Pixel{view.x0 + view.scale * value * unit, frame.bottom}
+                            : Pixel{frame.left, view.y0 - view.scale * value * unit};
+      text += write_line({at, is_x ? Pixel{at.x, at.y + 5} : Pixel{at.x - 5, at.y}}, "stroke=\"#5b6675\"");
+      text += write_text(is_x ? Pixel{at.x, at.y + 14} : Pixel{at.x - 8, at.y}, label, style);
+    }
+  };
+  write_axis(true);
+  write_axis(false);
+  const TextStyle name{.size = 12, .anchor = Anchor::middle, .colour = colour::muted, .halo = false};
+  return text + write_text({(frame.left + frame.right) / 2, frame.bottom + 31}, make_label("x", length.name), name) +
+         fmt::format("<g transform=\"translate(16 {:.2f}) rotate(-90)\">{}</g>\n", (frame.top + frame.bottom) / 2,
+                     write_text({0, 0}, make_label("y", length.name), name));
 }
 
 }  // namespace talus::output

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Symbols of a section: supports, hydraulic conditions, loads, roots and search ranges, as elements of SVG.
+// Symbols of a section: axes, supports, hydraulic conditions, loads, roots and search ranges, as elements of SVG.
 
 #include <string>
 #include <vector>
@@ -50,5 +50,7 @@ inline constexpr double load_arrow = 40;
 std::string draw_roots(const CasePicture::RootZone& roots, const View& view);
 std::string draw_range(const CasePicture::GroundRange& range, const View& view);
 std::string draw_centres(const CasePicture::CentreGrid& grid, const View& view);
+/// Frame, tics and names of the axes in units of length.
+std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit& length);
 
 }  // namespace talus::output
