@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -323,7 +324,20 @@ struct SketchReading {
         nearest = at;
       }
     }
+    // An item that could not be read is not recorded: the message then belongs to its list, not to the item before.
+    const bool is_before = message.line > 0 && nearest != std::pair{message.line, message.column};
+    while (is_before && is_item(found)) found.resize(found.rfind('.'));
     return found;
+  }
+
+ private:
+  /// Returns true for an item of a list of values, "points.0"; false for a table of a list, which has keys.
+  bool is_item(const std::string& path) const {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string::npos || path.find_first_not_of("0123456789", dot + 1) != std::string::npos) return false;
+    const auto below = std::ranges::upper_bound(given, path + ".", {}, [](const auto& entry) { return entry.first; });
+    const bool has_part = below != given.end() && below->first.starts_with(path + ".");
+    return !has_part || std::isdigit(static_cast<unsigned char>(below->first[path.size() + 1])) != 0;
   }
 };
 

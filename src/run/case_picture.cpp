@@ -17,15 +17,6 @@ using Point = results::Point;
 using Polyline = std::vector<Point>;
 using Picture = output::CasePicture;
 
-/// Removes the points that could not be read: these are at the origin.
-void drop_unread(Polyline& points, const std::string& path, const input::Sketch& sketch) {
-  if (sketch.is_sound(path)) return;
-  Polyline kept;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i] != Point{} || sketch.is_given(fmt::format("{}.{}", path, i))) kept.push_back(points[i]);
-  points = std::move(kept);
-}
-
 /// Returns the case without conditions, loads and points that could not be read.
 input::Case make_drawable(const input::Sketch& sketch) {
   input::Case data = sketch.data;
@@ -91,6 +82,14 @@ std::string write_message(const CaseMessage& message, const std::string& case_fi
 
 }  // namespace
 
+void drop_unread(Polyline& points, const std::string& path, const input::Sketch& sketch) {
+  if (sketch.is_sound(path)) return;
+  Polyline kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i] != Point{} || sketch.is_given(fmt::format("{}.{}", path, i))) kept.push_back(points[i]);
+  points = std::move(kept);
+}
+
 PictureSource::Polyline PictureSource::find_line(const std::string& name) const {
   if (const auto found = mesh_sides.find(name); found != mesh_sides.end()) return found->second;
   return find_side_line(data, name);
@@ -152,9 +151,13 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
   add_meshes(source, picture);
   add_conditions(source, picture);
   add_search(source, picture);
-  for (const CaseMessage& message : messages)
-    picture.messages.push_back({message.is_error, write_message(message, sketch.file),
-                                find_message_place(sketch, source.ground, message.diagnostic)});
+  constexpr std::size_t most_places = 300;  // of a hostile file with very many faults
+  for (const CaseMessage& message : messages) {
+    const bool is_marked = picture.messages.size() < most_places;
+    picture.messages.push_back(
+        {message.is_error, write_message(message, sketch.file),
+         is_marked ? find_message_place(sketch, source.ground, message.diagnostic) : std::nullopt});
+  }
   return picture;
 }
 

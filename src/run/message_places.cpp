@@ -11,6 +11,7 @@
 #include "input/case/geometry.hpp"
 #include "mesh/planar.hpp"
 #include "run/case_picture.hpp"
+#include "run/picture_parts.hpp"
 #include "site/ground_line.hpp"
 
 namespace talus::run {
@@ -163,7 +164,7 @@ class Sentence {
 class PlaceSearch {
  public:
   PlaceSearch(const input::Sketch& sketch, const Polyline& ground, const std::string& path)
-      : data_(sketch.data), ground_(ground), steps_(split(path)) {}
+      : sketch_(sketch), data_(sketch.data), ground_(ground), steps_(split(path)) {}
 
   /// Returns the place of the key; sets `is_exact` if the key is a single point.
   std::optional<Point> find(bool& is_exact) const {
@@ -216,7 +217,12 @@ class PlaceSearch {
   std::optional<Point> find_on_line(const Polyline& line, std::size_t at, bool& is_exact) const {
     const Point* corner = find_item(line, steps_, at);
     is_exact = corner != nullptr;
-    return corner == nullptr ? find_middle(line) : std::optional(*corner);
+    if (corner != nullptr) return *corner;
+    std::string path;
+    for (std::size_t i = 0; i < std::min(at, steps_.size()); ++i) path += (i > 0 ? "." : "") + steps_[i];
+    Polyline points = line;
+    drop_unread(points, path, sketch_);
+    return find_middle(points);
   }
 
   std::optional<Point> find_in_geometry(bool& is_exact) const {
@@ -301,6 +307,7 @@ class PlaceSearch {
     return Point{(*surface->centre)[0], (*surface->centre)[1] - *surface->radius};
   }
 
+  const input::Sketch& sketch_;
   const input::Case& data_;
   const Polyline& ground_;
   std::vector<std::string> steps_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/numbers.hpp"
@@ -121,13 +122,16 @@ void add_water(const PictureSource& source, Picture& picture) {
   if (has_drawdown) add_table(source.data.lem.drawdown->water_table, "water table after drawdown", true);
   if (is_ordered(table)) add_flooded(source, table, picture);
   if (source.ground.size() < 2) return;
-  std::set<double> levels;
+  std::map<double, Point> levels;  // one symbol for each level, on its widest part
+  std::map<double, double> widths;
   for (const site::Pond& pond : site::find_ponds(source.data, source.ground, site::find_first_time(source.data))) {
     picture.ponds.push_back({pond.from, {pond.from[0], pond.level_from}, {pond.to[0], pond.level_to}, pond.to});
-    // One symbol for each level: neighbouring segments of a line have the same pond.
-    if (levels.insert(pond.level_from).second)
-      picture.pond_levels.push_back({(pond.from[0] + pond.to[0]) / 2, (pond.level_from + pond.level_to) / 2});
+    double& width = widths[pond.level_from];
+    if (pond.to[0] - pond.from[0] <= width) continue;
+    width = pond.to[0] - pond.from[0];
+    levels[pond.level_from] = {(pond.from[0] + pond.to[0]) / 2, (pond.level_from + pond.level_to) / 2};
   }
+  for (const auto& [level, place] : levels) picture.pond_levels.push_back(place);
 }
 
 std::string describe_rain(const std::string& on, double rate, const ShownUnit& unit) {

@@ -28,6 +28,9 @@ struct PictureSource {
   Polyline cut_ground(double from, double to) const;
 };
 
+/// Removes the points of the list at `path` that could not be read: these are at the origin.
+void drop_unread(std::vector<results::Point>& points, const std::string& path, const input::Sketch& sketch);
+
 /// Adds the soils and sides of a ready mesh, or the elements of the plan if they are made in a moment, and notes on the
 /// elements of each method.
 void add_meshes(PictureSource& source, output::CasePicture& picture);

@@ -83,23 +83,21 @@ TEST(CheckPicture, MarksErrorsAtTheirPlaces) {
 [initial]
 pore_pressure = "water_table"
 water_table = [[0, 24], [60, 30], [50, 28]]
-[[surcharge]]
-name = "road"
-x = [60, 70]
-load = [10]
 [[hydraulic]]
 on = "top"
 condition = "total_head"
 [[geometry.line]]
 name = "toe"
-points = [[0, 25], [30, "far"]]
+points = [[0, 25], [10, 25], [30, "far"]]
 )";
   const Drawn drawn = draw("faulty", text);
   EXPECT_EQ(drawn.outcome.code, 2) << drawn.outcome.text;
   EXPECT_NE(drawn.outcome.text.find("faulty.svg\n"), std::string::npos) << drawn.outcome.text;
   expect_mark(drawn.svg, "repeats its point (30, 25)", 30, 25);
   expect_mark(drawn.svg, "missing key &#39;cohesion&#39;", 67.5, 27.5, 15);
-  expect_mark(drawn.svg, "'road'", 65, 35);
+  expect_mark(drawn.svg, "goes from x = 60 m to x = 50 m", 50, 28);
+  expect_mark(drawn.svg, "missing key &#39;head&#39;", 45, 35);
+  expect_mark(drawn.svg, "&#39;far&#39;", 5, 25);
   EXPECT_NE(drawn.svg.find("class=\"water-table\""), std::string::npos);
   EXPECT_NE(drawn.svg.find("class=\"soil\" data-region=\"soil\""), std::string::npos);
 }
@@ -117,11 +115,12 @@ analysis.methods = ["lem"]
 }
 
 TEST(CheckPicture, MarksAWarningOfTheGroundInUnitsOfTheCase) {
-  const Drawn drawn = draw("steep", change(slices_alone, "[50, 35], [30, 25]", "[50, 35], [40, 25]"));
+  const std::string text =
+      change(change(slices_alone, "[50, 35], [30, 25]", "[50, 35], [40, 25]"), "cohesion = 3", "cohesion = 0");
+  const Drawn drawn = draw("steep", text);
   EXPECT_EQ(drawn.outcome.code, 0) << drawn.outcome.text;
   expect_mark(drawn.svg, "rises at 45.0°", 45, 30);
-  const Drawn in_feet = draw("steep_in_feet", change(slices_alone, "[50, 35], [30, 25]", "[50, 35], [40, 25]"),
-                             "--set output.length_unit=ft");
+  const Drawn in_feet = draw("steep_in_feet", text, "--set output.length_unit=ft");
   expect_mark(in_feet.svg, "rises at 45.0°", 45 / 0.3048, 30 / 0.3048, 1e-2);
 }
 
@@ -155,7 +154,7 @@ methods = ["lem"]
 }
 
 TEST(CheckPicture, RefusesWhatIsNoSection) {
-  const Drawn in_3d = draw("solid", change(slope, "[geometry]\n", "[geometry]\ndimension = 3\nthickness = 2\n"));
+  const Drawn in_3d = draw("solid", change(slope, "dimension = 2", "dimension = 3\nthickness = 2"));
   EXPECT_EQ(in_3d.outcome.code, 2) << in_3d.outcome.text;
   EXPECT_NE(in_3d.outcome.text.find("a picture shows a plane section, but this case has 'dimension' = 3"),
             std::string::npos)

@@ -72,6 +72,7 @@ class Drawing {
   LabelPlaces places_;
   std::map<std::string, std::size_t> material_index_;
   std::string drawn_, labels_, marks_;
+  std::size_t names_ = 0;  ///< of lines
   std::vector<Entry> legend_;
 };
 
@@ -97,7 +98,8 @@ Rectangle Drawing::fit() {
   view_.scale = std::min((frame_width - 2 * pad_side) / width, most_height / height);
   const double drawn = std::max(least_height, height * view_.scale);
   // Loads stand above the ground, with their names.
-  const double top = pad_top + (picture_.loads.empty() ? 0 : load_arrow);
+  const double top =
+      pad_top + (picture_.loads.empty() ? 0 : load_arrow) + 20 * static_cast<double>(picture_.shaking.size());
   frame_.bottom = frame_.top + top + drawn + pad_bottom;
   view_.x0 = (frame_.left + frame_.right) / 2 - view_.scale * (box.x0 + box.x1) / 2;
   view_.y0 = frame_.top + top + drawn / 2 + view_.scale * (box.y0 + box.y1) / 2;
@@ -131,6 +133,7 @@ void Drawing::avoid(const std::vector<Point>& line) {
 
 /// Names a line beside its middle, or elsewhere along it.
 void Drawing::name_line(const std::string& text, const std::vector<Pixel>& line, const char* ink, bool is_needed) {
+  if (++names_ > most_names) return;
   std::vector<AlongLine> along = divide_line(line, 1e9, 9);
   std::ranges::stable_sort(along, {}, [](const AlongLine& p) { return std::abs(p.fraction - 0.5); });
   Label label{shorten(text, 60), {.size = 11, .anchor = Anchor::middle, .colour = ink}, {}, is_needed};
@@ -220,19 +223,6 @@ void Drawing::draw_water() {
 }
 
 void Drawing::draw_loads() {
-  const double most = find_largest_load(picture_.loads);
-  for (const auto& load : picture_.loads) {
-    if (load.line.size() < 2) continue;
-    drawn_ += draw_load(load, most, view_);
-    Box box;
-    for (const Pixel& p : view_(load.line)) box.include(p.x, p.y);
-    places_.occupy({box.x0, box.y0 - load_arrow, box.x1, box.y0});
-    const double x = (box.x0 + box.x1) / 2, top = box.y0 - load_arrow - 10;
-    add_label({shorten(load.text, 60),
-               {.size = 11, .anchor = Anchor::middle, .colour = colour::load},
-               {{x, top}, {x, top - 14}, {x - 60, top}, {x + 60, top}, {x, top - 28}, {x, box.y1 + 14}}});
-  }
-  if (!picture_.loads.empty()) legend_.push_back({write_arrow({14, -9}, {14, 9}, colour::load), "load"});
   double y = frame_.top + 16;
   for (const auto& shaking : picture_.shaking) {
     const double length = 34, x = frame_.left + 60;
@@ -246,6 +236,19 @@ void Drawing::draw_loads() {
     places_.occupy({x - length, y - 9, x + length / 2 + 8 + width, y + 9});
     y += d[1] != 0 ? 44 : 20;
   }
+  const double most = find_largest_load(picture_.loads);
+  for (const auto& load : picture_.loads) {
+    if (load.line.size() < 2) continue;
+    drawn_ += draw_load(load, most, view_);
+    Box box;
+    for (const Pixel& p : view_(load.line)) box.include(p.x, p.y);
+    places_.occupy({box.x0, box.y0 - load_arrow, box.x1, box.y0});
+    const double x = (box.x0 + box.x1) / 2, top = box.y0 - load_arrow - 10;
+    add_label({shorten(load.text, 60),
+               {.size = 11, .anchor = Anchor::middle, .colour = colour::load},
+               {{x, top}, {x, top - 14}, {x - 60, top}, {x + 60, top}, {x, top - 28}, {x, box.y1 + 14}}});
+  }
+  if (!picture_.loads.empty()) legend_.push_back({write_arrow({14, -9}, {14, 9}, colour::load), "load"});
   std::set<SupportKind> kinds;
   for (const auto& support : picture_.supports) {
     drawn_ += draw_support(support, view_);
@@ -386,9 +389,12 @@ void Drawing::draw_section() {
   if (!has_section()) return;
   draw_soils();
   draw_mesh();
-  for (const auto& side : picture_.water_sides) avoid(side.line);
-  for (const auto& range : picture_.ranges) avoid(range.ground);
-  for (const auto& surface : picture_.surfaces) avoid(surface.points);
+  // Very many lines would take long.
+  if (picture_.water_sides.size() + picture_.surfaces.size() < most_names / 2) {
+    for (const auto& side : picture_.water_sides) avoid(side.line);
+    for (const auto& range : picture_.ranges) avoid(range.ground);
+    for (const auto& surface : picture_.surfaces) avoid(surface.points);
+  }
   // Numbers of messages take their places first, and names of soils, which the legend repeats, take theirs last.
   mark_messages();
   draw_loads();
