@@ -25,7 +25,8 @@ input::Case make_bank(bool wet) {
   }
   data.hydraulics = {make_hydraulic("crest", WaterCondition::rain, 2e-4),
                      make_hydraulic("foot", WaterCondition::total_head, 1.3)};
-  data.initial.water = {input::InitialPressure::water_table, {{0, 1.3}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, 1.3}};
   return data;
 }
 

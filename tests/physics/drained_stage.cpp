@@ -27,7 +27,8 @@ input::StepSettings hold_water() {
 /// A column of 3 m with the water at `level` [m].
 input::Case make_column_case(double level) {
   input::Case data = make_box_case<2>(make_wet_soil());
-  data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, level}};
   data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, level)};
   return data;
 }
@@ -78,7 +79,8 @@ TEST(DrainedStage, NothingMovesWhenTheWaterIsReleased) {
   input::Case step2 = make_box_case<2>(make_wet_soil()), step3 = make_box_case<3>(make_wet_soil());
   for (input::Case* data : {&step2, &step3}) {
     data->hydraulics = {make_hydraulic("foot", WaterCondition::total_head, 1.5)};
-    data->initial.water = {input::InitialPressure::water_table, {{0, 1.5}}};
+    data->initial.water.pressure = input::InitialPressure::water_table;
+    data->initial.water.water_table = {{0, 1.5}};
   }
   expect_rest_when_let_go<2>(step2, make_step_mesh<2>());
   expect_rest_when_let_go<3>(step3, make_step_mesh<3>());

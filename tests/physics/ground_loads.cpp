@@ -88,7 +88,8 @@ TEST(GroundLoads, AWaterTableWithoutPoreWaterMakesSoilBuoyant) {
   soil.slices.unit_weight = 18e3;
   soil.slices.saturated_unit_weight = 20e3;
   const double level = 1.5;
-  data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, level}};
   expect_stress(
       data,
       [&](double y) {
@@ -105,7 +106,8 @@ TEST(GroundLoads, StandingWaterPressesOnTheGroundAndChangesNoEffectiveStress) {
   data.mesh.dimension = 2;
   data.mesh.polygons = {{"soil", {{0, 0}, {0.5, 0}, {0.5, depth}, {0, depth}}}};
   for (const double level : {depth, depth + 2, depth + 5}) {
-    data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
+    data.initial.water.pressure = input::InitialPressure::water_table;
+    data.initial.water.water_table = {{0, level}};
     for (const input::InitialStress stress : {input::InitialStress::none, input::InitialStress::k0}) {
       data.initial.stress = stress;
       expect_stress(

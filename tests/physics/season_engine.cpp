@@ -46,7 +46,8 @@ input::Case make_planted_case(double rate, double level) {
   input::Case data = make_box_case<D>(make_silt());
   data.water.bulk_modulus = 200e6;
   data.initial.stress = input::InitialStress::k0;
-  data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, level}};
   data.roots = {make_plants("top", 0.5, rate, {0, 0, 12e3, 22e3})};
   data.roots[0].profile = input::RootProfile::exponential;
   data.roots[0].decay_depth = 0.3;

@@ -70,7 +70,8 @@ TEST(UndrainedWeight, IsReportedOfSoilAtRestUnderExcessPressure) {
   input::Material silt = support::make_wet_soil(young);
   silt.water.conductivity = 1e-8;
   input::Case data = support::make_box_case<2>(silt);
-  data.initial.water = {input::InitialPressure::water_table, {{0, height}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, height}};
   for (const bool is_held : {true, false}) {
     mpm::Body<2> body = make_wet_column(data);
     input::StepSettings settings{.damping = 0.5};

@@ -30,7 +30,9 @@ mesh::Mesh<2> make_full_box() {
 
 TEST(InitialWater, WaterTableIsAPolylineAndSuctionIsCapped) {
   input::Case data = make_box_case<2>(make_wet_soil());
-  data.initial.water = {input::InitialPressure::water_table, {{0.5, 1.0}, {1.5, 2.0}}, 12e3};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0.5, 1.0}, {1.5, 2.0}};
+  data.initial.water.largest_suction = 12e3;
   const auto body = run::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const Vec<2> x = find_middle(body.mesh(), p.element);
@@ -43,7 +45,9 @@ TEST(InitialWater, MassOfTheWaterIsThatInThePores) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.materials["soil"].water.retention = input::RetentionCurve::linear;
   data.materials["soil"].water.dry_suction = 40e3;
-  data.initial.water = {input::InitialPressure::water_table, {{0, -1.0}}, 20e3};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, -1.0}};
+  data.initial.water.largest_suction = 20e3;
   const auto body = run::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const double saturation = 1 - p.pressure / 40e3;
@@ -116,7 +120,8 @@ TEST(InitialStress, IsTheWeightAboveLessThePorePressure) {
     input::Case data = make_box_case<2>(make_wet_soil());
     data.initial.stress = input::InitialStress::k0;
     data.initial.k0 = 0.5;
-    data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
+    data.initial.water.pressure = input::InitialPressure::water_table;
+    data.initial.water.water_table = {{0, level}};
     data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, level)};
     const auto body = run::prepare<2>(data, make_full_box());
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
@@ -145,7 +150,8 @@ TEST(InitialStress, CarriesPondedWaterInThreeDimensions) {
 TEST(InitialWater, LevelsNeedUprightGravity) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.gravity.direction = {std::sqrt(0.5), -std::sqrt(0.5), 0};
-  data.initial.water = {input::InitialPressure::water_table, {{0, 1}}};
+  data.initial.water.pressure = input::InitialPressure::water_table;
+  data.initial.water.water_table = {{0, 1}};
   EXPECT_THROW((void)run::prepare<2>(data, make_full_box()), Error);
 }
 
