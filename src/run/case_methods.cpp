@@ -10,6 +10,7 @@
 #include "run/fem/start_stress.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/mpm/stage/stepper.hpp"
+#include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
 #include "site/site.hpp"
@@ -109,7 +110,7 @@ void prepare_methods(const CaseContext& context, CaseMethods<D>& methods, result
     check_points<D>(context);
   } else if (has_points) {
     prepare_mpm(context, data, methods, run);
-  } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
+  } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty() && site::needs_ground(site)) {
     run.slope_height = site.find_slope_height();
   }
   if (has_elements) methods.elements.emplace(site, alone, options, hash).prepare();

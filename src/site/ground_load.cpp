@@ -307,6 +307,7 @@ void add_table(const Polyline& table, const Polyline& ground, std::vector<double
 }
 
 std::vector<Point> list_places(const Site& site) {
+  if (!needs_ground(site)) return {};
   const Polyline& ground = site.ground();
   std::vector<double> places;
   for (const input::Surcharge& s : site.data().surcharges) places.insert(places.end(), s.x.begin(), s.x.end());
@@ -347,6 +348,13 @@ Polyline add_corners(const Polyline& corners, const std::vector<Point>& places, 
 }
 
 }  // namespace
+
+bool needs_ground(const Site& site) {
+  const input::Case& data = site.data();
+  return site.has_ground() || !data.surcharges.empty() || !data.slurries.empty() || !data.hydraulics.empty() ||
+         data.initial.water.pressure != input::InitialPressure::zero || data.earthquake.horizontal != 0 ||
+         data.earthquake.vertical != 0;
+}
 
 mesh::Plan conform_to_loads(const Site& site, mesh::Plan plan) {
   if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;

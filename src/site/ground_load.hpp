@@ -35,6 +35,10 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
 
 // A plan whose mesh has nodes wherever a load on the ground begins, ends or changes its gradient.
 
+/// Returns true if water, surcharges or an earthquake act, which are found from the ground of a plane section. Without
+/// them FEM and limit analysis need no ground, so that the section may have overhangs and cavities.
+bool needs_ground(const Site& site);
+
 /// Returns `plan` with additional corners in its polygons: on the ground at the ends and breaks of surcharges, at the
 /// ends of ponds, under the vertices of a water table above the ground, and where that table meets the ground. A
 /// traction linear on each side of the mesh then equals the load. A ready mesh and a plan in 3D are returned unchanged.

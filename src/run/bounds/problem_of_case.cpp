@@ -153,6 +153,7 @@ class ProblemBuilder {
 
   /// Checks the loads against the case, because the certificates are those of the given problem.
   void check_loads(const std::map<bounds::EdgeKey, bounds::Side>& border) const {
+    if (!site::needs_ground(site_)) return;
     std::vector<LoadedSide> sides;
     for (const auto& [key, side] : border)
       if (is_ground(side))

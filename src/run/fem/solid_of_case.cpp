@@ -87,7 +87,8 @@ class SolidBuilder {
     fem::SolidModel<D>& model = solid_.model;
     model.mesh = &mesh_;
     model.units = data_.units();
-    if (!data_.mesh.polygons.empty() && D == 2) site_.ground();  // throws for a section without a unique ground
+    // Throws for a section without a unique ground.
+    if (!data_.mesh.polygons.empty() && D == 2 && site::needs_ground(site_)) site_.ground();
     model.direction = site_.find_body_force<D>();
     solid_.notes = site_.list_open_ends();
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
