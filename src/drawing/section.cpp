@@ -373,6 +373,7 @@ class SectionFinder {
   std::set<std::string> names_;
   double tolerance_ = 0;  ///< length below which distances count as zero [m]
   int used_texts_ = 0;
+  int result_lines_ = 0;  ///< of slip surfaces and ponds of an export
   std::vector<Polyline> all_faces_;
   std::map<std::string, std::string> materials_;  ///< text → material
   std::optional<Point2> crossing_;                ///< of two boundaries

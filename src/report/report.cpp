@@ -10,6 +10,7 @@
 #include "base/file_list.hpp"
 #include "base/folder_lock.hpp"
 #include "base/parallel.hpp"
+#include "output/plots/case_picture.hpp"
 #include "report/content/method_table.hpp"
 #include "report/content/model.hpp"
 #include "report/content/parts.hpp"
@@ -21,6 +22,7 @@
 #include "report/words/words.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
+#include "run/case_picture.hpp"
 
 namespace talus::report {
 
@@ -124,6 +126,9 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   for (const std::string& warning : run.warnings) document["warnings"].push_back(warning);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
+  if (!run.input.is_empty())
+    if (const auto picture = run::make_input_picture(folder.data))
+      document["input_picture"] = output::write_case_picture(*picture);
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);

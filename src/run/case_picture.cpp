@@ -161,4 +161,20 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
   return picture;
 }
 
+std::optional<Picture> make_input_picture(const input::Case& data) {
+  if (data.mesh.dimension != 2 || data.mesh.polygons.empty()) return std::nullopt;
+  input::Sketch sketch;
+  sketch.data = data;
+  sketch.is_whole = sketch.is_small = true;
+  sketch.is_sound = sketch.is_given = [](const std::string&) { return true; };
+  sketch.find_path = [](const Diagnostic&) { return std::string(); };
+  const PictureSource source{sketch, data, false, find_sketched_ground(sketch)};
+  Picture picture;
+  picture.length = data.units().length;
+  add_soils(source, picture);
+  add_conditions(source, picture);
+  add_search(source, picture);
+  return picture;
+}
+
 }  // namespace talus::run

@@ -2,6 +2,7 @@
 #pragma once
 // The picture of a case before its calculation, also of a case with faults.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct CaseMessage {
 /// counted on a mesh if that takes a moment and there are no errors, and estimated otherwise. Parts that could not be
 /// read are left out. Throws Error (wrong_input) for a case without a plane section.
 output::CasePicture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMessage>& messages);
+
+/// Returns the picture of a plane case without faults, without messages and mesh; std::nullopt for other cases.
+std::optional<output::CasePicture> make_input_picture(const input::Case& data);
 
 /// Returns the ground of a section from left to right; empty if it is not unique, as with gaps and overhangs.
 std::vector<results::Point> find_sketched_ground(const input::Sketch& sketch);

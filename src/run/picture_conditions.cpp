@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Supports, water, loads and roots of the picture of a case.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,7 @@ void add_flooded(const PictureSource& source, const Polyline& table, Picture& pi
 }
 
 void add_water(const PictureSource& source, Picture& picture) {
-  const auto add_table = [&](const Polyline& table, const char* name, bool is_later) {
+  const auto add_table = [&](const Polyline& table, const std::string& name, bool is_later) {
     if (table.empty()) return;
     Polyline line = table;
     const input::SoilOutline soil(source.data.mesh);
@@ -120,7 +121,14 @@ void add_water(const PictureSource& source, Picture& picture) {
   const Polyline& table = source.data.initial.water.water_table;
   add_table(table, has_drawdown ? "water table before drawdown" : "water table", false);
   if (has_drawdown) add_table(source.data.lem.drawdown->water_table, "water table after drawdown", true);
+  for (const input::PiezometricLine& line : source.data.initial.water.lines)
+    add_table(line.points, fmt::format("piezometric line of {}", fmt::join(line.materials, ", ")), false);
   if (is_ordered(table)) add_flooded(source, table, picture);
+  for (const input::Slurry& slurry : source.data.slurries) {
+    if (source.ground.size() < 2 || !(slurry.x[0] < slurry.x[1])) continue;
+    PictureSource part{source.sketch, {}, source.is_faulty, source.cut_ground(slurry.x[0], slurry.x[1])};
+    add_flooded(part, {{slurry.x[0], slurry.level}}, picture);
+  }
   if (source.ground.size() < 2) return;
   std::map<double, Point> levels;  // one symbol for each level, on its widest part
   std::map<double, double> widths;

@@ -51,6 +51,8 @@ export interface ReportDocument {
   study?: StudyShown;
   /** What the diagrams of each element test show; the columns of a test have one length. */
   point_columns?: Column[][];
+  /** Section with water, loads and conditions, as SVG; absent in 3D. */
+  input_picture?: string;
   /** Of a run whose case has sections. */
   sections?: Section[];
   /** Absent where the ground is dry. */

@@ -99,6 +99,20 @@ function Echo() {
   );
 }
 
+/** An image, so that nothing in it can act on the page. */
+function Picture() {
+  const { input_picture: picture } = report.value;
+  if (!picture) return null;
+  return (
+    <figure class="input-picture">
+      <img
+        alt="Section with its soils, water, loads, supports and search ranges"
+        src={`data:image/svg+xml;charset=utf-8,${encodeURIComponent(picture)}`}
+      />
+    </figure>
+  );
+}
+
 const lead =
   "Every value that the calculation used, also those that the case file did not name. " +
   "A copied case file gives the same calculation again.";
@@ -118,6 +132,7 @@ export function InputPart() {
   );
   return (
     <Part id="input" title="Input as it was understood" lead={lead} tools={tools} newPage>
+      <Picture />
       <Lazy height={500}>{() => <Echo />}</Lazy>
     </Part>
   );
