@@ -105,6 +105,14 @@ class TableSet {
     set(table, row, head, std::move(cell));
   }
 
+  /// Leaves a cell empty; its column is then in the place of its description.
+  template <class T>
+  void set_none(Table& table, std::size_t row, Column head, const std::string& stored) const {
+    head.unit = find_shown_unit(stored, units_, dimension_).name;
+    head.counts = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+    set(table, row, head, {});
+  }
+
   /// Returns the tables without empty columns and empty tables.
   std::deque<Table> take() {
     for (Table& table : tables_)
@@ -137,12 +145,12 @@ inline bool is_point(const std::vector<double>& list, const std::string& unit) {
 /// Writes one struct into a row of a table, and its lists into tables of their own.
 class RowWriter {
  public:
-  /// The row that a struct and the structs within it share. `list_title` is that of its list.
+  /// The row that a struct and the structs within it share, with title and key of its list.
   struct Row {
     Table& table;
     std::size_t number = 0;
     std::vector<Lead> leads;  ///< of the row itself
-    std::string list_title;
+    std::string list_title, list_key;
     std::vector<Lead> identity;  ///< its first value, for tables of its lists
   };
 
@@ -172,7 +180,7 @@ class RowWriter {
       if (value)
         write(path, title, unit, *value);
       else if constexpr (is_plain<Inner>)
-        set_.set(row_.table, row_.number, make_head(path, title, unit), {});
+        set_.set_none<Inner>(row_.table, row_.number, make_head(path, title, ""), unit);
     } else if constexpr (is_plain<T>) {
       set_plain(path, title, unit, value);
     } else if constexpr (is_array<T>) {
@@ -194,7 +202,7 @@ class RowWriter {
     if (!row_.identity.empty() || row_.table.is_single) return;
     for (const Column& column : row_.table.columns)
       if (column.key == path) {
-        Column head = make_head(row_.list_title + "." + path, row_.list_title + ": " + title, column.unit);
+        Column head = make_head(row_.list_key + "." + path, row_.list_title + ": " + title, column.unit);
         head.counts = column.counts;
         row_.identity.push_back({head, column.cells[row_.number]});
       }
@@ -203,11 +211,11 @@ class RowWriter {
   template <class T>
   void write_struct(const std::string& path, const std::string& title, const T& value) {
     if constexpr (!is_left_out<T>) {
-      if (row_.table.name.empty() && path_.empty()) {
+      if (!has_columns<T> && row_.table.name.empty() && path_.empty()) {
         Table& own = set_.find(path, title);
         own.is_single = true;
         own.is_head = is_in_head<T>;
-        Row row{own, set_.add_row(own, {}), {}, title, {}};
+        Row row{own, set_.add_row(own, {}), {}, title, path, {}};
         RowWriter inner(set_, row);
         describe(inner, value);
       } else {
@@ -256,13 +264,15 @@ class RowWriter {
   std::vector<Lead> list_leads() const {
     std::vector<Lead> leads = row_.leads;
     if (row_.table.is_single) return leads;
-    leads.push_back(make_number(row_.list_title, row_.number));
+    leads.push_back(make_number());
     leads.insert(leads.end(), row_.identity.begin(), row_.identity.end());
     return leads;
   }
 
-  static Lead make_number(const std::string& title, std::size_t i) {
-    return {{title + ".no", title + ": no.", "", true, false, {}}, static_cast<double>(i + 1)};
+  /// Returns the number of this row, counted from 1.
+  Lead make_number() const {
+    return {{row_.list_key + ".no", row_.list_title + ": no.", "", true, false, {}},
+            static_cast<double>(row_.number + 1)};
   }
 
   /// Writes a list as a column of the table of its struct.
@@ -325,7 +335,7 @@ class RowWriter {
     } else if constexpr (is_struct<T>) {
       if constexpr (!is_left_out<T>) {
         table.is_head = is_in_head<T>;
-        Row row{table, set_.add_row(table, leads), leads, title, {}};
+        Row row{table, set_.add_row(table, leads), leads, title, key, {}};
         RowWriter inner(set_, row);
         describe(inner, value);
       }
@@ -349,7 +359,7 @@ std::deque<Table> visit_tables(const T& result, const ShownUnits& units, std::si
   Table& own = set.find("", "");
   own.is_single = true;
   own.is_head = true;
-  RowWriter::Row row{own, set.add_row(own, {}), {}, "", {}};
+  RowWriter::Row row{own, set.add_row(own, {}), {}, "", "", {}};
   RowWriter writer(set, row);
   describe(writer, result);
   return set.take();
