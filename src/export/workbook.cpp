@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <map>
 #include <set>
 
@@ -283,6 +284,8 @@ void write_workbook(const Workbook& workbook, const fs::path& path) {
   void* write = load_module("libtalus_xlsx.so", "talus_write_workbook", false, why);
   if (write == nullptr)
     fail_input("this build of the program cannot write workbooks, because it has no libxlsxwriter ({})", why);
+  if (const fs::path folder = path.parent_path(); !folder.empty() && !fs::is_directory(folder))
+    throw_cannot_write(path, ENOENT);
   const PlainNumbers plain;  // libxlsxwriter prints numbers with the decimal sign of the locale
   const fs::path temporary = begin_file(path);
   reinterpret_cast<WriteByXlsxWriter>(write)(workbook, temporary.c_str(), error);

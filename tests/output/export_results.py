@@ -322,6 +322,7 @@ class Exports(unittest.TestCase):
                 (("nowhere", "-o", "a.xlsx"), "there is no folder of results 'nowhere'"),
                 ((results, "-o", "a.pdf"), "'a.pdf' does not end in .dxf (section) or .xlsx (tables)"),
                 ((self.folder, "-o", out), "is no folder of results"),
+                ((self.folder, "-o", self.folder / "new.xlsx"), "is no folder of results"),
                 ((results, "-o", self.folder / "section.dxf"), "exists; give another name with -o, or --overwrite"),
                 ((self.folder / "case.toml", "-o", "a.xlsx"), "is a case, which has no results yet"),
                 ((study, "-o", out), "is a study, and a DXF shows one run"),
