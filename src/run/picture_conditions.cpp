@@ -128,6 +128,9 @@ void add_water(const PictureSource& source, Picture& picture) {
     if (source.ground.size() < 2 || !(slurry.x[0] < slurry.x[1])) continue;
     PictureSource part{source.sketch, {}, source.is_faulty, source.cut_ground(slurry.x[0], slurry.x[1])};
     add_flooded(part, {{slurry.x[0], slurry.level}}, picture);
+    picture.notes.push_back(fmt::format("Slurry '{}': {:.4g} kN/m³, up to y = {}.", slurry.name,
+                                        slurry.unit_weight / 1e3,
+                                        format_coordinate(slurry.level, source.data.units().length)));
   }
   if (source.ground.size() < 2) return;
   std::map<double, Point> levels;  // one symbol for each level, on its widest part
