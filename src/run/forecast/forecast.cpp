@@ -358,7 +358,8 @@ std::optional<double> find_size_that_fits(const input::Case& data, input::Method
   input::Case coarser = data;
   double& size = method == input::Method::fem && coarser.fem.size ? *coarser.fem.size : coarser.mesh.size;
   const double largest = data.mesh.box_max[0] - data.mesh.box_min[0];
-  constexpr double growth = 1.05;
+  constexpr double growth = 1.05, smallest = 1e-7;  // of the section: no memory holds 1e14 elements
+  size = std::max(size, smallest * largest);
   while (size < largest) {
     const std::vector<MethodForecast> all = forecast(coarser, false);
     if (std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.method == method && f.bytes > free; })) {
