@@ -135,7 +135,7 @@ json describe_mesh_input(const json& echo) {
 
 }  // namespace
 
-std::string hash_input(const JsonTree& tree) {
+std::string hash_input(const JsonTree& tree, const Case& data) {
   json echo = tree.get();
   for (const char* block : {"output", "project", "compare"}) echo.erase(block);
   const std::function<void(json&)> strip = [&](json& node) {
@@ -143,7 +143,12 @@ std::string hash_input(const JsonTree& tree) {
     if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
   };
   strip(echo);
-  return hash_text(echo.dump());
+  std::string text = echo.dump();
+  if (const auto& field = data.initial.water.field)
+    for (std::size_t i = 0; i < field->values().size(); ++i)
+      text += fmt::format("{:a},{:a},{:a};", field->triangles().nodes[i][0], field->triangles().nodes[i][1],
+                          field->values()[i]);
+  return hash_text(text);
 }
 
 bool has_same_mesh_input(const JsonTree& a, const JsonTree& b) {

@@ -21,8 +21,9 @@ nlohmann::json echo(const Case& data, const Places& places);
 Case read_echo(const JsonTree& echo);
 
 /// Returns a hash of the input that determines the state of a run. Outputs and the Courant number are excluded: a run
-/// may be resumed with other outputs, and after an instability with a smaller Courant number.
-std::string hash_input(const JsonTree& echo);
+/// may be resumed with other outputs, and after an instability with a smaller Courant number. `data` of the echo: the
+/// values of its tables that the echo does not hold count as well.
+std::string hash_input(const JsonTree& echo, const Case& data);
 
 /// Returns true if the keys of the mesh are equal in both cases.
 bool has_same_mesh_input(const JsonTree& a, const JsonTree& b);

@@ -168,7 +168,7 @@ results::RunResult renew(results::RunResult run, const input::Case& data, const 
 }  // namespace
 
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {
-  const std::string hash = input::hash_input(loaded.echo);
+  const std::string hash = input::hash_input(loaded.echo, loaded.data);
   site::DesignValues design = site::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
   const ChosenDevice device(design.data, options);

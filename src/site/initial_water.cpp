@@ -241,13 +241,14 @@ double find_given_pressure(const input::Case& data, const input::Material& soil,
 template <int D>
 double find_pressure_ratio(const input::Case& data, const input::Material& soil, const Vec<D>& x) {
   const input::InitialWater& water = data.initial.water;
-  if (water.pressure != input::InitialPressure::grid || has_pressure_field(data))
+  if (water.pressure != input::InitialPressure::grid || !water.field || has_pressure_field(data))
     return soil.slices.pore_pressure_ratio;
   return std::clamp(water.field->find({x[0], x[1]}), 0.0, 1.0);
 }
 
 bool has_pressure_ratio(const input::Case& data) {
-  if (data.initial.water.pressure == input::InitialPressure::grid && !has_pressure_field(data)) return true;
+  const input::InitialWater& water = data.initial.water;
+  if (water.pressure == input::InitialPressure::grid && water.field && !has_pressure_field(data)) return true;
   return std::any_of(data.materials.begin(), data.materials.end(),
                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
 }

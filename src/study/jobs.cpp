@@ -110,7 +110,7 @@ Variant JobFolder::read_variant(const input::LoadedCase& base, int number) const
   variant.label = out.label;
   for (const results::JobChange& c : out.changes) variant.changes.push_back({c.key, c.value});
   variant.loaded = input::read_case_text(base.text, base.file, variant.changes);
-  variant.input_hash = input::hash_input(variant.loaded.echo);
+  variant.input_hash = input::hash_input(variant.loaded.echo, variant.loaded.data);
   return variant;
 }
 

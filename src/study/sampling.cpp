@@ -81,7 +81,7 @@ results::StudyResult begin_sampling(const input::LoadedCase& base, int threads) 
   results::StudyResult study = begin_study(base);
   study.units.stress = base.data.output.stress_unit;
   study.project = run::make_project(base.data);
-  study.provenance = run::make_provenance(base, input::hash_input(base.echo), threads);
+  study.provenance = run::make_provenance(base, input::hash_input(base.echo, base.data), threads);
   study.input = base.echo;
   return study;
 }
@@ -193,7 +193,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::O
     } catch (const InputError& error) {
       throw refuse_sample(label, error);
     }
-    variant.input_hash = input::hash_input(variant.loaded.echo);
+    variant.input_hash = input::hash_input(variant.loaded.echo, variant.loaded.data);
     plan.variants.push_back(std::move(variant));
   };
   add("means", "at the means", set.sampled.means);

@@ -180,7 +180,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
       variant.values.push_back(key ? key->text : text);
     }
     variant.changes = std::move(changes);
-    variant.input_hash = input::hash_input(variant.loaded.echo);
+    variant.input_hash = input::hash_input(variant.loaded.echo, variant.loaded.data);
     numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));
   }
