@@ -87,6 +87,22 @@ TEST_F(PressureGrid, NamesItsFaults) {
   expect_fault(bank + "initial.pore_pressure = \"grid\"\n", "needs the block [initial.pressure_grid]");
 }
 
+TEST_F(PressureGrid, WarnsOfSoilOutsideItsPoints) {
+  const std::string text =
+      bank + "initial = { pore_pressure = \"grid\", pressure_grid = { file = \"grid.csv\", quantity = \"head\" } }\n";
+  for (const bool is_wide : {true, false}) {
+    std::ofstream(folder_ / "grid.csv") << "x,y,head [m]\n-1,-1,3\n"
+                                        << (is_wide ? "20" : "14") << ",-1,3\n20,9,3\n-1,9,3\n";
+    const LoadedCase loaded = read_case_text(text, (folder_ / "case.toml").string());
+    ASSERT_EQ(loaded.warnings.size(), is_wide ? 0u : 1u);
+    if (!is_wide) {
+      EXPECT_NE(loaded.warnings[0].sentence.find("the soil at (16, 0) m lies outside the points of 'grid.csv'"),
+                std::string::npos)
+          << loaded.warnings[0].sentence;
+    }
+  }
+}
+
 TEST(Slurry, NamesItsFaults) {
   const auto with = [](const std::string& keys) { return bank + "slurry = [{ name = \"mud\", " + keys + " }]\n"; };
   EXPECT_TRUE(find_faults(with("x = [10, 16], level = 5, unit_weight = 11")).empty());

@@ -94,6 +94,22 @@ void check_lines(const Case& data, Findings& findings) {
                  "follow from pore_pressure = \"seepage\"");
 }
 
+/// Warns of soil outside the points, where values are extrapolated.
+void warn_of_uncovered(const Case& data, Findings& findings) {
+  const InitialWater& water = data.initial.water;
+  if (!water.field) return;
+  for (const mesh::Polygon& polygon : data.mesh.polygons)
+    for (const auto& corner : polygon.points) {
+      if (water.field->covers(corner)) continue;
+      findings.warn("initial.pressure_grid.file",
+                    "the soil at {} lies outside the points of '{}': {}. Add points around the section",
+                    format_point(corner, data.units().length), water.table->file,
+                    water.field->kind() == mesh::Scatter::linear ? "values at their edge are used there"
+                                                                 : "the spline is extrapolated there");
+      return;
+    }
+}
+
 void check_grid(const Case& data, Findings& findings) {
   const InitialWater& water = data.initial.water;
   if (!findings.is_sound("initial.pore_pressure")) return;
@@ -106,6 +122,7 @@ void check_grid(const Case& data, Findings& findings) {
   }
   if (data.mesh.dimension != 2)
     findings.add("initial.pore_pressure", "a grid of pressures describes a plane section, and 'dimension' is 3");
+  warn_of_uncovered(data, findings);
   if (water.table->quantity != GridQuantity::ratio) return;
   const char* path = "initial.pressure_grid.quantity";
   if (data.timeline) findings.add(path, "transient flow cannot start from r_u; give pressures or heads");
