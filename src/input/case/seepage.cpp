@@ -51,7 +51,8 @@ void check_blocks(const Case& data, Findings& findings) {
 void check_seepage(const Case& data, Findings& findings) {
   const SeepageAnalysis& seepage = data.seepage;
   if (!uses(data, Method::seepage)) {
-    if (findings.places.is_given("seepage"))
+    const bool asks = !seepage.times.empty() || !seepage.sections.empty() || !seepage.blocks.empty();
+    if (asks && findings.is_sound("seepage"))
       findings.add("seepage", "[seepage] needs \"seepage\" among the 'methods' of [analysis]");
     return;
   }
