@@ -22,7 +22,7 @@ MANUAL = ROOT / "docs/manual"
 COARSE = ["--set", "mesh.size=1.5"]
 # Pages whose materials, lines and files are not the tutorial's: of their blocks the keys must be known, no more.
 OTHER_CASES = {"calibrate.md", "compare-plantings.md", "element-tests.md", "eurocode-7.md", "external-model.md",
-               "factor-in-time.md", "layers-and-boreholes.md", "lower-a-reservoir.md", "probability.md", "rapid-drawdown.md", "roots.md", "seepage-alone.md", "three-methods.md", "water-by-layer.md"}
+               "factor-in-time.md", "layers-and-boreholes.md", "lower-a-reservoir.md", "probability.md", "rapid-drawdown.md", "roots.md", "three-methods.md", "water-by-layer.md"}
 NOT_KNOWN = re.compile(r"unknown (key|table)|is not TOML|is a list of tables|must be")
 
 
@@ -112,12 +112,18 @@ def run_study(folder: Path) -> list[str]:
 
 
 def check_how_to(folder: Path) -> list[str]:
-    """Tables of a how-to page replace those of the tutorial's case, and the program accepts the result."""
+    """The program accepts whole cases, and tables of a how-to page in the place of those of the tutorial's case."""
     faults = []
     for page in sorted((MANUAL / "how-to").glob("*.md")):
         if page.name == "ready-mesh.md":
             continue  # its mesh is the reader's; the case it names is one of the tests of the dry slope
         for block in find_blocks(page, "toml"):
+            if block.startswith("title ="):  # a whole case
+                (folder / "how_to.toml").write_text(block)
+                result = call(folder, "check", "how_to.toml")
+                if result.returncode != 0:
+                    faults.append(f"{page.name}: not accepted:\n{block}\n{result.stderr}")
+                continue
             is_plain_run = "[[stage]]" in block or "[output]" in block
             base = (folder / ("bank.toml" if is_plain_run else "factor.toml")).read_text()
             for table in set(re.findall(r"^(\[+[^\]]+\]+)", block, flags=re.M)):

@@ -33,12 +33,12 @@ double read_factor(const TextTable& table, std::size_t column, const char* si, b
   return units::parse_as_si("1 " + heading.unit, si, fmt::format("column '{}' of '{}'", heading.name, table.file()));
 }
 
-std::vector<mesh::ScatteredValue> read_values(const PressureTable& asked, const std::filesystem::path& folder,
+std::vector<mesh::ScatteredValue> read_values(const PressureTable& source, const std::filesystem::path& folder,
                                               double water_weight) {
-  const TextTable table((folder / asked.file).lexically_normal());
-  const bool is_pressure = asked.quantity == GridQuantity::pressure, is_ratio = asked.quantity == GridQuantity::ratio;
+  const TextTable table((folder / source.file).lexically_normal());
+  const bool is_pressure = source.quantity == GridQuantity::pressure, is_ratio = source.quantity == GridQuantity::ratio;
   const std::size_t x = table.find_column("x"), y = table.find_column("y"),
-                    column = table.find_column(get_word(asked.quantity));
+                    column = table.find_column(get_word(source.quantity));
   if (table.rows() > most_rows)
     fail_input("'{}' has {} rows; at most {} can be read", table.file(), table.rows(), most_rows);
   const double to_x = read_factor(table, x, "m", false), to_y = read_factor(table, y, "m", false),
