@@ -19,6 +19,7 @@ MAY_NAME = {
     "src/app/launch/launch.cpp": "levels that the program itself lists",
     "src/input/case/calibration.cpp": "a case reads files wherever they are",
     "src/input/case/layers.cpp": "a case reads files wherever they are",
+    "src/input/case/pressure_table.cpp": "a case reads files wherever they are",
     "src/input/case/series_file.cpp": "a case reads files wherever they are",
 }
 OPENS = re.compile(r'\b(?:std::)?(?:ifstream|ofstream|fstream|fopen)\b(?!>)|(?<![\w.>])::open\(|\bdlopen\(|\bH5F(?:open|create)\(|'

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
-#include <boost/numeric/ublas/lu.hpp>
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <cstdint>
@@ -137,25 +137,24 @@ ScatteredField::ScatteredField(const std::vector<ScatteredValue>& values, Scatte
   make_plate(values);
 }
 
-// By uBLAS, because dense templates of Eigen with the flags of this program would replace those of Gmsh's library.
+// In extended precision, whose templates of Eigen do not replace those in Gmsh's library, compiled with other flags.
 void ScatteredField::make_plate(const std::vector<ScatteredValue>& values) {
-  namespace ublas = boost::numeric::ublas;
-  const std::size_t n = values.size();
+  using Number = long double;
+  const auto n = static_cast<Eigen::Index>(values.size());
   for (const ScatteredValue& v : values)
     centres_.push_back({(v.at[0] - origin_[0]) * scale_, (v.at[1] - origin_[1]) * scale_});
-  ublas::matrix<double> matrix = ublas::zero_matrix<double>(n + 3, n + 3);
-  ublas::vector<double> right = ublas::zero_vector<double>(n + 3);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point& a = centres_[i];
-    for (std::size_t j = 0; j < i; ++j) matrix(i, j) = matrix(j, i) = compute_plate(measure_square(a, centres_[j]));
+  Eigen::MatrixX<Number> matrix = Eigen::MatrixX<Number>::Zero(n + 3, n + 3);
+  Eigen::VectorX<Number> right = Eigen::VectorX<Number>::Zero(n + 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Point& a = centres_[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < i; ++j)
+      matrix(i, j) = matrix(j, i) = compute_plate(measure_square(a, centres_[static_cast<std::size_t>(j)]));
     matrix(i, n) = matrix(n, i) = 1;
-    for (std::size_t d = 0; d < 2; ++d) matrix(i, n + 1 + d) = matrix(n + 1 + d, i) = a[d];
-    right(i) = values[i].value;
+    for (Eigen::Index d = 0; d < 2; ++d) matrix(i, n + 1 + d) = matrix(n + 1 + d, i) = a[static_cast<std::size_t>(d)];
+    right(i) = values[static_cast<std::size_t>(i)].value;
   }
-  ublas::permutation_matrix<std::size_t> pivots(n + 3);
-  if (ublas::lu_factorize(matrix, pivots) != 0) fail_input("the points determine no thin plate");
-  ublas::lu_substitute(matrix, pivots, right);
-  weights_.assign(right.begin(), right.end());
+  const Eigen::VectorX<Number> found = matrix.partialPivLu().solve(right);
+  for (const Number weight : found) weights_.push_back(static_cast<double>(weight));
 }
 
 double ScatteredField::find_on_plate(const std::array<double, 2>& x) const {
