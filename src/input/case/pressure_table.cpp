@@ -102,8 +102,8 @@ void warn_of_uncovered(const Case& data, Findings& findings) {
     for (const auto& corner : polygon.points) {
       if (water.field->covers(corner)) continue;
       findings.warn("initial.pressure_grid.file",
-                    "the soil at {} lies outside the points of '{}': {}. Add points around the section",
-                    format_point(corner, data.units().length), water.table->file,
+                    "the soil at {} {} lies outside the points of '{}': {}. Add points around the section",
+                    format_point(corner, data.units().length), data.units().length.name, water.table->file,
                     water.field->kind() == mesh::Scatter::linear ? "values at their edge are used there"
                                                                  : "the spline is extrapolated there");
       return;

@@ -412,7 +412,8 @@ std::string Drawing::draw_legend(double& top) const {
   const std::size_t rows = (legend_.size() + columns - 1) / columns;
   std::string text;
   for (std::size_t i = 0; i < legend_.size(); ++i) {
-    const double x = frame_.left + column * static_cast<double>(i / rows),
+    const std::size_t in_row = i / rows;
+    const double x = frame_.left + column * static_cast<double>(in_row),
                  y = top + row * (static_cast<double>(i % rows) + 0.5);
     text += fmt::format("<g transform=\"translate({:.2f} {:.2f})\">\n{}{}</g>\n", x, y, legend_[i].sample,
                         write_text({sample, 0}, legend_[i].text, {.size = size, .halo = false}));
