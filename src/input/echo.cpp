@@ -218,7 +218,7 @@ void add_keys(const json& node, const std::string& path, std::vector<ListedKey>&
   std::size_t i = 0;
   for (const auto& [name, inner] : node.items()) {
     const std::string step = node.is_array() ? std::to_string(i++) : name;
-    if (inner.is_structured()) add_keys(inner, path.empty() ? step : path + "." + step, keys);
+    if (inner.is_structured()) add_keys(inner, path.empty() ? step : fmt::format("{}.{}", path, step), keys);
   }
 }
 

@@ -236,11 +236,12 @@ class Values {
     for (const FlowState& state : flow.states)
       for (const ExitGradient& exit : state.exits) {
         if (!named.insert(exit.name).second) continue;
-        const ExitGradient& worst = *find_worst_exit(flow, exit.name).found;
+        const ExitGradient* worst = find_worst_exit(flow, exit.name).found;
+        if (worst == nullptr) continue;
         add(ResultKind::seepage, fmt::format("flow.exit_gradient[{}]", exit.name),
-            fmt::format("largest exit gradient at '{}'", exit.name), "", "exit_gradient", worst.gradient);
+            fmt::format("largest exit gradient at '{}'", exit.name), "", "exit_gradient", worst->gradient);
         add(ResultKind::seepage, fmt::format("flow.boiling[{}]", exit.name),
-            fmt::format("factor of safety against boiling at '{}'", exit.name), "", "boiling", worst.factor);
+            fmt::format("factor of safety against boiling at '{}'", exit.name), "", "boiling", worst->factor);
       }
     if (const auto worst = find_worst_uplift(flow); worst.found != nullptr)
       add(ResultKind::seepage, "flow.uplift", "factor of safety against uplift", "", "uplift", worst.found->factor);

@@ -86,11 +86,9 @@ class TableSet {
     const ShownUnit unit = find_shown_unit(stored, units_, dimension_);
     head.unit = unit.name;
     Cell cell;
-    if constexpr (std::is_same_v<T, bool>) {
-      cell = value;
-    } else if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_enum_v<T>) {
       cell = std::string(to_word(value));
-    } else if constexpr (std::is_integral_v<T>) {
+    } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
       constexpr auto most = std::uint64_t{1} << 53;  // larger ones are no doubles
       head.counts = true;
       if (static_cast<std::uint64_t>(value < 0 ? -value : value) <= most)
@@ -99,8 +97,10 @@ class TableSet {
         cell = std::to_string(value);
     } else if constexpr (std::is_floating_point_v<T>) {
       if (std::isfinite(value)) cell = value / unit.si;
-    } else if (!value.empty()) {
-      cell = value;
+    } else {
+      bool has_value = true;
+      if constexpr (!std::is_same_v<T, bool>) has_value = !value.empty();
+      if (has_value) cell = value;
     }
     set(table, row, head, std::move(cell));
   }
@@ -321,16 +321,18 @@ class RowWriter {
     } else if constexpr (is_vector<T>) {
       using Entry = typename T::value_type;
       for (std::size_t i = 0; i < value.size(); ++i) {
-        std::vector<Lead> more = leads;
         if constexpr (is_vector<Entry> || is_map<Entry>) {
+          std::vector<Lead> more = leads;
           bool counts = true;
           if constexpr (std::is_same_v<Entry, std::vector<double>>) counts = !is_point(value[i], unit);
           if (counts) {
             const std::string head = "no" + (depth == 0 ? "" : " " + std::to_string(depth + 1));
             more.push_back({{head, head + ".", "", true, false, {}}, static_cast<double>(i + 1)});
           }
+          fill(table, more, title, key, unit, value[i], depth + 1);
+        } else {
+          fill(table, leads, title, key, unit, value[i], depth + 1);
         }
-        fill(table, more, title, key, unit, value[i], depth + 1);
       }
     } else if constexpr (is_struct<T>) {
       if constexpr (!is_left_out<T>) {

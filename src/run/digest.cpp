@@ -290,6 +290,7 @@ std::string write_flow(const results::FlowResult& flow, const Units& in) {
     for (const results::ExitGradient& exit : state.exits) {
       if (!named.insert(exit.name).second) continue;
       const auto worst = results::find_worst_exit(flow, exit.name);
+      if (worst.found == nullptr) continue;
       text +=
           fmt::format("Exit gradient at '{}': {:.3g} at {}{}{}{}\n", exit.name, worst.found->gradient,
                       at(worst.found->at), when(worst.time),

@@ -108,12 +108,13 @@ void SeepageRun<D>::add_warnings_of_state() {
     for (const results::ExitGradient& exit : state.exits) {
       if (std::find(named.begin(), named.end(), exit.name) != named.end()) continue;
       named.push_back(exit.name);
-      const results::ExitGradient& worst = *results::find_worst_exit(flow, exit.name).found;
+      const results::ExitGradient* found = results::find_worst_exit(flow, exit.name).found;
+      if (found == nullptr) continue;
+      const results::ExitGradient& worst = *found;
       if (worst.grows)
         flow.warnings.push_back(
             fmt::format("the exit gradient at '{}' rises steeply towards {}, as beside a corner of an impermeable "
-                        "body, where it is "
-                        "infinite in theory: its value depends on the size of the elements",
+                        "body, where it is infinite in theory: its value depends on the size of the elements",
                         worst.name, place(worst.at)));
       if (worst.factor && *worst.factor < 1)
         flow.warnings.push_back(fmt::format("the soil boils at '{}', {}: the exit gradient {:.3g} exceeds {:.3g}",
