@@ -162,6 +162,45 @@ std::vector<double> cut_side(const Point& a, const Point& b, const std::vector<d
   return cuts;
 }
 
+/// Depth of a place on a side below the surface of a liquid [m]; negative above it.
+template <int D>
+using Depth = std::function<double(const GroundSide<D>&, const Vec<D>&)>;
+
+/// Water or a slurry on the ground.
+template <int D>
+struct Liquid {
+  std::string name;
+  double weight = 0;  ///< [N/m³]
+  Depth<D> depth;
+};
+
+template <int D>
+std::vector<Liquid<D>> list_liquids(const Site& site, bool has_water) {
+  std::vector<Liquid<D>> liquids;
+  const auto step_aside = [&site](const GroundSide<D>& side,
+                                  const Vec<D>& x) {  // a step is loaded by what is beside it
+    const double beside = same_place * (site.ground().back()[0] - site.ground().front()[0]);
+    return x[0] + (side.normal[1] <= steepest ? beside * side.normal[0] : 0);
+  };
+  for (const input::Slurry& slurry : site.data().slurries)
+    liquids.push_back({slurry.name, slurry.unit_weight, [&slurry, step_aside](const auto& side, const Vec<D>& x) {
+                         const double at = step_aside(side, x);
+                         return at > slurry.x[0] && at < slurry.x[1] ? slurry.level - x[1] : -1.0;
+                       }});
+  if (!has_water) return liquids;
+  // Below a water table that the ground rises above, the depth is negative and linear, so that its zero is found.
+  liquids.push_back({"standing water", site.water_weight(), [&site, step_aside](const auto& side, const Vec<D>& x) {
+                       const double at = step_aside(side, x);
+                       std::optional<double> level = find_standing_level(site.ponds(), {}, site.ground(), at);
+                       if (const Polyline& table = site.water_table(); !table.empty()) {
+                         const double here = find_water_table(table, at);
+                         level = std::max(level.value_or(here), here);
+                       }
+                       return level ? *level - x[1] : -1.0;
+                     }});
+  return liquids;
+}
+
 }  // namespace
 
 template <int D>
@@ -182,9 +221,8 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
   const bool has_water =
       acting.standing_water && site.has_ground() && !(site.ponds().empty() && site.water_table().empty());
   const std::vector<double> breaks = list_breaks(site, has_water);
-  using Depth = std::function<double(const GroundSide<D>&, const Vec<D>&)>;
   const auto add = [&](const char* name, const std::function<Vec<D>(const GroundSide<D>&, const Vec<D>&)>& find,
-                       const Depth& find_depth) {
+                       const Depth<D>& find_depth) {
     fem::SurfaceLoad<D> load;
     load.name = name;
     for (const GroundSide<D>& side : sides) {
@@ -214,50 +252,19 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
           return t;
         },
         {});
-  if (has_water || !data.slurries.empty())
+  const std::vector<Liquid<D>> liquids = list_liquids<D>(site, has_water);
+  if (!liquids.empty())
     for (const GroundSide<D>& step : list_steps(mesh, site.ground())) sides.push_back(step);
-  const auto step_aside = [&](const GroundSide<D>& side, const Vec<D>& x) {  // a step is loaded by what is beside it
-    const double beside = same_place * (site.ground().back()[0] - site.ground().front()[0]);
-    return x[0] + (side.normal[1] <= steepest ? beside * side.normal[0] : 0);
-  };
-  for (const input::Slurry& slurry : data.slurries) {
-    const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
-      const double at = step_aside(side, x);
-      return at > slurry.x[0] && at < slurry.x[1] ? slurry.level - x[1] : -1.0;
-    };
+  for (const Liquid<D>& liquid : liquids)
     add(
-        slurry.name.c_str(),
+        liquid.name.c_str(),
         [&](const GroundSide<D>& side, const Vec<D>& x) {
           Vec<D> t{};
-          const double pressure = slurry.unit_weight * std::max(0.0, find_depth(side, x));
+          const double pressure = liquid.weight * std::max(0.0, liquid.depth(side, x));
           for (std::size_t d = 0; d < D; ++d) t[d] = -pressure * side.normal[d];
           return t;
         },
-        find_depth);
-  }
-  if (has_water) {
-    const Polyline& ground = site.ground();
-    const double weight = site.water_weight();
-    // Below a water table that the ground rises above, the depth is negative and linear, so that its zero is found.
-    const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
-      const double at = step_aside(side, x);
-      std::optional<double> level = find_standing_level(site.ponds(), {}, ground, at);
-      if (const Polyline& table = site.water_table(); !table.empty()) {
-        const double here = find_water_table(table, at);
-        level = std::max(level.value_or(here), here);
-      }
-      return level ? *level - x[1] : -1.0;
-    };
-    add(
-        "standing water",
-        [&](const GroundSide<D>& side, const Vec<D>& x) {
-          Vec<D> t{};
-          const double pressure = weight * std::max(0.0, find_depth(side, x));
-          for (std::size_t d = 0; d < D; ++d) t[d] = -pressure * side.normal[d];
-          return t;
-        },
-        find_depth);
-  }
+        liquid.depth);
   if (!acting.tractions) return loads;
   for (const input::Traction& traction : data.tractions) {
     fem::SurfaceLoad<D> load;
