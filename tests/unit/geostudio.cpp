@@ -94,7 +94,8 @@ TEST(GeoStudio, ArchivesAreBounded) {
   EXPECT_NE(find_fault([&] { read_model(deep); }).find("no XML file at the root"), std::string::npos);
   const std::string bomb = write_archive("model.xml", std::string(2'000'000, ' '));
   EXPECT_NE(find_fault([&] { read_model(bomb); }).find("times are read"), std::string::npos);
-  EXPECT_NE(find_fault([] { read_model(TALUS_SOURCE_DIR "/README.md"); }).find("it is no zip archive"), std::string::npos);
+  EXPECT_NE(find_fault([] { read_model(TALUS_SOURCE_DIR "/README.md"); }).find("it is no zip archive"),
+            std::string::npos);
 }
 
 }  // namespace
