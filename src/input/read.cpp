@@ -335,7 +335,8 @@ struct SketchReading {
   bool is_item(const std::string& path) const {
     const std::size_t dot = path.rfind('.');
     if (dot == std::string::npos || path.find_first_not_of("0123456789", dot + 1) != std::string::npos) return false;
-    const auto below = std::ranges::upper_bound(given, path + ".", {}, [](const auto& entry) { return entry.first; });
+    const auto below = std::upper_bound(given.begin(), given.end(), path + ".",
+                                        [](const std::string& key, const auto& entry) { return key < entry.first; });
     const bool has_part = below != given.end() && below->first.starts_with(path + ".");
     return !has_part || std::isdigit(static_cast<unsigned char>(below->first[path.size() + 1])) != 0;
   }
