@@ -4,7 +4,7 @@
 
 Usage: tools/verify_envelope.py PROGRAM FOLDER [--only unsaturated|vegetated|centrifuge] [--samples N] [--runs FOLDER] [--evaluate]
                                 [--sensitivity] [--meshes]
-Draws a Latin hypercube (200, 100 and 100 samples; 200, 400 and 200 runs, three hours on two cores) and runs it as a study of the program, which resumes.
+Draws a Latin hypercube (200, 100 and 60 samples; 200, 400 and 120 runs; a run of the last takes minutes) and runs it as a study of the program, which resumes.
 Writes envelope_<slope>.csv and .md to FOLDER and prints the tables. --runs keeps the studies there: envelope_<slope>.toml and runs_<slope>.
 --evaluate starts nothing and evaluates the samples that have finished; --sensitivity also runs the unsaturated slope with one numerical
 parameter changed, for the ten samples nearest to the printed factor; --meshes also runs the most central sample with the other mesh

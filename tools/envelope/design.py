@@ -214,7 +214,7 @@ SLOPES = {
                          PAIRED | {"start_scaling": ("start", "coupled")}),
     "vegetated": Slope("vegetated_slope/case.toml", VEGETATED, set_vegetated, tuple(CONTENTS), 100, 40,
                        PAIRED | {"k0": ("stress", "chosen"), "largest_suction": ("suction_cap", "cap")}),
-    "centrifuge": Slope("centrifuge_slope/rooted.toml", CENTRIFUGE, set_centrifuge, ("fallow", "rooted"), 100, 10,
+    "centrifuge": Slope("centrifuge_slope/rooted.toml", CENTRIFUGE, set_centrifuge, ("fallow", "rooted"), 60, 10,
                         PAIRED | {"k0": ("stress", "k0"), "r0_from": ("stress", "k0")}, START),
 }
 
