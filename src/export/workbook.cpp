@@ -130,6 +130,7 @@ Warnings list_warnings(const report::ResultFolder& folder) {
   add(Method::lem, run.slices);
   add(Method::fem, run.elements);
   add(Method::bounds, run.bounds);
+  add(Method::seepage, run.flow);
   if (run.elements)
     for (const results::ElementRun& one : run.elements->runs) list.add(get_title(Method::fem), one.warnings);
   if (run.slices)
