@@ -117,6 +117,17 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   add("proven_bounds", pack_proven_bounds(folder, packer, document["warnings"]));
 }
 
+/// A picture that cannot be drawn does not prevent the report.
+void add_input_picture(const ResultFolder& folder, json& document) {
+  if (folder.run.input.is_empty()) return;
+  try {
+    if (const auto picture = run::make_input_picture(folder.data))
+      document["input_picture"] = output::write_case_picture(*picture);
+  } catch (const Error& error) {
+    document["warnings"].push_back(fmt::format("The input has no picture: {}", error.what()));
+  }
+}
+
 json make_run(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   const results::RunResult& run = folder.run;
@@ -126,9 +137,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   for (const std::string& warning : run.warnings) document["warnings"].push_back(warning);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
-  if (!run.input.is_empty())
-    if (const auto picture = run::make_input_picture(folder.data))
-      document["input_picture"] = output::write_case_picture(*picture);
+  add_input_picture(folder, document);
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
