@@ -66,7 +66,8 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
   const double rest = find_rest(coarse.size, fine.size), difference = std::max(0.0, coarse.factor - fine.factor),
                fall = rest * (*coarse.flowing - fine.stable + (spread - 1) * difference),
                rise = rest * (*fine.flowing - coarse.stable);
-  return results::ElementInterval{fine.stable - std::max(fall, least.below * fine.factor),
+  // No factor is negative.
+  return results::ElementInterval{std::max(0.0, fine.stable - std::max(fall, least.below * fine.factor)),
                                   *fine.flowing + std::max(rise, least.above * fine.factor)};
 }
 
@@ -126,6 +127,9 @@ constexpr double coarse_ratio = 2;
 /// Meshes with a smaller ratio of mean sizes count as one mesh, because the section is too small for elements of twice
 /// the size [-].
 constexpr double least_ratio = 1.25;
+
+/// Extrapolated factor over that of the finer mesh, below which the meshes are too far apart [-].
+constexpr double least_extrapolated = 0.6;
 
 constexpr const char* element_file = "fem.json";
 
@@ -273,7 +277,13 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
                             format_value(coarse.size, data().units().length, 3),
                             format_value(fine.size, data().units().length, 3)));
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
-  run.factor = extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor);
+  run.factor = std::max(0.0, extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor));
+  if (run.factor < least_extrapolated * fine.factor)
+    run.warnings.push_back(
+        fmt::format("the factor falls from {:.3f} to {:.3f} between elements of {} and {}, too far for an "
+                    "extrapolation to size zero: refine [fem] size",
+                    coarse.factor, fine.factor, format_value(coarse.size, data().units().length, 3),
+                    format_value(fine.size, data().units().length, 3)));
   run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));
   if (!run.interval)
     run.warnings.push_back(
