@@ -87,7 +87,9 @@ geometry.polygon = [{ name = "sand", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }
 geometry.line = [{ name = "ground", points = [[0, 2], [4, 2]] }]
 regions.sand = "sand"
 materials.sand = { unit_weight = 20, porosity = 0.4, water = { retention = "saturated", conductivity = 1e-4 } }
-hydraulic = [{ on = "bottom", condition = "total_head", head = [[0, 3], ["2 day", 5]] }, { on = "ground", condition = "total_head", head = 2 }]
+hydraulic = [
+  { on = "bottom", condition = "total_head", head = [[0, 3], ["2 day", 5]] },
+  { on = "ground", condition = "total_head", head = 2 }]
 seepage.times = [1, 2]
 )");
   const nlohmann::json& states = summary.at("flow").at("states");
@@ -108,7 +110,8 @@ seepage.times = [1, 2]
 nlohmann::json run_cut_off(double s, double thickness, double head) {
   return run(fmt::format(R"(
 analysis.methods = ["seepage"]
-mesh = {{ size = 0.3, refine = [{{ near = [[0, 0], [0, {0}]], size = 0.03, distance = 1.5 }}, {{ near = [[0, {0}]], size = 0.02, distance = 0.3 }}] }}
+mesh = {{ size = 0.3, refine = [
+  {{ near = [[0, 0], [0, {0}]], size = 0.03, distance = 1.5 }}, {{ near = [[0, {0}]], size = 0.02, distance = 0.3 }}] }}
 geometry.polygon = [{{ name = "sand", points = [[0, {1}], [50, {1}], [50, 0], [0, 0]] }}]
 geometry.line = [{{ name = "ground", points = [[0, 0], [50, 0]] }}, {{ name = "below", points = [[0, {1}], [0, {0}]] }}]
 regions.sand = "sand"

@@ -29,9 +29,27 @@ fem = {{ meshes = 1, flow = "associated" }}
 geometry.polygon = [
   {{ name = "top", points = [[0, 3], [0, 8], [5, 8], [10, 3]] }}, {{ name = "foot", points = [[0, 0], [16, 0], [16, 3], [0, 3]] }}]
 regions = {{ top = "clay", foot = "sand" }}
-materials.clay = {{ model = "mohr_coulomb", unit_weight = 18, saturated_unit_weight = 20, cohesion = 12, friction_angle = 25, dilatancy_angle = 25, tensile_strength = 0, young_modulus = 3e4, poisson_ratio = 0.3 }}
-materials.sand = {{ model = "mohr_coulomb", unit_weight = 18, saturated_unit_weight = 20, cohesion = 3, friction_angle = 30, dilatancy_angle = 30, tensile_strength = 0, young_modulus = 3e4, poisson_ratio = 0.3 }}
 {}
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 18
+saturated_unit_weight = 20
+cohesion = 12
+friction_angle = 25
+dilatancy_angle = 25
+tensile_strength = 0
+young_modulus = 3e4
+poisson_ratio = 0.3
+[materials.sand]
+model = "mohr_coulomb"
+unit_weight = 18
+saturated_unit_weight = 20
+cohesion = 3
+friction_angle = 30
+dilatancy_angle = 30
+tensile_strength = 0
+young_modulus = 3e4
+poisson_ratio = 0.3
 )",
                      methods, search, water);
 }
@@ -68,6 +86,22 @@ initial = { pore_pressure = "water_table", water_table = [[0, 1]], piezometric_l
     EXPECT_NEAR(other.at("bounds").at(bound).get<double>(), one.at("bounds").at(bound).get<double>(), 1e-12);
   EXPECT_NEAR(other.at("fem").at("runs")[0].at("factor").get<double>(),
               one.at("fem").at("runs")[0].at("factor").get<double>(), 1e-12);
+}
+
+TEST_F(WaterByLayer, LinesOfAllSoilsAreAWaterTableForMaterialPoints) {
+  const auto write = [](const std::string& water) {
+    return write_slope(R"("mpm")", R"(
+geometry.box = [[0, 0], [16, 9]]
+mesh.points_per_element = 3
+boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
+stage = [{ name = "gravity", duration = 0.3, damping = 0.75, geometry = "frozen" }]
+)" + water);
+  };
+  const nlohmann::json one = run(write(table)), other = run(write(R"(
+initial = { pore_pressure = "water_table", water_table = [[0, 1]], piezometric_line = [
+  { materials = ["clay", "sand"], points = [[0, 6], [10, 2.5]] }] })"));
+  EXPECT_GT(one.at("budgets").at("elastic_energy").get<double>(), 0);
+  EXPECT_EQ(other.at("budgets").at("elastic_energy"), one.at("budgets").at("elastic_energy"));
 }
 
 TEST_F(WaterByLayer, EverySliceHasThePressureOfItsSoil) {
@@ -136,7 +170,7 @@ TEST_F(WaterByLayer, AGridOfHydrostaticWaterIsAWaterTable) {
 TEST_F(WaterByLayer, AGridOfOneRatioIsThatOfTheMaterials) {
   std::string text = write_slope(R"("lem", "fem", "bounds")", "");
   for (std::size_t at = 0; (at = text.find("model =", at)) != std::string::npos; at += 40)
-    text.insert(at, "pore_pressure_ratio = 0.3, ");
+    text.insert(at, "pore_pressure_ratio = 0.3\n");
   const nlohmann::json one = run(text);
   write_table("r_u", [](double, double) { return 0.3; });
   const nlohmann::json other = run(
