@@ -201,7 +201,7 @@ class PlaceSearch {
   std::optional<Point> find_at(double x) const {
     if (step(0) == "geometry" && step(1) == "polygon") {
       const auto index = read_index(steps_, 2);
-      // Where a layer has no thickness, its boundary is that of the layer above.
+      // The boundary of a layer without thickness is that of the layer above.
       for (std::size_t i = std::min(index.value_or(0) + 1, data_.mesh.polygons.size()); i-- > 0;)
         if (const auto level = find_lower_side(data_.mesh.polygons[i].points, x)) return Point{x, *level};
     }
