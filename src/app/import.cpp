@@ -39,7 +39,7 @@ void import_file(const ImportCommand& options) {
 void add_import(CLI::App& app) {
   const Command command(
       app, "import",
-      "Make a case file of a section from tables of lines or boreholes (.csv), from CAD or GIS (DXF, GeoPackage, "
+      "Make a case file of a section from tables of lines or boreholes (.csv, .ags), from CAD or GIS (DXF, GeoPackage, "
       "GeoJSON), or from a GeoStudio file (.gsz)");
   const auto options = std::make_shared<ImportCommand>();
   command
@@ -69,6 +69,11 @@ void add_import(CLI::App& app) {
       .shown_as("LENGTH");
   command.take("--base", options->from.base, "Level of the base of the section, below the lowest line [m]")
       .shown_as("LEVEL");
+  command
+      .take("--boreholes", options->from.boreholes,
+            "Borehole to use, of tables with more than those of the section; once for each")
+      .one_each()
+      .shown_as("NAME");
   command.flag("--overwrite", options->overwrite, "Replace the case file");
   command
       .take("--analysis", options->from.analysis,

@@ -46,17 +46,18 @@ ImportedCase import_tables(const ImportOptions& options, const std::string& sour
   if (!(options.role + options.form + options.snap + options.analysis).empty() || !options.layers.empty())
     fail_input("--lines, --layers, --as, --snap and --analysis have no meaning for tables");
   SurveyOptions meaning;
-  if (!options.units.empty()) meaning.unit = units::parse_as_si("1 " + options.units, "m", "--units");
+  meaning.is_unit_given = !options.units.empty();
+  if (meaning.is_unit_given) meaning.unit = units::parse_as_si("1 " + options.units, "m", "--units");
   if (!options.base.empty()) meaning.base = read_length(options.base, "--base");
+  meaning.boreholes = options.boreholes;
   DrawnSection section = read_survey(options.files, meaning);
-  if (options.units.empty())
-    section.remarks.push_back("lengths without a unit count as metres; --units gives another one");
   section.remarks.push_back("strengths and weights are to be completed");
   return {write_case(section, source), std::move(section.remarks)};
 }
 
 bool is_table(const std::string& ending) {
-  return ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".dat" || ending == ".xyz";
+  return ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".dat" || ending == ".xyz" ||
+         ending == ".ags";
 }
 
 }  // namespace
@@ -69,8 +70,10 @@ ImportedCase import_files(const ImportOptions& options) {
     tables += is_table(to_lower(file.extension().string())) ? 1 : 0;
   }
   if (tables == options.files.size()) return import_tables(options, source);
+  if (!options.boreholes.empty()) fail_input("--boreholes has no meaning for a drawing or a GeoStudio file");
   if (options.files.size() > 1)
-    fail_input("several files must be tables (.csv, .txt, .tsv, .dat or .xyz); give a drawing or GeoStudio file alone");
+    fail_input(
+        "several files must be tables (.csv, .txt, .tsv, .dat, .xyz or .ags); give a drawing or GeoStudio file alone");
   const std::filesystem::path file = options.files.front();
   return to_lower(file.extension().string()) == ".gsz" ? translate_model(read_model(file), options.analysis, source)
                                                        : import_drawing(options, source);

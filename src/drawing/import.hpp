@@ -13,7 +13,7 @@ namespace talus::drawing {
 struct ImportOptions {
   std::vector<std::string> files;
   std::string units, role, form, base, snap, analysis;
-  std::vector<std::string> layers;
+  std::vector<std::string> layers, boreholes;
 };
 
 /// Returns the case that the files describe, by their endings. Throws Error (wrong_input) with one sentence.

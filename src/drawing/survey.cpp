@@ -11,9 +11,11 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "drawing/boreholes.hpp"
 #include "drawing/case_text.hpp"
 #include "drawing/lines.hpp"
+#include "drawing/plan_line.hpp"
 #include "drawing/survey_table.hpp"
 #include "mesh/layers.hpp"
 
@@ -25,57 +27,12 @@ using mesh::Polyline;
 
 constexpr std::size_t most_holes = 500;
 
-/// A place in plan; `northing` is NaN where a table has none.
-struct PlanPlace {
-  double x = 0, northing = std::nan("");
-};
-
-/// A line in plan on which places are projected.
-class PlanLine {
- public:
-  /// Fits the line through the places by least squares of their distances.
-  explicit PlanLine(const std::vector<PlanPlace>& places) {
-    for (const PlanPlace& p : places) middle_.x += p.x, middle_.northing += p.northing;
-    middle_.x /= static_cast<double>(places.size());
-    middle_.northing /= static_cast<double>(places.size());
-    double xx = 0, xy = 0, yy = 0;
-    for (const PlanPlace& p : places) {
-      const double dx = p.x - middle_.x, dy = p.northing - middle_.northing;
-      xx += dx * dx, xy += dx * dy, yy += dy * dy;
-    }
-    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-    along_ = {std::cos(angle), std::sin(angle)};
-    if (along_.x < -1e-9) along_ = {-along_.x, -along_.northing};
-    for (const PlanPlace& p : places) {
-      start_ = std::min(start_, measure(p));
-      const double across = (p.northing - middle_.northing) * along_.x - (p.x - middle_.x) * along_.northing;
-      widest_ = std::max(widest_, std::abs(across));
-    }
-  }
-
-  double project(const PlanPlace& p) const { return measure(p) - start_; }
-  double widest() const { return widest_; }  ///< [m]
-
-  /// Returns the direction of the line, clockwise from north [°].
-  double compute_azimuth() const {
-    const double degrees = std::atan2(along_.x, along_.northing) * 180 / std::acos(-1.0);
-    return degrees < 0 ? degrees + 360 : degrees;
-  }
-
- private:
-  double measure(const PlanPlace& p) const {
-    return (p.x - middle_.x) * along_.x + (p.northing - middle_.northing) * along_.northing;
-  }
-
-  PlanPlace middle_{0, 0}, along_{1, 0};
-  double start_ = 1e300, widest_ = 0;
-};
-
 /// A point of a line of a table.
 struct SurveyPoint {
   PlanPlace place;
   double level = 0;
   std::size_t row = 0;
+  double order = 0;
 };
 
 /// The points of one name in a table.
@@ -97,7 +54,8 @@ struct HoleRows {
 class SurveyReader {
  public:
   SurveyReader(const std::vector<std::string>& files, const SurveyOptions& options) : options_(options) {
-    for (const std::string& file : files) tables_.emplace_back(file, options.unit);
+    for (const std::string& file : files)
+      for (SurveyTable& table : read_survey_tables(file, options.unit)) tables_.push_back(std::move(table));
     const auto has_layers =
         std::any_of(tables_.begin(), tables_.end(), [](const SurveyTable& t) { return t.form() == TableForm::layers; });
     for (SurveyTable& table : tables_)
@@ -118,6 +76,7 @@ class SurveyReader {
           read_holes(table);
       }
     }
+    check_wanted();
     project_places();
     finish_holes();
     set_ground();
@@ -127,6 +86,9 @@ class SurveyReader {
       fail_input(
           "the survey has a ground and nothing below it: add tables of lower boundaries or boreholes, or the level of "
           "the base with --base");
+    if (!options_.is_unit_given &&
+        !std::all_of(tables_.begin(), tables_.end(), [](const SurveyTable& t) { return t.has_units(); }))
+      remark("lengths without a unit count as metres; --units gives another one");
     return std::move(section_);
   }
 
@@ -166,8 +128,12 @@ class SurveyReader {
         const auto [at, is_new] = numbers.try_emplace(name, lines.size());
         if (is_new) lines.push_back({fmt::format("'{}'", name), name, &table, {}});
         if (lines.size() > most_holes) fail_input("the table '{}' has more than {} lines", table.file(), most_holes);
-        lines[at->second].points.push_back({*place, *level, row});
+        lines[at->second].points.push_back(
+            {*place, *level, row, table.has(Role::order) ? table.read_order(row) : static_cast<double>(row)});
       });
+    for (SurveyLine& line : lines)
+      std::stable_sort(line.points.begin(), line.points.end(),
+                       [](const SurveyPoint& a, const SurveyPoint& b) { return a.order < b.order; });
     if (without > 0)
       remark(fmt::format("{} row{} of {} without a position or an elevation {} not used", without,
                          without == 1 ? "" : "s", table.file(), without == 1 ? "was" : "were"));
@@ -186,6 +152,15 @@ class SurveyReader {
           lines.size() == 1 ? fmt::format("'{}'", table.file()) : fmt::format("{} of '{}'", line.name, table.file());
       lines_.push_back(std::move(line));
     }
+  }
+
+  /// Returns false, and counts the borehole, if the options name boreholes and this row is of another one.
+  bool is_wanted(const SurveyTable& table, std::size_t row) {
+    const auto& wanted = options_.boreholes;
+    const std::string name = table.read_text(row, Role::hole);
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) return true;
+    unwanted_.insert(name);
+    return false;
   }
 
   HoleRows& find_hole(const SurveyTable& table, std::size_t row) {
@@ -219,6 +194,7 @@ class SurveyReader {
 
   void read_layers(const SurveyTable& table) {
     for (std::size_t row = table.first_row(); row < table.rows(); ++row) {
+      if (!is_wanted(table, row)) continue;
       HoleRows* rows = nullptr;
       const bool is_good = try_row([&] {
         rows = &find_hole(table, row);
@@ -252,6 +228,7 @@ class SurveyReader {
       }
     }
     for (std::size_t row = table.first_row(); row < table.rows(); ++row) {
+      if (!is_wanted(table, row)) continue;
       HoleRows* rows = nullptr;
       const bool is_good = try_row([&] {
         rows = &find_hole(table, row);
@@ -273,6 +250,28 @@ class SurveyReader {
     }
   }
 
+  /// Throws Error (wrong_input) if a borehole that the options name is in no table.
+  void check_wanted() {
+    for (const std::string& name : options_.boreholes)
+      if (!hole_numbers_.contains(name)) {
+        std::vector<std::string> known(unwanted_.begin(), unwanted_.end());
+        for (const auto& [hole, number] : hole_numbers_) known.push_back(hole);
+        if (known.empty()) fail_input("--boreholes names '{}', and the tables have no boreholes", name);
+        constexpr std::size_t most_named = 12;
+        if (known.size() > most_named && find_nearest(name, known).empty())
+          known.resize(most_named), known.push_back("…");
+        fail_input("--boreholes names '{}', which is in no table; {}", name, suggest(name, known));
+      }
+    if (!unwanted_.empty())
+      remark(fmt::format("{} borehole{} that --boreholes does not name {} left out", unwanted_.size(),
+                         unwanted_.size() == 1 ? "" : "s", unwanted_.size() == 1 ? "was" : "were"));
+  }
+
+  static bool has_layers(const HoleRows& rows) {
+    return !rows.soils.empty() || std::any_of(rows.hole.bottoms.begin(), rows.hole.bottoms.end(),
+                                              [](const auto& bottom) { return bottom.has_value(); });
+  }
+
   /// Makes positions along the section of places in plan, with one line for all tables.
   void project_places() {
     std::vector<PlanPlace> places;
@@ -284,7 +283,7 @@ class SurveyReader {
     for (const SurveyLine& line : lines_)
       for (const SurveyPoint& p : line.points) collect(p.place);
     for (const HoleRows& rows : holes_)
-      if (rows.place) collect(*rows.place);
+      if (rows.place && has_layers(rows)) collect(*rows.place);
     const bool is_plan = !places.empty();
     if (is_plan && places.size() < count)
       fail_input(
@@ -407,8 +406,7 @@ class SurveyReader {
         remark(fmt::format("borehole {} was left out, because of a row that is not understood", clean_text(hole.name)));
         continue;
       }
-      const bool has_depths = !rows.soils.empty() || std::any_of(hole.bottoms.begin(), hole.bottoms.end(),
-                                                                 [](const auto& b) { return b.has_value(); });
+      const bool has_depths = has_layers(rows);
       if (!has_depths || !hole.x || (!has_ground && !hole.collar)) {
         remark(fmt::format("borehole {} ({}) has no {}, and was left out", clean_text(hole.name), hole.place,
                            !has_depths ? "layers"
@@ -474,7 +472,7 @@ class SurveyReader {
   std::vector<DrilledSoil> soils_;
   std::vector<Borehole> drilled_;
   std::vector<Chain> boundaries_;
-  std::set<std::string> names_;
+  std::set<std::string> names_, unwanted_;
   DrawnSection section_;
   bool is_first_sorted_ = false;
   int faults_ = 0;

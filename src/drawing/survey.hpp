@@ -12,7 +12,10 @@ namespace talus::drawing {
 
 struct SurveyOptions {
   double unit = 1;             ///< of lengths in columns without a unit [m]
+  bool is_unit_given = false;  ///< by the user; otherwise a remark names it where it is used
   std::optional<double> base;  ///< level of the base of the section [m]
+  /// Boreholes to use; empty: all.
+  std::vector<std::string> boreholes;
 };
 
 /// Reads the section of tables. The first table of lines is the ground, the others are lower boundaries from the top

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "base/user_file.hpp"
+#include "drawing/ags.hpp"
 #include "drawing/case_text.hpp"
 #include "input/case/series_file.hpp"
 
@@ -29,19 +31,18 @@ struct Headings {
   std::initializer_list<const char*> names;
 };
 
-// AGS 4 (loca…, geol…), drill-hole databases (holeid, from, to) and what surveyors write.
+// AGS 4 (loca…, geol…) and 3 (hole…), drill-hole databases (holeid, from, to) and what surveyors write.
 const std::array known{
     Headings{Role::hole, {"holeid",   "hole",       "boreholeid",   "borehole", "bhid",    "bh",      "boring",
                           "boringid", "drillhole",  "drillholeid",  "dhid",     "locaid",  "pointid", "wellid",
                           "well",     "wellname",   "boreholename", "holename", "bohrung", "sondage", "boring no",
                           "boringno", "boreholeno", "holeno",       "no",       "id",      "name"}},
-    Headings{Role::x,
-             {"station",  "chainage", "ch",     "stationing",  "distance", "dist",     "distancealong", "offset",
-              "position", "x",        "xcoord", "xcoordinate", "along",    "localx",   "easting",       "east",
-              "locanate", "utme",     "xutm",   "xcollar",     "xmga",     "locationx"}},
+    Headings{Role::x, {"station",  "chainage", "ch",     "stationing",  "distance", "dist",   "distancealong", "offset",
+                       "position", "x",        "xcoord", "xcoordinate", "along",    "localx", "easting",       "east",
+                       "locanate", "holenate", "utme",   "xutm",        "xcollar",  "xmga",   "locationx"}},
     Headings{Role::northing,
-             {"northing", "north", "locanatn", "utmn", "yutm", "ycollar", "ymga", "locationy", "ycoord", "ycoordinate",
-              "y"}},
+             {"northing", "north", "locanatn", "holenatn", "utmn", "yutm", "ycollar", "ymga", "locationy", "ycoord",
+              "ycoordinate", "y"}},
     // The top of a borehole comes first: rows of layers may have elevations of their own.
     Headings{Role::elevation, {"collar",      "collarelevation",
                                "collarelev",  "collarlevel",
@@ -49,12 +50,13 @@ const std::array known{
                                "groundlevel", "groundelevation",
                                "groundelev",  "surfaceelevation",
                                "surfaceelev", "locagl",
-                               "gl",          "altitude",
-                               "alt",         "elevation",
-                               "elev",        "level",
-                               "z",           "rl",
-                               "height",      "zcoord",
-                               "zcoordinate", "surface"}},
+                               "holegl",      "gl",
+                               "altitude",    "alt",
+                               "elevation",   "elev",
+                               "level",       "z",
+                               "rl",          "height",
+                               "zcoord",      "zcoordinate",
+                               "surface"}},
     Headings{Role::top,
              {"top", "from", "topdepth", "depthtop", "depthfrom", "fromdepth", "geoltop", "start", "startdepth",
               "upper", "depthstart", "upperdepth"}},
@@ -65,12 +67,13 @@ const std::array known{
              {"bottomelevation", "bottomlevel", "baseelevation", "baselevel", "bottomelev", "baseelev", "bottomz"}},
     Headings{Role::thickness, {"thickness", "thick"}},
     Headings{Role::end,
-             {"totaldepth", "enddepth", "finaldepth", "td", "eoh", "holedepth", "maxdepth", "locafdep", "length",
-              "boreholedepth", "depthofhole"}},
+             {"totaldepth", "enddepth", "finaldepth", "td", "eoh", "holedepth", "maxdepth", "locafdep", "holefdep",
+              "length", "boreholedepth", "depthofhole"}},
     Headings{Role::soil, {"soil",     "soilname", "soiltype",    "stratum",   "strata",   "unit",    "formation",
                           "geolgeol", "geology",  "lithology",   "lith",      "litho",    "geolleg", "lithodesc",
                           "rocktype", "rock",     "layer",       "layername", "material", "surface", "component",
                           "line",     "boundary", "description", "geoldesc"}},
+    Headings{Role::order, {"pointorder", "order", "sequence", "pointnumber", "pointno"}},
 };
 
 /// Returns the unit of length that a word names; empty if it names none: "ft" for "feet", "m" for "mAOD".
@@ -118,6 +121,76 @@ Heading read_heading(const input::TextTable::Heading& heading) {
   return read;
 }
 
+/// Returns true if headings have the names of a position and an elevation, or of a borehole and its depths.
+bool are_known(const std::vector<input::TextTable::Heading>& headings) {
+  std::array<bool, static_cast<std::size_t>(Role::count)> has{};
+  for (const auto& heading : headings)
+    for (const Headings& of : known)
+      for (const char* name : of.names)
+        if (read_heading(heading).key == name) has[static_cast<std::size_t>(of.role)] = true;
+  const auto knows = [&](Role role) { return has[static_cast<std::size_t>(role)]; };
+  return (knows(Role::x) && (knows(Role::elevation) || knows(Role::northing))) ||
+         (knows(Role::hole) && (knows(Role::x) || knows(Role::bottom) || knows(Role::top) || knows(Role::thickness)));
+}
+
+/// The first line of a table, below its preamble.
+struct Start {
+  std::size_t at = 0;        ///< in the text
+  int line = 1;              ///< its number
+  std::size_t preamble = 0;  ///< number of lines with text above it
+  std::string unit;          ///< of lengths, by the preamble
+};
+
+/// Returns the unit of length that a line such as "Unit: ft" names; empty if it names none.
+std::string find_preamble_unit(std::string_view line) {
+  const std::size_t mark = line.find_first_of(":=,;\t");
+  if (mark == std::string_view::npos) return "";
+  const std::string key = find_key(line.substr(0, mark));
+  if (key != "unit" && key != "units" && key != "lengthunit" && key != "lengthunits") return "";
+  const std::size_t begin = line.find_first_not_of(" \t:=,;", mark);
+  if (begin == std::string_view::npos) return "";
+  return find_length_unit(line.substr(begin, line.find_first_of(",;\t\r", begin) - begin));
+}
+
+/// Searches the first lines for headings that are known. Without such a line, the table begins with the text.
+Start find_start(std::string_view text) {
+  constexpr std::size_t most_lines = 60, longest = 10'000;
+  Start start;
+  std::size_t at = 0;
+  for (int number = 1; at < text.size() && start.preamble < most_lines; ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    if (line.size() > longest) break;
+    if (const input::TextTable candidate("", std::string(line), 1); !candidate.header().empty()) {
+      if (are_known(candidate.header())) {
+        start.at = at, start.line = number;
+        return start;
+      }
+      ++start.preamble;
+      if (const std::string unit = find_preamble_unit(line); !unit.empty()) start.unit = unit;
+    }
+    at = end + 1;
+  }
+  return {};
+}
+
+/// Converts text that is not UTF-8, as programs of Windows write it, from Latin-1.
+void make_utf8(std::string& text) {
+  if (!find_wrong_utf8(text)) return;
+  std::string converted;
+  converted.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      converted += c;
+    } else {
+      converted += static_cast<char>(0xC0 | (byte >> 6));
+      converted += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  text = std::move(converted);
+}
+
 const char* name_form(TableForm form) {
   switch (form) {
     case TableForm::lines:
@@ -133,12 +206,31 @@ const char* name_form(TableForm form) {
 
 }  // namespace
 
-SurveyTable::SurveyTable(const std::string& path, double unit)
-    : text_([&] {
-        if (const auto fault = find_file_fault(path, largest_table))
-          fail_input("the table '{}' cannot be read: {}", path, fault->why);
-        return input::TextTable(path);
-      }()) {
+SurveyTable::SurveyTable(const std::string& path, double unit) : text_(open(path, unit)) {
+  read(unit);
+}
+
+SurveyTable::SurveyTable(input::TextTable text, const std::string& name, double unit)
+    : part_(name), text_(std::move(text)) {
+  read(unit);
+}
+
+input::TextTable SurveyTable::open(const std::string& path, double& unit) {
+  std::string text;
+  if (const auto fault = try_user_file(path, largest_table, text))
+    fail_input("the table '{}' cannot be read: {}", path, fault->why);
+  make_utf8(text);
+  const Start start = find_start(text);
+  preamble_ = start.preamble;
+  if (!start.unit.empty()) {
+    unit = units::parse_as_si("1 " + start.unit, "m", "the unit of the table");
+    preamble_unit_ = start.unit;
+  }
+  return {path, text.substr(start.at), start.line};
+}
+
+void SurveyTable::read(double unit) {
+  const std::string& path = text_.file();
   if (text_.header().empty()) fail_input("the table '{}' is empty", path);
   if (text_.rows() > most_rows)
     fail_input("the table '{}' has {} rows; at most {} are read", path, text_.rows(), most_rows);
@@ -157,14 +249,14 @@ void SurveyTable::select_columns(double unit) {
   for (const auto& heading : text_.header()) headings.push_back(read_heading(heading));
   const auto get_factor = [&](std::size_t i) {
     if (headings[i].unit.empty()) return unit;
-    has_unit_ = true;
     return units::parse_as_si("1 " + headings[i].unit, "m",
                               fmt::format("column '{}' of '{}'", headings[i].name, text_.file()));
   };
+  const auto has_unit = [&](std::size_t i) { return !headings[i].unit.empty() || !preamble_unit_.empty(); };
   const bool is_headless = count >= 2 && headings[0].name == "1" && headings[1].name == "2";
   if (is_headless) {
-    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit};
-    columns_[static_cast<std::size_t>(Role::elevation)] = Column{1, unit};
+    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit, false};
+    columns_[static_cast<std::size_t>(Role::elevation)] = Column{1, unit, false};
     return;
   }
   for (const Headings& of : known)
@@ -175,8 +267,10 @@ void SurveyTable::select_columns(double unit) {
       if (i == count || is_used[i]) continue;
       const bool is_text = of.role == Role::hole || of.role == Role::soil;
       if (!is_text && !is_numeric(i)) continue;
+      if (of.role == Role::soil && !has_text(i)) continue;
       is_used[i] = 1;
-      columns_[static_cast<std::size_t>(of.role)] = Column{i, is_text ? 1 : get_factor(i)};
+      const bool is_length = !is_text && of.role != Role::order;
+      columns_[static_cast<std::size_t>(of.role)] = Column{i, is_length ? get_factor(i) : 0, has_unit(i)};
       break;
     }
   // In a table with x and y only, y is the elevation.
@@ -189,13 +283,15 @@ void SurveyTable::select_columns(double unit) {
     if (headings[i].key == "depth" && is_numeric(i)) {
       const Role role = has(Role::soil) ? Role::bottom : Role::end;
       if (!has(role)) {
-        columns_[static_cast<std::size_t>(role)] = Column{i, get_factor(i)};
+        columns_[static_cast<std::size_t>(role)] = Column{i, get_factor(i), has_unit(i)};
         continue;
       }
     }
-    const bool may_be_depth = has(Role::hole) && !has(Role::soil) && is_numeric(i) && !headings[i].name.empty();
+    // A part of a file, such as a group of AGS, has one meaning for each column.
+    const bool may_be_depth =
+        part_.empty() && has(Role::hole) && !has(Role::soil) && is_numeric(i) && !headings[i].name.empty();
     if (may_be_depth && depths_.size() < most_depth_columns)
-      depths_.push_back({headings[i].name, i, get_factor(i)});
+      depths_.push_back({headings[i].name, i, get_factor(i), has_unit(i)});
     else
       unused_.push_back(headings[i].name);
   }
@@ -239,18 +335,17 @@ void SurveyTable::find_form() {
 void SurveyTable::read_units_row() {
   if (text_.rows() == 0) return;
   bool is_row_of_units = false;
-  const auto take = [&](std::size_t number, double& factor) {
+  const auto take = [&](std::size_t number, double& factor, bool& has_unit) {
     std::string cell = text_.cell(0, number);
     if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
     const std::string unit = find_length_unit(cell);
     if (unit.empty()) return;
-    is_row_of_units = has_unit_ = true;
+    is_row_of_units = has_unit = true;
     factor = units::parse_as_si("1 " + unit, "m", "the unit of a column");
   };
-  for (std::size_t role = 0; role < columns_.size(); ++role)
-    if (columns_[role] && role != static_cast<std::size_t>(Role::hole) && role != static_cast<std::size_t>(Role::soil))
-      take(columns_[role]->number, columns_[role]->factor);
-  for (DepthColumn& column : depths_) take(column.column, column.factor);
+  for (auto& column : columns_)
+    if (column && column->factor > 0) take(column->number, column->factor, column->has_unit);
+  for (DepthColumn& column : depths_) take(column.column, column.factor, column.has_unit);
   if (!is_row_of_units) return;
   // In AGS data a row of types, such as 2DP, follows.
   first_row_ = 1;
@@ -275,6 +370,12 @@ bool SurveyTable::is_numeric(std::size_t column) const {
   return text_.rows() == 0;
 }
 
+bool SurveyTable::has_text(std::size_t column) const {
+  for (std::size_t row = 0; row < text_.rows(); ++row)
+    if (const std::string cell = text_.cell(row, column); !cell.empty() && cell != "X" && cell != "PA") return true;
+  return text_.rows() == 0;
+}
+
 std::optional<double> SurveyTable::read_length(std::size_t row, const DepthColumn& column) const {
   if (input::is_missing(text_.cell(row, column.column), -99)) return std::nullopt;
   const double value = text_.number(row, column.column) * column.factor;
@@ -286,12 +387,22 @@ std::optional<double> SurveyTable::read_length(std::size_t row, const DepthColum
 std::optional<double> SurveyTable::read_length(std::size_t row, Role role) const {
   const auto& column = columns_[static_cast<std::size_t>(role)];
   if (!column) return std::nullopt;
-  return read_length(row, {"", column->number, column->factor});
+  return read_length(row, {"", column->number, column->factor, column->has_unit});
+}
+
+double SurveyTable::read_order(std::size_t row) const {
+  return text_.number(row, columns_[static_cast<std::size_t>(Role::order)]->number);
 }
 
 std::string SurveyTable::read_text(std::size_t row, Role role) const {
   const auto& column = columns_[static_cast<std::size_t>(role)];
   return column ? text_.cell(row, column->number) : "";
+}
+
+bool SurveyTable::has_units() const {
+  return std::all_of(columns_.begin(), columns_.end(),
+                     [](const auto& c) { return !c || c->factor == 0 || c->has_unit; }) &&
+         std::all_of(depths_.begin(), depths_.end(), [](const DepthColumn& d) { return d.has_unit; });
 }
 
 std::string SurveyTable::describe() const {
@@ -301,10 +412,10 @@ std::string SurveyTable::describe() const {
   };
   std::string columns;
   for (const Role role : {Role::hole, Role::x, Role::northing, Role::elevation, Role::top, Role::bottom,
-                          Role::bottom_level, Role::thickness, Role::end, Role::soil})
+                          Role::bottom_level, Role::thickness, Role::end, Role::soil, Role::order})
     if (has(role)) columns += fmt::format("{}'{}'", columns.empty() ? "" : ", ", name(role));
-  std::string sentence = fmt::format("{} has {}; columns used: {}", std::filesystem::path(file()).filename().string(),
-                                     name_form(form_), columns);
+  std::string sentence = fmt::format("{}{} has {}; columns used: {}", std::filesystem::path(file()).filename().string(),
+                                     part_.empty() ? "" : ", group " + part_, name_form(form_), columns);
   if (!depths_.empty()) sentence += fmt::format(" and {} depths", depths_.size());
   if (!unused_.empty()) {
     constexpr std::size_t most_named = 8;
@@ -313,7 +424,23 @@ std::string SurveyTable::describe() const {
       sentence += fmt::format("{}'{}'", i == 0 ? "" : ", ", unused_[i]);
     if (unused_.size() > most_named) sentence += fmt::format(" and {} more", unused_.size() - most_named);
   }
-  return sentence + (has_unit_ ? "" : "; lengths without a unit");
+  if (preamble_ > 0)
+    sentence += fmt::format("; {} line{} above the headings{}", preamble_, preamble_ == 1 ? "" : "s",
+                            preamble_unit_.empty() ? " not used" : ", of which the unit is used: " + preamble_unit_);
+  return sentence + (has_units() ? "" : "; lengths without a unit");
+}
+
+std::vector<SurveyTable> read_survey_tables(const std::string& path, double unit) {
+  std::vector<SurveyTable> tables;
+  if (!is_ags(path)) {
+    tables.emplace_back(path, unit);
+    return tables;
+  }
+  for (AgsGroup& group : read_ags(path)) {
+    make_utf8(group.text);
+    tables.emplace_back(input::TextTable(path, std::move(group.text), group.first_line), group.name, unit);
+  }
+  return tables;
 }
 
 }  // namespace talus::drawing

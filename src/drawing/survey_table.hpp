@@ -21,8 +21,9 @@ enum class Role {
   bottom,        ///< depth of its lower boundary
   bottom_level,  ///< elevation of its lower boundary
   thickness,
-  end,   ///< depth of the end of a borehole
-  soil,  ///< name of a layer
+  end,    ///< depth of the end of a borehole
+  soil,   ///< name of a layer
+  order,  ///< number of a point along its line
   count,
 };
 
@@ -39,13 +40,17 @@ struct DepthColumn {
   std::string soil;
   std::size_t column = 0;
   double factor = 1;  ///< [m]
+  bool has_unit = false;
 };
 
 class SurveyTable {
  public:
-  /// Reads a table; a column without a unit has lengths in `unit` [m]. Throws Error (wrong_input) with one sentence if
-  /// the file cannot be read or its headings are not understood.
+  /// Reads the table of a file, below a preamble if it has one: lines above the headings, such as "Unit: ft". A column
+  /// without a unit has lengths in that of the preamble or else in `unit` [m]. Throws Error (wrong_input) with one
+  /// sentence if the file cannot be read or its headings are not understood.
   SurveyTable(const std::string& path, double unit);
+  /// Reads a table that is part of a file; `name` is that of the part.
+  SurveyTable(input::TextTable text, const std::string& name, double unit);
 
   TableForm form() const { return form_; }
   const std::string& file() const { return text_.file(); }
@@ -53,6 +58,9 @@ class SurveyTable {
   std::size_t first_row() const { return first_row_; }
   std::size_t rows() const { return text_.rows(); }
   bool has(Role role) const { return columns_[static_cast<std::size_t>(role)].has_value(); }
+  /// Returns the number of a point along its line, in a table with such a column. Throws Error (wrong_input) with file
+  /// and line if it is not a number.
+  double read_order(std::size_t row) const;
   /// Returns a length [m]; std::nullopt if the table has no such column or the cell is empty. Throws Error
   /// (wrong_input) with file and line if it is not a number.
   std::optional<double> read_length(std::size_t row, Role role) const;
@@ -65,15 +73,21 @@ class SurveyTable {
     if (has(Role::elevation)) form_ = TableForm::lines;
   }
   const std::vector<DepthColumn>& depths() const { return depths_; }
+  /// Returns true if each column of lengths has a unit, in its heading, in a row of units or by the preamble.
+  bool has_units() const;
   /// Returns how the table was understood, in one sentence.
   std::string describe() const;
 
  private:
   struct Column {
     std::size_t number = 0;
-    double factor = 1;  ///< [m]
+    double factor = 1;  ///< [m]; 0: no length
+    bool has_unit = false;
   };
 
+  /// Opens the file at its headings, and takes the unit of the preamble.
+  input::TextTable open(const std::string& path, double& unit);
+  void read(double unit);
   void select_columns(double unit);
   void find_form();
   /// Returns true if the first column of `role` has one of `keys` as heading.
@@ -81,14 +95,20 @@ class SurveyTable {
   /// Takes the first row as units if it has them in a column of lengths.
   void read_units_row();
   bool is_numeric(std::size_t column) const;
+  bool has_text(std::size_t column) const;
 
+  std::size_t preamble_ = 0;   ///< number of lines above the headings
+  std::string preamble_unit_;  ///< that they name
+  std::string part_;           ///< name of the part of the file
   input::TextTable text_;
   TableForm form_ = TableForm::lines;
   std::array<std::optional<Column>, static_cast<std::size_t>(Role::count)> columns_;
   std::vector<DepthColumn> depths_;
   std::vector<std::string> unused_;
   std::size_t first_row_ = 0;
-  bool has_unit_ = false;
 };
+
+/// Reads the tables of a file: one, or the boreholes and their layers of an AGS file.
+std::vector<SurveyTable> read_survey_tables(const std::string& path, double unit);
 
 }  // namespace talus::drawing

@@ -18,12 +18,12 @@ import zipfile
 
 DATA = pathlib.Path(__file__).parent.parent / "data"
 DRAWINGS = sorted([*(DATA / "drawings").glob("*.dxf"), *(DATA / "drawings").glob("*.geojson")])
-TABLES = sorted((DATA / "tables").glob("*.csv"))
+TABLES = sorted([*(DATA / "tables").glob("*.csv"), *(DATA / "tables").glob("*.ags")])
 MODEL = DATA / "drawings/geostudio_model.xml"
 AT_ONCE = 2
 MOST_MEMORY = 3000  # MB; a drawing may take 2000 beyond the program
 WORDS = [b"0", b"-1", b"1e308", b"nan", b"99999999999", b"SECTION", b"ENDSEC", b"EOF", b"POLYLINE", b"INSERT", b"SPLINE", b"HATCH", b"BLOCK", b"", b"8", b"70"]
-CELLS = [b"", b"0", b"-1", b"1e308", b"-1e-320", b"nan", b"1,5", b"99999999999999999999", b"\"", b"\"a", b"x", b"[ft]", b"(m)", b";", b"\t", b"#", b"\xff\xfe", b"\xef\xbb\xbf", b"hole", b"soil", b"depth"]
+CELLS = [b"", b"0", b"-1", b"1e308", b"-1e-320", b"nan", b"1,5", b"99999999999999999999", b"\"", b"\"a", b"x", b"[ft]", b"(m)", b";", b"\t", b"#", b"\xff\xfe", b"\xef\xbb\xbf", b"hole", b"soil", b"depth", b"\"<CONT>\"", b"\"**GEOL\"", b"\"GROUP\"", b"Unit: ft"]
 
 
 def mutate(data, draw):
@@ -95,8 +95,9 @@ def make_mutant(folder, number, draw):
         path = path.with_suffix(".gsz")
         path.write_bytes(make_archive(MODEL.read_bytes(), draw))
     elif kind < 0.5 and TABLES:
-        path = path.with_suffix(".csv")
-        path.write_bytes(mutate_table(draw.choice(TABLES).read_bytes(), draw))
+        seed = draw.choice(TABLES)
+        path = path.with_suffix(seed.suffix)
+        path.write_bytes(mutate_table(seed.read_bytes(), draw))
     else:
         seed = draw.choice(DRAWINGS)
         path = path.with_suffix(seed.suffix)

@@ -53,9 +53,9 @@ class Surveys(unittest.TestCase):
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         return result.stderr
 
-    def run_lem(self, case, **strengths):
-        """Completes every material, checks the case and returns the summary of a run."""
-        text = (self.folder / "case.toml").read_text()
+    def run_lem(self, case, added="", **strengths):
+        """Completes every material, adds a text, checks the case and returns the summary of a run."""
+        text = (self.folder / "case.toml").read_text() + added
         for key, value in {"unit_weight": 19, "cohesion": 10, "friction_angle": 28, **strengths}.items():
             text = "\n".join(f"{key} = {value}" if line.startswith(f"# {key} =") else line for line in text.split("\n"))
         path = self.folder / "complete.toml"
@@ -150,6 +150,89 @@ class Surveys(unittest.TestCase):
         case, _ = self.read([DATA / "own_slope_surface.csv", DATA / "own_slope_base.csv"])
         self.assertEqual(len(case["geometry"]["ground"]), 60)
         self.assertGreater(self.run_lem(case)["lem"]["critical"][0]["factor"], 1)
+
+    def measure_areas(self, summary):
+        """Areas of the soils of a run [m²], by the shoelace formula."""
+        areas = {}
+        for polygon in summary["input"]["geometry"]["polygon"]:
+            points = polygon["points"]["value"]
+            twice = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1]))
+            areas[polygon["name"]["value"]] = abs(twice) / 2
+        return areas
+
+    def test_cross_section_of_a_river_with_lines_above_its_headings(self):
+        """The points are in feet, and neither in their order nor with a unit in the headings."""
+        case, printed = self.read([DATA / "aquarius_cross_section.csv"], "--base=-3")
+        foot = 0.3048
+        ground = [[0, 7.467], [19.1, 6.909], [44.8, 6.3], [70.1, 5.356], [82.4, 5.287]]
+        for found, expected in zip(case["geometry"]["ground"], ground, strict=True):
+            self.assertAlmostEqual(found[0], expected[0] * foot, places=5)
+            self.assertAlmostEqual(found[1], expected[1] * foot, places=5)
+        self.assertIn("11 lines above the headings, of which the unit is used: ft", printed)
+        self.assertNotIn("without a unit", printed)
+        summary = self.run_lem(case, cohesion=0.01, friction_angle=5)
+        area = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in zip(ground, ground[1:])) * foot**2 + 3 * 82.4 * foot
+        self.assertAlmostEqual(self.measure_areas(summary)["soil"], area, places=4)
+        # An infinite slope as steep as the steepest part has tan 5° / (0.944 / 25.3) = 2.345.
+        for found in summary["lem"]["critical"]:
+            self.assertTrue(2.345 < found["factor"] < 2.5, found["factor"])
+
+    def test_boreholes_of_an_ags_file(self):
+        """AGS 3 with headings on two lines, rows that <CONT> continues, groups of no use, and a borehole without layers."""
+        case, printed = self.read([DATA / "kaitak_boreholes.ags"])
+        self.assertIn("group HOLE has positions of boreholes", printed)
+        self.assertIn("kaitak_boreholes.ags:13) has no layers, and was left out", printed)
+        self.assertIn("azimuth 39.4°", printed)
+        x = [hole[0] for hole in case["geometry"]["ground"]]
+        self.assertAlmostEqual(x[1], ((838293.22 - 838261.55)**2 + (820443.88 - 820399.78)**2)**0.5, delta=0.2)
+        self.assertEqual([level for _, level in case["geometry"]["ground"]], [4.89, 4.42, 4.89])
+        above, below = case["geometry"]["layer"]
+        self.assertEqual((above["name"], below["name"]), ("Q", "L"))
+        self.assertEqual([depth for _, depth in above["depths"]], [31, 24, 20.3], "fill and alluvium above the granite")
+        self.assertAlmostEqual(below["level"], 4.89 - 53.39)
+        summary = self.run_lem(case, '[[surcharge]]\nname = "stand"\nx = [60, 75]\nload = [250, 250]\n')
+        areas = self.measure_areas(summary)
+        thick = (x[1] - x[0]) * (31 + 24) / 2 + (x[2] - x[1]) * (24 + 20.3) / 2
+        self.assertAlmostEqual(areas["Q"], thick, places=2)
+        self.assertAlmostEqual(areas["Q"] + areas["L"], (x[2] - x[0]) * (48.5 + (4.89 + 4.42) / 2), places=2)
+        self.assertTrue(all(1 < found["factor"] < 5 for found in summary["lem"]["critical"]))
+
+    def test_boreholes_of_a_section_are_chosen_by_name(self):
+        case, printed = self.read([DATA / "kaitak_boreholes.ags"], "--boreholes", "BH43", "--boreholes", "BH45")
+        self.assertEqual(len(case["geometry"]["ground"]), 2)
+        self.assertIn("2 boreholes that --boreholes does not name were left out", printed)
+        self.assertIn("did you mean 'BH45'?", self.find_fault([DATA / "kaitak_boreholes.ags"], "--boreholes", "bh45"))
+        self.assertIn("no meaning for a drawing", self.find_fault([self.folder / "a.dxf"], "--boreholes", "BH1"))
+
+    def test_ags_of_version_4_with_codes_of_soils(self):
+        groups = """"GROUP","LOCA"
+"HEADING","LOCA_ID","LOCA_NATE","LOCA_NATN","LOCA_GL"
+"UNIT","","m","m","m"
+"TYPE","ID","2DP","2DP","2DP"
+"DATA","BH1","0.00","100.00","20.00"
+"DATA","BH2","30.00","140.00","15.00"
+
+"GROUP","GEOL"
+"HEADING","LOCA_ID","GEOL_TOP","GEOL_BASE","GEOL_DESC","GEOL_LEG","GEOL_GEOL"
+"UNIT","","m","m","","",""
+"TYPE","ID","2DP","2DP","X","PA","PA"
+"DATA","BH1","0.00","2.50","Brown ""stiff"" CLAY, sandy","202",""
+"DATA","BH1","2.50","9.00","Grey SAND","403",""
+"DATA","BH2","0.00","4.00","Grey CLAY","202",""
+"DATA","BH2","4.00","8,00","Grey SAND","403",""
+"""
+        codes = '"GROUP","ABBR"\n"HEADING","ABBR_HDNG","ABBR_CODE","ABBR_DESC"\n"DATA","GEOL_LEG","202","Silty CLAY"\n'
+        path = self.folder / "site.AGS"
+        path.write_bytes(b"\xef\xbb\xbf" + (groups.replace("8,00", "8.00") + codes).replace("\n", "\r\n").encode())
+        case, _ = self.read([path])
+        self.assertEqual(case["geometry"]["ground"], [[0, 20], [50, 15]])
+        self.assertEqual(case["geometry"]["layer"], [{"name": "Silty CLAY", "depths": [[0, 2.5], [50, 4]]}, {"name": "403", "level": 7}])
+        path.write_text(groups)
+        self.assertIn("one borehole and no ground", self.find_fault([path]), "BH2 has a comma in a number, and is left out")
+        for text, said in ((groups[:groups.index('"GROUP","GEOL"')], "no group GEOL"), (groups[groups.index('"GROUP","GEOL"'):], "no group LOCA"),
+                           ("x,y\n1,2\n", "no groups of the AGS format"), ("", "no groups"), ('"GROUP","LOCA"\n"GROUP","GEOL"\n', "site.AGS:1: the group LOCA has no line of headings")):
+            path.write_text(text)
+            self.assertIn(said, self.find_fault([path]))
 
     def test_faults_are_one_sentence(self):
         for text, options, fault in (

@@ -70,11 +70,20 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
   if (const auto fault = try_user_file(path, largest_file::table, text_))
     fail_input(fault->is_missing ? fmt::format("there is no table '{}'; its path is relative to the case file", file_)
                                  : fmt::format("the table '{}' cannot be read: {}", file_, fault->why));
+  read_rows(1);
+}
+
+TextTable::TextTable(std::string file, std::string text, int first_line)
+    : file_(std::move(file)), text_(std::move(text)) {
+  read_rows(first_line);
+}
+
+void TextTable::read_rows(int first_line) {
   if (is_utf16(std::string_view(text_).substr(0, text_.find('\n'))))
     fail_input("'{}' is in UTF-16; save it as UTF-8", file_);
   std::string_view rest = text_;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark, which spreadsheets write
-  for (int number = 1; !rest.empty(); ++number) {
+  for (int number = first_line; !rest.empty(); ++number) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));

@@ -22,6 +22,9 @@ class TextTable {
 
   /// Throws Error (wrong_input) with one sentence if the file does not exist or cannot be read.
   explicit TextTable(const std::filesystem::path& path);
+  /// Reads the table in `text`, whose first line has the number `first_line` in `file`. Throws Error (wrong_input) with
+  /// one sentence if it cannot be read.
+  TextTable(std::string file, std::string text, int first_line);
 
   const std::string& file() const { return file_; }
   const std::vector<Heading>& header() const { return header_; }
@@ -46,6 +49,7 @@ class TextTable {
     int line = 0;
   };
 
+  void read_rows(int first_line);
   void read_header(std::string_view line);
   /// Returns true if the text is a finite number, possibly with a decimal comma.
   bool try_number(std::string text, double& value) const;
