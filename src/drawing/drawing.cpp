@@ -26,7 +26,8 @@ std::string get_format(const std::string& path) {
       {".dxf", "DXF"}, {".gpkg", "GPKG"}, {".geojson", "GeoJSON"}, {".json", "GeoJSON"}};
   const auto found = formats.find(ending);
   if (found == formats.end())
-    fail_input("'{}' does not end in .dxf, .gpkg, .geojson, .json, .gsz or .csv, the files that can be read", path);
+    fail_input("'{}' does not end in .dxf, .gpkg, .geojson, .json, .gsz, .csv or .ags, the files that can be read",
+               path);
   return found->second;
 }
 

@@ -346,7 +346,9 @@ class SurveyReader {
       section_.ground.push_back({*hole.x, *hole.collar});
     }
     if (section_.ground.size() < 2)
-      fail_input("the survey has one borehole and no ground: give a table of the ground (x and elevation) too");
+      fail_input("the survey has one borehole{} and no ground: give a table of the ground (x and elevation) too{}",
+                 holes_.size() > 1 ? fmt::format(" of {} that can be used", holes_.size()) : "",
+                 left_out_.empty() ? "" : "; " + left_out_);
     remark(fmt::format("the ground is a line through the tops of {} boreholes", drilled_.size()));
   }
 
@@ -403,18 +405,24 @@ class SurveyReader {
     for (HoleRows& rows : holes_) {
       Borehole& hole = rows.hole;
       if (rows.is_wrong) {
-        remark(fmt::format("borehole {} was left out, because of a row that is not understood", clean_text(hole.name)));
+        left_out_ =
+            fmt::format("borehole {} was left out, because of a row that is not understood", clean_text(hole.name));
+        remark(left_out_);
         continue;
       }
       const bool has_depths = has_layers(rows);
       if (!has_depths || !hole.x || (!has_ground && !hole.collar)) {
-        remark(fmt::format("borehole {} ({}) has no {}, and was left out", clean_text(hole.name), hole.place,
-                           !has_depths ? "layers"
-                           : !hole.x   ? "position"
-                                       : "elevation of its top"));
+        left_out_ = fmt::format("borehole {} ({}) has no {}, and was left out", clean_text(hole.name), hole.place,
+                                !has_depths ? "layers"
+                                : !hole.x   ? "position"
+                                            : "elevation of its top");
+        remark(left_out_);
         continue;
       }
-      if (!try_row([&] { make_layers(rows); })) continue;
+      if (!try_row([&] { make_layers(rows); })) {
+        left_out_ = section_.remarks.back();
+        continue;
+      }
       (rows.soils.empty() ? has_columns : has_rows) = true;
       drilled_.push_back(std::move(hole));
     }
@@ -473,6 +481,7 @@ class SurveyReader {
   std::vector<Borehole> drilled_;
   std::vector<Chain> boundaries_;
   std::set<std::string> names_, unwanted_;
+  std::string left_out_;  ///< remark on the last borehole that was left out
   DrawnSection section_;
   bool is_first_sorted_ = false;
   int faults_ = 0;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "base/user_file.hpp"
@@ -33,13 +34,14 @@ struct Headings {
 
 // AGS 4 (loca…, geol…) and 3 (hole…), drill-hole databases (holeid, from, to) and what surveyors write.
 const std::array known{
-    Headings{Role::hole, {"holeid",   "hole",       "boreholeid",   "borehole", "bhid",    "bh",      "boring",
-                          "boringid", "drillhole",  "drillholeid",  "dhid",     "locaid",  "pointid", "wellid",
-                          "well",     "wellname",   "boreholename", "holename", "bohrung", "sondage", "boring no",
-                          "boringno", "boreholeno", "holeno",       "no",       "id",      "name"}},
-    Headings{Role::x, {"station",  "chainage", "ch",     "stationing",  "distance", "dist",   "distancealong", "offset",
-                       "position", "x",        "xcoord", "xcoordinate", "along",    "localx", "easting",       "east",
-                       "locanate", "holenate", "utme",   "xutm",        "xcollar",  "xmga",   "locationx"}},
+    Headings{Role::hole, {"holeid",   "hole",      "boreholeid",   "borehole", "bhid",    "bh",      "boring",
+                          "boringid", "drillhole", "drillholeid",  "dhid",     "locaid",  "pointid", "wellid",
+                          "well",     "wellname",  "boreholename", "holename", "bohrung", "sondage", "boring no",
+                          "punkt",    "boringno",  "boreholeno",   "holeno",   "no",      "id",      "name"}},
+    Headings{Role::x,
+             {"station",  "chainage", "ch",       "stationing",  "distance", "dist",    "distancealong", "offset",
+              "position", "x",        "xcoord",   "xcoordinate", "along",    "localx",  "easting",       "abstand",
+              "east",     "locanate", "holenate", "utme",        "xutm",     "xcollar", "xmga",          "locationx"}},
     Headings{Role::northing,
              {"northing", "north", "locanatn", "holenatn", "utmn", "yutm", "ycollar", "ymga", "locationy", "ycoord",
               "ycoordinate", "y"}},
@@ -56,13 +58,15 @@ const std::array known{
                                "level",       "z",
                                "rl",          "height",
                                "zcoord",      "zcoordinate",
-                               "surface"}},
+                               "höhe",        "hoehe",
+                               "cote",        "surface"}},
     Headings{Role::top,
-             {"top", "from", "topdepth", "depthtop", "depthfrom", "fromdepth", "geoltop", "start", "startdepth",
+             {"top", "from", "von", "topdepth", "depthtop", "depthfrom", "fromdepth", "geoltop", "start", "startdepth",
               "upper", "depthstart", "upperdepth"}},
-    Headings{Role::bottom,
-             {"bottom", "base", "to", "bottomdepth", "depthbottom", "depthbase", "basedepth", "depthto", "todepth",
-              "geolbase", "lower", "depthend", "lowerdepth", "bot", "botdepth", "bottomoflayer", "md", "end"}},
+    Headings{
+        Role::bottom,
+        {"bottom", "base", "to", "bis", "bottomdepth", "depthbottom", "depthbase", "basedepth", "depthto", "todepth",
+         "geolbase", "lower", "depthend", "lowerdepth", "bot", "botdepth", "bottomoflayer", "md", "end"}},
     Headings{Role::bottom_level,
              {"bottomelevation", "bottomlevel", "baseelevation", "baselevel", "bottomelev", "baseelev", "bottomz"}},
     Headings{Role::thickness, {"thickness", "thick"}},
@@ -72,7 +76,7 @@ const std::array known{
     Headings{Role::soil, {"soil",     "soilname", "soiltype",    "stratum",   "strata",   "unit",    "formation",
                           "geolgeol", "geology",  "lithology",   "lith",      "litho",    "geolleg", "lithodesc",
                           "rocktype", "rock",     "layer",       "layername", "material", "surface", "component",
-                          "line",     "boundary", "description", "geoldesc"}},
+                          "line",     "boundary", "description", "geoldesc",  "schicht",  "bodenart"}},
     Headings{Role::order, {"pointorder", "order", "sequence", "pointnumber", "pointno"}},
 };
 
@@ -255,8 +259,13 @@ void SurveyTable::select_columns(double unit) {
   const auto has_unit = [&](std::size_t i) { return !headings[i].unit.empty() || !preamble_unit_.empty(); };
   const bool is_headless = count >= 2 && headings[0].name == "1" && headings[1].name == "2";
   if (is_headless) {
-    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit, false};
-    columns_[static_cast<std::size_t>(Role::elevation)] = Column{1, unit, false};
+    if (count > 3)
+      fail_input("'{}' has {} columns without headings; name them in a first line, for example x, y, z", text_.file(),
+                 count);
+    const bool has_own_unit = !preamble_unit_.empty();
+    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit, has_own_unit};
+    if (count == 3) columns_[static_cast<std::size_t>(Role::northing)] = Column{1, unit, has_own_unit};
+    columns_[static_cast<std::size_t>(Role::elevation)] = Column{count - 1, unit, has_own_unit};
     return;
   }
   for (const Headings& of : known)
@@ -317,6 +326,7 @@ void SurveyTable::find_form() {
   } else if (has(Role::x) && has(Role::elevation)) {
     form_ = TableForm::lines;
   } else {
+    refuse_headings();
     std::string list;
     for (const auto& heading : text_.header()) list += fmt::format("{}'{}'", list.empty() ? "" : ", ", heading.name);
     if (list.size() > 200) list = list.substr(0, 200) + " …";
@@ -330,6 +340,27 @@ void SurveyTable::find_form() {
     for (const DepthColumn& column : depths_) unused_.push_back(column.soil);
     depths_.clear();
   }
+}
+
+void SurveyTable::refuse_headings() const {
+  std::size_t numbers = 0;
+  bool has_latitude = false, has_longitude = false;
+  for (const auto& heading : text_.header()) {
+    const char* const end = heading.name.data() + heading.name.size();
+    double value = 0;
+    if (!heading.name.empty() && parse_number(heading.name.data(), end, value) == end) ++numbers;
+    const std::string key = read_heading(heading).key;
+    has_latitude = has_latitude || key == "lat" || key == "latitude";
+    has_longitude = has_longitude || key == "lon" || key == "long" || key == "lng" || key == "longitude";
+  }
+  if (has_latitude && has_longitude)
+    fail_input("the positions of '{}' are latitudes and longitudes; give eastings and northings of a map projection",
+               text_.file());
+  if (numbers >= 2)
+    fail_input(
+        "'{}' has numbers and texts in its first line and no headings; name its columns in a first line, for "
+        "example name, x, y, z, code",
+        text_.file());
 }
 
 void SurveyTable::read_units_row() {
@@ -414,6 +445,7 @@ std::string SurveyTable::describe() const {
   for (const Role role : {Role::hole, Role::x, Role::northing, Role::elevation, Role::top, Role::bottom,
                           Role::bottom_level, Role::thickness, Role::end, Role::soil, Role::order})
     if (has(role)) columns += fmt::format("{}'{}'", columns.empty() ? "" : ", ", name(role));
+  if (text_.header().front().name == "1" && text_.header().size() == 3) columns += " as x, y and z";
   std::string sentence = fmt::format("{}{} has {}; columns used: {}", std::filesystem::path(file()).filename().string(),
                                      part_.empty() ? "" : ", group " + part_, name_form(form_), columns);
   if (!depths_.empty()) sentence += fmt::format(" and {} depths", depths_.size());

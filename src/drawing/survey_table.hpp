@@ -90,6 +90,8 @@ class SurveyTable {
   void read(double unit);
   void select_columns(double unit);
   void find_form();
+  /// Throws Error (wrong_input) for latitudes and longitudes, and for a first line of data in place of headings.
+  void refuse_headings() const;
   /// Returns true if the first column of `role` has one of `keys` as heading.
   bool is_headed(Role role, const std::vector<std::string>& keys) const;
   /// Takes the first row as units if it has them in a column of lengths.

@@ -6,6 +6,7 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -32,9 +33,15 @@ void CPL_STDCALL hear(CPLErr kind, CPLErrorNum, const char* text) {
   if (kind <= CE_Warning && ignores) heard->remarks.push_back(std::string(message.substr(message.find(": ") + 1)));
 }
 
+/// The z of a drawing, point by point of its lines and text by text.
+struct Heights {
+  std::vector<std::vector<double>> of_lines;
+  std::vector<double> of_texts;
+};
+
 class Reader {
  public:
-  explicit Reader(Drawing& drawing) : drawing_(drawing) {}
+  Reader(Drawing& drawing, Heights& heights) : drawing_(drawing), heights_(heights) {}
 
   void read(OGRLayer& layer) {
     for (const OGRFeatureUniquePtr& feature : layer) {
@@ -78,10 +85,12 @@ class Reader {
     switch (wkbFlatten(geometry.getGeometryType())) {
       case wkbPoint:
         if (const std::string text = get_text({"Text", "soil", "Soil", "SOIL", "material", "label", "name"});
-            !text.empty())
+            !text.empty()) {
           drawing_.texts.push_back({head.layer, text, {geometry.toPoint()->getX(), geometry.toPoint()->getY()}});
-        else
+          heights_.of_texts.push_back(geometry.toPoint()->getZ());
+        } else {
           remark(head, "is a point");
+        }
         return;
       case wkbLineString:
         return add_line(*geometry.toLineString(), head, false);
@@ -106,19 +115,66 @@ class Reader {
 
   void add_line(const OGRLineString& from, const DrawnLine& head, bool closed) {
     DrawnLine line = head;
-    for (int i = 0; i < from.getNumPoints(); ++i) line.points.push_back({from.getX(i), from.getY(i)});
+    std::vector<double> heights;
+    for (int i = 0; i < from.getNumPoints(); ++i) {
+      line.points.push_back({from.getX(i), from.getY(i)});
+      heights.push_back(from.getZ(i));
+    }
     line.closed = closed || (line.points.size() > 3 && line.points.front() == line.points.back());
     if (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) line.points.pop_back();
     points_ += line.points.size();
     if (drawing_.lines.size() >= most_lines || points_ > most_points)
       throw std::length_error(fmt::format("it has more than {} lines or {} points", most_lines, most_points));
+    heights.resize(line.points.size());
+    heights_.of_lines.push_back(std::move(heights));
     drawing_.lines.push_back(std::move(line));
   }
 
   Drawing& drawing_;
+  Heights& heights_;
   OGRFeature* feature_ = nullptr;
   std::size_t points_ = 0;
 };
+
+/// The least and the largest of some values.
+struct Span {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+  double length() const { return high > low ? high - low : 0; }
+};
+
+/// Takes z as y where a section is drawn in x and z. Returns the error of a drawing with lines that rise in z
+/// otherwise; empty without any.
+std::string settle_heights(Drawing& drawing, const Heights& heights) {
+  Span x, y, z;
+  double rise = 0;
+  const DrawnLine* rising = nullptr;
+  for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
+    Span of_line;
+    for (const Point& p : drawing.lines[i].points) x.add(p[0]), y.add(p[1]);
+    for (const double height : heights.of_lines[i]) z.add(height), of_line.add(height);
+    if (of_line.length() > rise) rise = of_line.length(), rising = &drawing.lines[i];
+  }
+  constexpr double level = 1e-6;   // of the size of the drawing
+  constexpr double scatter = 0.1;  // of its extent in y: profiles of point clouds keep what lies off their plane
+  const double size = std::max({x.length(), y.length(), z.length()});
+  if (rising == nullptr || rise <= level * size) return "";
+  if (rise <= scatter * y.length()) {
+    drawing.remarks.push_back(fmt::format("z, which changes by up to {:.3g} along a line, is not used", rise));
+    return "";
+  }
+  if (y.length() > level * size)
+    return fmt::format(
+        "it is drawn in space: z changes by {:.6g} along the line {} on layer '{}', and y by {:.6g} in the drawing; a "
+        "section is drawn in x and y, or in x and z",
+        rise, rising->handle, rising->layer, y.length());
+  for (std::size_t i = 0; i < drawing.lines.size(); ++i)
+    for (std::size_t k = 0; k < drawing.lines[i].points.size(); ++k)
+      drawing.lines[i].points[k][1] = heights.of_lines[i][k];
+  for (std::size_t i = 0; i < drawing.texts.size(); ++i) drawing.texts[i].at[1] = heights.of_texts[i];
+  drawing.remarks.push_back("the section is drawn in x and z; z is the level");
+  return "";
+}
 
 std::string read(const char* path, const char* format, Drawing& drawing, std::string& geographic, Heard& heard) {
   RegisterOGRDXF();
@@ -126,6 +182,7 @@ std::string read(const char* path, const char* format, Drawing& drawing, std::st
   RegisterOGRGeoJSON();
   const char* const drivers[] = {format, nullptr};
   const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path, GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+  Heights heights;
   if (!data) return heard.error.empty() ? fmt::format("it is not a file of format {}", format) : heard.error;
   try {
     for (OGRLayer* layer : data->GetLayers()) {
@@ -133,8 +190,9 @@ std::string read(const char* path, const char* format, Drawing& drawing, std::st
       // GeoPackages without a system have an undefined one.
       if (system != nullptr && system->IsGeographic() && !std::string_view(system->GetName()).starts_with("Undefined"))
         geographic = system->GetName();
-      Reader(drawing).read(*layer);
+      Reader(drawing, heights).read(*layer);
     }
+    if (std::string fault = settle_heights(drawing, heights); !fault.empty()) return fault;
   } catch (const std::length_error& error) {
     return error.what();
   }

@@ -63,8 +63,8 @@ class Drawings(unittest.TestCase):
     def write_dxf(self, lines, texts=()):
         pairs = [(0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, 6), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
         for layer, points in lines:
-            for (x1, y1), (x2, y2) in zip(points, points[1:]):
-                pairs += [(0, "LINE"), (8, layer), (10, x1), (20, y1), (11, x2), (21, y2)]
+            for (x1, y1, *z1), (x2, y2, *z2) in zip(points, points[1:]):
+                pairs += [(0, "LINE"), (8, layer), (10, x1), (20, y1), (30, *(z1 or [0])), (11, x2), (21, y2), (31, *(z2 or [0]))]
         for text, x, y in texts:
             pairs += [(0, "MTEXT"), (8, "labels"), (10, x), (20, y), (40, 1), (1, text)]
         file = tempfile.NamedTemporaryFile(suffix=".dxf")
@@ -110,6 +110,21 @@ class Drawings(unittest.TestCase):
         *_, layers, polygons, _ = self.read(self.write_dxf(lines), "--base=-4", "--as", "layers")
         self.assertEqual((len(layers), len(polygons)), (3, 0))
 
+    def test_a_section_in_x_and_z(self):
+        ground, base = [(0, 10), (10, 10), (30, 4), (50, 4)], [(0, 0), (50, 0)]
+        flat = self.read(self.write_dxf([("GROUND", ground), ("BASE", base)]))
+        for y in (0, -7.5):
+            raised = [(layer, [(x, y, z) for x, z in points]) for layer, points in (("GROUND", ground), ("BASE", base))]
+            case, *_, printed = self.read(self.write_dxf(raised))
+            self.assertEqual(case["geometry"], flat[0]["geometry"])
+            self.assertIn("the section is drawn in x and z", printed)
+        level = [(layer, [(x, y, 3) for x, y in points]) for layer, points in (("GROUND", ground), ("BASE", base))]
+        self.assertEqual(self.read(self.write_dxf(level))[0]["geometry"], flat[0]["geometry"])
+        in_space = self.write_dxf([("BREAKLINE", [(0, 0, 10), (30, 5, 4), (50, 9, 4)]), ("BASE", [(0, 0, 0), (50, 9, 0)])])
+        result, _ = self.run_import(in_space)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"is drawn in space: z changes by 6 along the line \w+ on layer 'BREAKLINE', and y by 9")
+
     def test_units_must_be_known(self):
         result, _ = self.run_import("cloudcompare_dxflib_profile")
         self.assertEqual(result.returncode, 2)
@@ -133,7 +148,8 @@ class Drawings(unittest.TestCase):
 EXPECTED = {
     "autocad2017_R12": (0, 22), "bricscad_edgeminer_lines_arcs": (0, 8), "cadman_sdi_empty_handles": (0, 2),
     "cloudcompare_dxflib_profile": (0, 1), "ezdxf_small_r13_dos932": (2, 4), "geotechstaff_sample_section": (1, 0),
-    "leica_disto_s910": "the drawing shows no section: no closed lines, and no two lines above one another",
+    "leica_disto_s910": f"the drawing '{DATA / 'leica_disto_s910.dxf'}' cannot be read: it is drawn in space: z changes by 0.789924 along the line 76 on layer 'LEICA_DISTO_3D', "
+    "and y by 0.894519 in the drawing; a section is drawn in x and y, or in x and z",
     "librecad_hatches": (0, 2), "librecad_layers": (0, 3), "qcad_supported_entities": (0, 39),
 }
 

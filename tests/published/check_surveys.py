@@ -88,6 +88,15 @@ class Surveys(unittest.TestCase):
         case, _ = self.read(self.write(a="x,y\n0,20\n40.5,10\n"), "--base=-10 ft")
         self.assertEqual(case["geometry"]["layer"], [{"name": "soil", "level": -3.048}])
 
+    def test_columns_without_headings_and_headings_of_others(self):
+        case, printed = self.read(self.write(a="0 0 10\n3 4 9\n30 40 5\n"), "--base=0")
+        self.assertEqual(case["geometry"]["ground"], [[0, 10], [5, 9], [50, 5]])
+        self.assertIn("as x, y and z", printed)
+        case, _ = self.read(self.write(a="Punkt\tStation\tHöhe [m]\n1\t0,00\t12,50\n2\t10,00\t8,25\n".encode("latin-1")), "--base=0")
+        self.assertEqual(case["geometry"]["ground"], [[0, 12.5], [10, 8.25]])
+        case, _ = self.read(self.write(a="Bohrung;x;z;von;bis;Schicht\nB1;0;9;0;2;Auffüllung\nB1;0;9;2;6;Ton\nB2;20;8;0;3;Auffüllung\nB2;20;8;3;5;Ton\n"))
+        self.assertEqual(case["geometry"]["layer"][0], {"name": "Auffüllung", "depths": [[0, 2], [20, 3]]})
+
     def test_boreholes_with_a_row_for_each_layer(self):
         case, printed = self.read(self.write(holes=HOLES))
         self.assertEqual(case["geometry"]["ground"], [[0, 10], [20, 9.5], [40, 5], [60, 5]])
@@ -228,7 +237,7 @@ class Surveys(unittest.TestCase):
         self.assertEqual(case["geometry"]["ground"], [[0, 20], [50, 15]])
         self.assertEqual(case["geometry"]["layer"], [{"name": "Silty CLAY", "depths": [[0, 2.5], [50, 4]]}, {"name": "403", "level": 7}])
         path.write_text(groups)
-        self.assertIn("one borehole and no ground", self.find_fault([path]), "BH2 has a comma in a number, and is left out")
+        self.assertIn("one borehole of 2 that can be used and no ground", self.find_fault([path]), "BH2 has a comma in a number, and is left out")
         for text, said in ((groups[:groups.index('"GROUP","GEOL"')], "no group GEOL"), (groups[groups.index('"GROUP","GEOL"'):], "no group LOCA"),
                            ("x,y\n1,2\n", "no groups of the AGS format"), ("", "no groups"), ('"GROUP","LOCA"\n"GROUP","GEOL"\n', "site.AGS:1: the group LOCA has no line of headings")):
             path.write_text(text)
@@ -243,6 +252,9 @@ class Surveys(unittest.TestCase):
                 ("hole,x,z,bottom,soil\nA,1,2,3,clay\nB,1,2,3,clay\n", (), "are both at x = 1 m"),
                 ("hole,x,z,bottom,soil\nA,1,2,3,clay\nA,1,2,9,sand\nB,9,2,3,clay\n", ("--base=0",), "is not below the lowest boundary"),
                 ("hole,bottom,soil\nA,3,clay\nB,4,clay\n", (), "has no position"),
+                ("1,2,3,4\n5,6,7,8\n", (), "has 4 columns without headings"), ("P1,10.5,20.2,5.1,TOE\nP2,11,21,6,\n", (), "in its first line and no headings"),
+                ("name,lat,lon,z\nA,51.5,-0.1,20\n", (), "are latitudes and longitudes"),
+                ("hole,x,z,from,to,soil\nA,0,10,0,3,clay\nB,20,8,0,2,clay\nB,20,8,1,9,sand\n", (), "one borehole of 2 that can be used and no ground: give a table of the ground (x and elevation) too; borehole B ("),
                 ("x [kg],y\n0,1\n", (), "'x' of"), ("x,y\n0,1\n5,1\n", ("--lines", "tops"), "no meaning for tables"),
                 ("x,y\n0,1\n5,1e12\n", ("--base=0",), "has one point"), ("x,y\n" + "".join(f"{i / 50},{i % 2}\n" for i in range(5000)), ("--base=-9",), "the survey has 5000 points")):
             self.assertIn(fault, self.find_fault(self.write(a=text), *options), text[:60])
