@@ -34,10 +34,11 @@ TEST(Methods, KeysThatAMethodNeedsAreRequired) {
     return all;
   };
   const std::string elements = list("[\"lem\", \"fem\"]"), points = list("[\"mpm\"]");
-  for (const char* key : {"'young_modulus'", "'poisson_ratio'", "'dilatancy_angle'", "'tensile_strength'"}) {
-    EXPECT_NE(elements.find(std::string("missing key ") + key), std::string::npos) << elements;
-    EXPECT_NE(points.find(std::string("missing key ") + key), std::string::npos) << points;
-  }
+  const std::string soil = "missing keys 'young_modulus', 'poisson_ratio', 'dilatancy_angle' and 'tensile_strength' in";
+  EXPECT_NE(elements.find(soil), std::string::npos) << elements;
+  EXPECT_NE(points.find("'young_modulus', 'poisson_ratio', 'dilatancy_angle' and 'tensile_strength' in"),
+            std::string::npos)
+      << points;
   EXPECT_NE(elements.find("FEM needs a size"), std::string::npos) << elements;
   EXPECT_EQ(elements.find("'box'"), std::string::npos) << elements;
   EXPECT_EQ(elements.find("no stage"), std::string::npos) << elements;

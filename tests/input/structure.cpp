@@ -42,6 +42,28 @@ TEST(MissingKey, IsReportedAtItsTable) {
                "missing key 'box'");
 }
 
+TEST(MissingKey, SeveralOfOneTableAreOneSentence) {
+  // The keys are in the order of the manual. A key that is missing elsewhere has a sentence of its own.
+  std::string text = change(change(slope, "cohesion = 2\n", ""), "friction_angle = \"30 deg\"\n", "");
+  text = change(text, "duration = \"3 s\"", "");
+  auto faults = find_faults(text);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].line, 18) << "at the table";
+  EXPECT_EQ(faults[0].sentence,
+            "missing keys 'cohesion' and 'friction_angle' in [materials.sand], for example cohesion = 10 and "
+            "friction_angle = 20; model = \"mohr_coulomb\" needs them");
+  EXPECT_NE(faults[1].sentence.find("missing key 'duration' in [[stage]]"), std::string::npos) << faults[1].sentence;
+
+  text = change(change(slope, "cohesion = 2\n", ""), "grain_density = 2500\n", "");
+  text = change(text, "porosity = 0.2\n", "");
+  faults = find_faults(text);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].sentence,
+            "missing keys 'grain_density', 'porosity' and 'cohesion' in [materials.sand], for example grain_density = "
+            "2500, porosity = 0.2 and cohesion = 10; model = \"mohr_coulomb\" needs 'cohesion'; or give 'unit_weight' "
+            "instead of 'grain_density' or 'void_ratio' instead of 'porosity'");
+}
+
 TEST(MissingKey, OfAMissingTableIsReportedAtTheTopOfTheFile) {
   expect_fault("@@" + change(slope, "[mesh]\nsize = 0.75", ""), "missing key 'size' in [mesh]");
 }

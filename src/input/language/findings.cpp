@@ -73,7 +73,7 @@ void Findings::add(const std::string& path, const std::string& sentence) {
 }
 
 void Findings::add_at(const Place& place, const std::string& path, const std::string& sentence) {
-  diagnostics_.push_back({place.file, place.line, place.column, sentence});
+  if (!sentence.empty()) diagnostics_.push_back({place.file, place.line, place.column, sentence});
   faulty_.insert(path);
 }
 
@@ -104,8 +104,8 @@ std::vector<Diagnostic> Findings::sort() const {
 std::vector<Diagnostic> Findings::sort_warnings(const std::vector<std::string>& meant) const {
   std::vector<Diagnostic> sorted;
   for (const Warning& warning : warnings_)
-    if (std::none_of(meant.begin(), meant.end(),
-                     [&](const std::string& path) { return is_within(warning.path, path); }))
+    if (is_sound(warning.path) && std::none_of(meant.begin(), meant.end(),
+                                               [&](const std::string& path) { return is_within(warning.path, path); }))
       sorted.push_back(warning.diagnostic);
   sort_by_place(sorted);
   return sorted;

@@ -50,6 +50,7 @@ class Findings {
 
   /// Adds a fault of `path`, reported where it was given, or at its table if it is missing.
   void add(const std::string& path, const std::string& sentence);
+  /// An empty sentence marks `path` as faulty and reports nothing: the fault is part of another sentence.
   void add_at(const Place& place, const std::string& path, const std::string& sentence);
   /// Formats the sentence as fmt::format() does.
   template <class First, class... Rest>

@@ -16,10 +16,18 @@ std::string write_place(const std::string& header) {
   return header.empty() ? "at the top of the file" : "in " + header;
 }
 
+/// Writes a list: "'a'", "'a' and 'b'", "'a', 'b' and 'c'".
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
+}
+
 }  // namespace
 
 Reader::Reader(const toml::table& root, Findings& findings) : findings_(findings) {
-  scopes_.push_back({&root, "", "", "", false, {}});
+  scopes_.push_back({&root, "", "", "", false, {}, {}});
 }
 
 std::string Reader::write_path(const std::string& name) const {
@@ -43,7 +51,7 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
   const toml::node* node = scope.table->get(name);
   if (node != nullptr) record(*node, path);
   bool is_required = spec.is_required;
-  std::string reason;
+  MissingKey missing{name, spec.examples.empty() ? "" : spec.examples[0], "", ""};
   if (spec.condition) {
     const Condition& condition = *spec.condition;
     // If the other key is wrong or missing, it is undecided whether this key is allowed.
@@ -61,15 +69,15 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
     Condition reasons;
     for (const Alternative& other : condition.any)
       if (other.holds) reasons.any.push_back(other);
-    if (is_required)
-      reason = condition.is_absence() ? fmt::format(", or give '{}'", condition.any.front().key)
-                                      : fmt::format("; {} needs it", write_condition(reasons));
+    if (is_required && condition.is_absence())
+      missing.instead = condition.any.front().key;
+    else if (is_required)
+      missing.needed_by = write_condition(reasons);
   }
-  if (reason.empty() && spec.instead) reason = fmt::format(", or give '{}'", spec.instead->key);
+  if (missing.needed_by.empty() && missing.instead.empty() && spec.instead) missing.instead = spec.instead->key;
   if (node == nullptr && is_required && !spec.is_waived(methods_)) {
-    const std::string example =
-        spec.examples.empty() ? "" : fmt::format(", for example {} = {}", name, spec.examples[0]);
-    findings_.add(path, "missing key '{}' {}{}{}", name, write_place(scope.header), example, reason);
+    findings_.add_at({}, path, "");
+    scope.missing.push_back(std::move(missing));
   }
   return node;
 }
@@ -142,12 +150,45 @@ std::vector<std::string> Reader::enter_names(const std::string& name) {
 
 void Reader::enter(const std::string& step, const toml::table* table, const std::string& name, bool is_list) {
   const std::string header = is_list ? "[[" + name + "]]" : "[" + name + "]";
-  scopes_.push_back({table == nullptr ? &empty_table : table, write_path(step), name, header, table == nullptr, {}});
+  scopes_.push_back(
+      {table == nullptr ? &empty_table : table, write_path(step), name, header, table == nullptr, {}, {}});
+}
+
+std::string Reader::write_missing(const std::string& place, const std::vector<MissingKey>& keys) {
+  const bool is_one = keys.size() == 1;
+  std::vector<std::string> names, examples, others, choices;
+  std::map<std::string, std::vector<std::string>> needs;
+  for (const MissingKey& key : keys) {
+    names.push_back("'" + key.name + "'");
+    if (!key.example.empty()) examples.push_back(key.name + " = " + key.example);
+    if (!key.needed_by.empty()) {
+      if (!needs.contains(key.needed_by)) choices.push_back(key.needed_by);
+      needs[key.needed_by].push_back(names.back());
+    } else if (!key.instead.empty()) {
+      others.push_back(fmt::format("'{}'{}", key.instead, is_one ? "" : " instead of " + names.back()));
+    }
+  }
+  std::string text = fmt::format("missing key{} {} {}", is_one ? "" : "s", join(names), place);
+  if (!examples.empty()) text += ", for example " + join(examples);
+  for (const std::string& choice : choices)
+    text += fmt::format("; {} needs {}", choice,
+                        is_one                                 ? "it"
+                        : needs[choice].size() == names.size() ? "them"
+                                                               : join(needs[choice]));
+  return others.empty() ? text : fmt::format("{}{} or give {}", text, is_one ? "," : ";", fmt::join(others, " or "));
+}
+
+void Reader::report_missing(const Scope& scope) {
+  if (scope.missing.empty()) return;
+  const std::string& first = scope.missing.front().name;
+  findings_.add(scope.path.empty() ? first : scope.path + "." + first,
+                write_missing(write_place(scope.header), scope.missing));
 }
 
 void Reader::leave() {
   const Scope scope = std::move(scopes_.back());
   scopes_.pop_back();
+  report_missing(scope);
   constexpr std::size_t most_unknown = 1000;
   std::size_t unknown = 0;
   for (const auto& [key, node] : *scope.table) {

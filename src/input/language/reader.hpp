@@ -85,6 +85,14 @@ class Reader {
   void finish() { leave(); }
 
  private:
+  /// A key that a table lacks.
+  struct MissingKey {
+    std::string name;
+    std::string example;    ///< a value; may be empty
+    std::string needed_by;  ///< the choice that requires it: `fix = "plane"`; may be empty
+    std::string instead;    ///< a key that may stand for it; may be empty
+  };
+
   struct Scope {
     const toml::table* table;
     std::string path;    ///< with indices of list entries: stage.0
@@ -92,7 +100,12 @@ class Reader {
     std::string header;  ///< as in messages: [materials.sand], [[stage]]
     bool is_broken;      ///< not a table: only that fault is reported, no consequential ones
     std::vector<std::string> known;
+    std::vector<MissingKey> missing;
   };
+
+  static std::string write_missing(const std::string& place, const std::vector<MissingKey>& keys);
+  /// Reports the missing keys of a table in one sentence.
+  void report_missing(const Scope& scope);
 
   bool is_left_out(const std::string& name) const {
     return scopes_.size() == 1 && left_out_.count(name) != 0 && !scopes_.back().table->contains(name);
