@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
 #include "input/sketch.hpp"
+#include "output/plots/gnuplot.hpp"
 #include "run/case_picture.hpp"
 #include "run/check_case.hpp"
 #include "run/forecast/forecast.hpp"
@@ -118,8 +120,8 @@ struct CheckOptions : CaseOptions {
 
   /// Throws Error (wrong_input) for a picture in another format.
   void check_picture() const {
-    if (!picture.empty() && picture.extension() != ".svg")
-      fail_input("'{}' cannot be drawn: the name of the picture of a case ends with .svg", picture.string());
+    if (!picture.empty() && picture.extension() != ".svg" && picture.extension() != ".png")
+      fail_input("'{}' cannot be drawn: the name of the picture of a case ends with .svg or .png", picture.string());
   }
 };
 
@@ -151,15 +153,23 @@ void check_case(const CheckOptions& options, const std::vector<input::Override>&
                                                   count(loaded.data.materials.size(), "material", "materials"))));
 }
 
-/// Draws the case with its messages and prints the name of the picture. Throws Error (wrong_input) for a case without a
-/// plane section, and as write_atomically().
+/// Draws the case with its messages and prints the name of the picture. Where a fault of the case kept its warnings
+/// back, those of the keys without faults are added. Throws Error (wrong_input) for a case without a plane section, and
+/// as write_atomically() and draw_png().
 void draw_case(const CheckOptions& options, const std::vector<input::Override>& overrides,
-               const std::vector<run::CaseMessage>& messages) {
+               std::vector<run::CaseMessage> messages) {
   const input::Sketch sketch = input::read_sketch(options.file, overrides, input::CaseScope::whole_or_tests);
+  if (std::all_of(messages.begin(), messages.end(), [](const run::CaseMessage& m) { return m.is_error; }))
+    for (const Diagnostic& warning : input::read_warnings(options.file, overrides, input::CaseScope::whole_or_tests))
+      messages.push_back({false, warning});
   output::CasePicture picture = run::make_case_picture(sketch, messages);
   if (picture.title.empty()) picture.title = options.file;
   const auto files = FileList::find(options.picture);
-  write_atomically(options.picture, output::write_case_picture(picture));
+  const std::string svg = output::write_case_picture(picture);
+  if (options.picture.extension() == ".png")
+    output::draw_png(options.picture, svg);
+  else
+    write_atomically(options.picture, svg);
   print(stdout, fmt::format("{}\n", options.picture.string()));
 }
 
@@ -181,8 +191,9 @@ void add_check(CLI::App& app) {
   options->add_to(command);
   command
       .take("--picture", options->picture,
-            "Draw the section with soils, water, loads, supports, mesh and search, and every message at its place")
-      .shown_as("FILE.svg");
+            "Draw the section with soils, water, loads, supports, mesh and search, and every message at its place; the "
+            "ending, .svg or .png, sets the format")
+      .shown_as("FILE");
   command.act([options] {
     options->check_picture();
     const std::vector<input::Override> overrides = options->parse_overrides();

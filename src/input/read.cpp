@@ -368,6 +368,19 @@ Sketch read_sketch(const std::string& path, const std::vector<Override>& overrid
   return sketch;
 }
 
+std::vector<Diagnostic> read_warnings(const std::string& path, const std::vector<Override>& overrides,
+                                      CaseScope scope) {
+  Places places(path);
+  Findings findings(places);
+  try {
+    LoadedCase loaded;
+    read_once(parse_toml(read_text(path), path), path, overrides, scope, findings, loaded);
+    return findings.sort_warnings(loaded.data.unusual);
+  } catch (const Error&) {  // not TOML, or of a later format: read_case() reports it
+    return {};
+  }
+}
+
 void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& sides,
                         const std::set<std::string>& regions) {
   Places places = loaded.places;

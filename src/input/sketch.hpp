@@ -31,4 +31,7 @@ struct Sketch {
 /// which read_case() lists.
 Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope);
 
+/// Reads and checks a case file in the same way, and returns the warnings of keys without faults.
+std::vector<Diagnostic> read_warnings(const std::string& path, const std::vector<Override>& overrides, CaseScope scope);
+
 }  // namespace talus::input

@@ -160,11 +160,44 @@ TEST(CheckPicture, RefusesWhatIsNoSection) {
             std::string::npos)
       << in_3d.outcome.text;
   EXPECT_TRUE(in_3d.svg.empty());
-  const Outcome png = run_program("check no.toml --picture no.png");
-  EXPECT_EQ(png.code, 2);
-  EXPECT_NE(png.text.find("'no.png' cannot be drawn: the name of the picture of a case ends with .svg"),
+  const Outcome pdf = run_program("check no.toml --picture no.pdf");
+  EXPECT_EQ(pdf.code, 2);
+  EXPECT_NE(pdf.text.find("'no.pdf' cannot be drawn: the name of the picture of a case ends with .svg or .png"),
             std::string::npos)
-      << png.text;
+      << pdf.text;
+}
+
+TEST(CheckPicture, IsAPngByTheEndingOfItsName) {
+  const std::filesystem::path file = support::name_scratch("raster.toml"),
+                              picture = support::name_scratch("raster.png");
+  std::ofstream(file) << slices_alone;
+  std::filesystem::remove(picture);
+  const std::string command = fmt::format("check '{}' --picture '{}'", file.string(), picture.string());
+  if (std::system("rsvg-convert --version >/dev/null 2>&1") == 0) {
+    const Outcome drawn = run_program(command);
+    EXPECT_EQ(drawn.code, 0) << drawn.text;
+    EXPECT_TRUE(read_text(picture).starts_with("\x89PNG\r\n"));
+    std::filesystem::remove(picture);
+  }
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const Outcome without = run_program(command);
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(without.code, 6) << without.text;
+  EXPECT_NE(without.text.find("rsvg-convert is not installed"), std::string::npos) << without.text;
+  EXPECT_NE(without.text.find("ends with .svg needs no other program"), std::string::npos) << without.text;
+  EXPECT_FALSE(std::filesystem::exists(picture));
+  EXPECT_FALSE(std::filesystem::exists(picture.string() + ".part"));
+}
+
+TEST(CheckPicture, ShowsWarningsBesideErrors) {
+  // The cohesion is unusual.
+  std::string text = change(slices_alone, "friction_angle = ", "unknown = 1\nfriction_angle = ");
+  text = change(text, "cohesion = 3", "cohesion = 3000");
+  const Drawn drawn = draw("both", text);
+  EXPECT_EQ(drawn.outcome.code, 2) << drawn.outcome.text;
+  EXPECT_NE(drawn.svg.find("class=\"message error\""), std::string::npos);
+  EXPECT_NE(drawn.svg.find("class=\"message warning\""), std::string::npos) << drawn.outcome.text;
 }
 
 TEST(CheckPicture, ATextThatIsNotTomlHasItsMessage) {

@@ -260,6 +260,7 @@ std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit&
   std::string text = write_polygon(
       {{frame.left, frame.top}, {frame.right, frame.top}, {frame.right, frame.bottom}, {frame.left, frame.bottom}},
       fmt::format("class=\"frame\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"", "#d5dae1"));
+  double widest = 0;  // of the numbers at the y axis
   const auto write_axis = [&](bool is_x) {
     const double from = (is_x ? (frame.left - view.x0) : (view.y0 - frame.bottom)) / view.scale / unit,
                  to = (is_x ? (frame.right - view.x0) : (view.y0 - frame.top)) / view.scale / unit;
@@ -272,6 +273,7 @@ std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit&
       std::string label = std::abs(step) < 1e6 && std::abs(value) < 1e9 ? fmt::format("{:.{}f}", value, decimals)
                                                                         : fmt::format("{:.4g}", value);
       if (n == 0) label = "0";
+      if (!is_x) widest = std::max(widest, estimate_text_width(label, style.size));
       const Pixel at = is_x ? Pixel{view.x0 + view.scale * value * unit, frame.bottom}
                             : Pixel{frame.left, view.y0 - view.scale * value * unit};
       text += write_line({at, is_x ? Pixel{at.x, at.y + 5} : Pixel{at.x - 5, at.y}}, "stroke=\"#5b6675\"");
@@ -282,7 +284,8 @@ std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit&
   write_axis(false);
   const TextStyle name{.size = 12, .anchor = Anchor::middle, .colour = colour::muted, .halo = false};
   return text + write_text({(frame.left + frame.right) / 2, frame.bottom + 31}, make_label("x", length.name), name) +
-         fmt::format("<g transform=\"translate(16 {:.2f}) rotate(-90)\">{}</g>\n", (frame.top + frame.bottom) / 2,
+         fmt::format("<g transform=\"translate({:.2f} {:.2f}) rotate(-90)\">{}</g>\n",
+                     std::clamp(frame.left - widest - 17, 7.0, 16.0), (frame.top + frame.bottom) / 2,
                      write_text({0, 0}, make_label("y", length.name), name));
 }
 

@@ -54,7 +54,15 @@ std::string find_reason(const std::string& said) {
   return reason.empty() ? said.substr(0, 200) : reason;
 }
 
-void run(const fs::path& picture, const std::string& script) {
+/// A program that draws pictures.
+struct Drawer {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* if_missing;  ///< the end of a sentence
+};
+
+/// Runs the program with `script` as its input, to write the temporary file of `picture`.
+void run(const fs::path& picture, const std::string& script, const Drawer& drawer) {
   const TemporaryFile input = make_temporary_file(), errors = make_temporary_file();
   if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0)
     throw_cannot_write(fs::temp_directory_path(), errno);
@@ -65,18 +73,21 @@ void run(const fs::path& picture, const std::string& script) {
   posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, fileno(errors.get()), STDERR_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  char name[] = "gnuplot", from_stdin[] = "-";
-  char* arguments[] = {name, from_stdin, nullptr};
+  std::vector<std::string> words{drawer.name};
+  words.insert(words.end(), drawer.arguments.begin(), drawer.arguments.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
+  const int failure = posix_spawnp(&child, drawer.name, &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT)
-    throw Error(ExitCode::cannot_write,
-                "cannot draw '{}': gnuplot is not installed (Debian: apt install gnuplot-nox); the script for it "
-                "stands beside it",
-                picture.string());
+  if (failure == ENOENT) {
+    clear_temporary(picture);
+    throw Error(ExitCode::cannot_write, "cannot draw '{}': {} is not installed {}", picture.string(), drawer.name,
+                drawer.if_missing);
+  }
   if (failure != 0)
-    throw Error(ExitCode::cannot_write, "cannot draw '{}': gnuplot cannot be started: {}", picture.string(),
+    throw Error(ExitCode::cannot_write, "cannot draw '{}': {} cannot be started: {}", picture.string(), drawer.name,
                 std::strerror(failure));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
@@ -84,7 +95,7 @@ void run(const fs::path& picture, const std::string& script) {
   const bool drawn = fs::file_size(temporary_name(picture), none) > 0 && !none;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !drawn) {
     clear_temporary(picture);
-    throw Error(ExitCode::cannot_write, "cannot draw '{}': gnuplot failed: {}", picture.string(),
+    throw Error(ExitCode::cannot_write, "cannot draw '{}': {} failed: {}", picture.string(), drawer.name,
                 find_reason(read_start(errors.get())));
   }
 }
@@ -127,8 +138,16 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
   const auto files = FileList::find(picture);
   write_atomically(script, "# Redraw with: gnuplot " + make_printable(script.filename().string()) + "\n" + terminal +
                                "set output " + quote_path(picture.filename().string()) + "\n" + common);
-  run(picture,
-      terminal + "set output " + quote_path(begin_file(picture).string()) + "\n" + common + "\nunset output\n");
+  run(picture, terminal + "set output " + quote_path(begin_file(picture).string()) + "\n" + common + "\nunset output\n",
+      {"gnuplot", {"-"}, "(Debian: apt install gnuplot-nox); the script for it stands beside it"});
+  publish(picture);
+}
+
+void draw_png(const fs::path& picture, const std::string& svg) {
+  run(picture, svg,
+      {"rsvg-convert",
+       {"--zoom", "2", "--background-color", "white", "--output", begin_file(picture).string()},
+       "(Debian: apt install librsvg2-bin); a picture whose name ends with .svg needs no other program"});
   publish(picture);
 }
 

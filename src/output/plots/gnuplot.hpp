@@ -25,6 +25,10 @@ double estimate_width(const std::string& text);
 /// extension, and Error (cannot_write) if gnuplot is not installed or fails, or a file cannot be written.
 void run_gnuplot(const std::filesystem::path& picture, const std::string& body, int width, int height);
 
+/// Draws an SVG as a PNG with twice its pixels, by rsvg-convert. The picture is written atomically. Throws Error
+/// (cannot_write) if rsvg-convert is not installed or fails, or the file cannot be written.
+void draw_png(const std::filesystem::path& picture, const std::string& svg);
+
 /// Returns `text` as a gnuplot string without escape sequences or markup.
 std::string quote(const std::string& text);
 /// Converts a stored name to words: `deviatoric_strain` → `deviatoric strain`.
