@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cam-clay and rooted soils in a report: the table of materials, the assumptions and the methods.
+// Soils in a report, mostly Cam-clay and rooted ones: the table of materials, the assumptions and the methods.
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,24 @@ bool holds(const std::vector<std::string>& list, const char* word) {
 double find_tangent(double slope) {
   const double sine = 3 * slope / (6 + slope);
   return sine / std::sqrt(1 - sine * sine);
+}
+
+TEST(SoilWithFlowAlone, HasNoLaw) {
+  const std::string text = R"(
+analysis.methods = ["seepage"]
+mesh.size = 0.25
+geometry.polygon = [{ name = "sand", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
+geometry.line = [{ name = "ground", points = [[0, 2], [4, 2]] }]
+regions.sand = "sand"
+materials.sand = { unit_weight = 20, porosity = 0.4, water = { retention = "saturated", conductivity = 1e-4 } }
+hydraulic = [{ on = "bottom", condition = "total_head", head = 4.2 }, { on = "ground", condition = "total_head", head = 3 }]
+)";
+  EXPECT_EQ(read_soil(text).at("model"), "soil with flow of water only");
+  const std::string given = change(text, "{ unit_weight = 20,", "{ model = \"linear_elastic\", unit_weight = 20,");
+  EXPECT_EQ(read_soil(given).at("model"), "soil with flow of water only") << "no method uses the law";
+  const std::string strong = change(text, "{ unit_weight = 20,",
+                                    "{ model = \"mohr_coulomb\", cohesion = 5, friction_angle = 30, unit_weight = 20,");
+  EXPECT_EQ(read_soil(strong).at("model"), "Mohr–Coulomb");
 }
 
 TEST(CamClayRows, AreThoseOfTable42) {

@@ -190,6 +190,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
   std::optional<double> stage_factor;
   if (!data.stages.empty()) stage_factor = data.stages.back().strength_factor;
   if (stage_factor == 1.0) stage_factor.reset();
+  const bool has_flow_alone = data.methods == std::vector<input::Method>{input::Method::seepage};
   int index = 0;  // material number of the points, in alphabetical order of the names
   for (const auto& [name, soil] : data.materials) {
     json regions = json::array();
@@ -197,7 +198,9 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
       if (material == name) regions.push_back(region);
     json row{{"name", name},
              {"index", index++},
-             {"model", material::describe_model(soil.model, soil)},
+             {"model", has_flow_alone && soil.traits().strength == material::Strength::none
+                           ? "soil with flow of water only"
+                           : material::describe_model(soil.model, soil)},
              {"regions", regions},
              {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
     if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);
