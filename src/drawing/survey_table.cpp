@@ -158,10 +158,10 @@ std::string find_preamble_unit(std::string_view line) {
 
 /// Searches the first lines for headings that are known. Without such a line, the table begins with the text.
 Start find_start(std::string_view text) {
-  constexpr std::size_t most_lines = 60, longest = 10'000;
+  constexpr std::size_t most_preamble = 60, longest = 10'000;
   Start start;
   std::size_t at = 0;
-  for (int number = 1; at < text.size() && start.preamble < most_lines; ++number) {
+  for (int number = 1; at < text.size() && start.preamble < most_preamble; ++number) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at);
     if (line.size() > longest) break;
