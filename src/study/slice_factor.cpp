@@ -9,8 +9,8 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "lem/search/search.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/lem/section_of_case.hpp"
 
 namespace talus::study {
 

@@ -8,9 +8,9 @@
 
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
-#include "run/lem/section_of_case.hpp"
 #include "site/ground_load.hpp"
 
 namespace talus {

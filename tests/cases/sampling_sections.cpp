@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/sampling_slope.hpp"
-#include "run/lem/section_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 #include "study/sampling.hpp"
 #include "study/slice_factor.hpp"
 

@@ -14,8 +14,8 @@
 #include "mesh/planar.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/bounds/problem_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
-#include "run/lem/section_of_case.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/slopes.hpp"
 

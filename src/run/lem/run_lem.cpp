@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "lem/section/uplift.hpp"
-#include "run/lem/section_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/lem/slice_run.hpp"
 
 namespace talus::run {

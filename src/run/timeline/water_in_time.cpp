@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "mesh/generate.hpp"
-#include "run/lem/section_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/timeline/times.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"

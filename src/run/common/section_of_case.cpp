@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/lem/section_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 
 #include <fmt/format.h>
 
@@ -37,9 +37,10 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.friction_angle = strength.friction_angle;
   soil.cohesion_gradient = strength.cohesion_gradient;
   soil.cohesion_level = strength.cohesion_level;
+  soil.law = strength.law;
   if (!strength.yields)
     notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
-  soil.undrained = soil.friction_angle == 0;
+  soil.undrained = material::is_total_stress(m.model, m) || (!soil.law && soil.friction_angle == 0);
   switch (m.slices.suction_strength) {
     case input::SuctionStrength::from_water:
     case input::SuctionStrength::saturation:
