@@ -83,7 +83,7 @@ Properties MohrCoulomb::list_properties(const Input& in) {
 SliceStrength MohrCoulomb::find_slice_strength(const Input& in) {
   const MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
   const CohesionGradient& g = in.get<CohesionGradient>();
-  return {s.cohesion, s.friction_angle, g.cohesion_gradient, g.cohesion_level};
+  return {s.cohesion, s.friction_angle, g.cohesion_gradient, g.cohesion_level, nullptr};
 }
 
 void MohrCoulomb::divide(const Input::Changeable& in, PartialDivision& division) {

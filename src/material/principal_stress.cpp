@@ -6,7 +6,13 @@
 
 namespace talus::material {
 
-CosineThird::CosineThird() {
+namespace {
+
+using Coefficients = decltype(CosineThird::a);
+
+Coefficients compute_coefficients() {
+  constexpr int degree = CosineThird::degree;
+  Coefficients a{};
   using Real = long double;
   constexpr int n = degree + 1;
   const Real pi = std::numbers::pi_v<Real>;
@@ -44,6 +50,14 @@ CosineThird::CosineThird() {
   for (std::size_t i = 0; i < n; ++i) sum[i] -= b2[i];
   sum[0] += chebyshev[0];
   for (std::size_t i = 0; i < n; ++i) a[i] = static_cast<double>(sum[i]);
+  return a;
+}
+
+}  // namespace
+
+CosineThird::CosineThird() {
+  static const Coefficients computed = compute_coefficients();
+  a = computed;
 }
 
 }  // namespace talus::material

@@ -177,7 +177,7 @@ const std::string* find_material(const input::Case& data, const Point& below) {
 /// Returns φ of a soil without cohesion and suction; nothing for other soils.
 std::optional<double> find_bare_friction(const input::Material& m) {
   const auto strength = material::find_slice_strength(m.model, m);
-  if (!strength || strength->cohesion > 0 || strength->cohesion_gradient > 0) return std::nullopt;
+  if (!strength || strength->law || strength->cohesion > 0 || strength->cohesion_gradient > 0) return std::nullopt;
   const bool has_suction = m.slices.suction_strength == input::SuctionStrength::phi_b ||
                            (m.slices.suction_strength != input::SuctionStrength::none && m.water.is_wet());
   return has_suction ? std::nullopt : std::optional(strength->friction_angle);

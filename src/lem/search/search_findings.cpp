@@ -147,7 +147,7 @@ double compute_crack_depth(const Slope& slope, const CutSurface& cut, double fac
   const Slice& crest = cut.slides_left ? cut.slices.back() : cut.slices.front();
   const Soil& soil = slope.section().soils[static_cast<std::size_t>(crest.soil)];
   const double load = std::max(0.0, crest.surface_load) / (crest.right - crest.left),
-               angle = std::atan(std::tan(soil.friction_angle) / factor);
+               angle = std::atan((soil.law ? crest.tan_friction : std::tan(soil.friction_angle)) / factor);
   const double height =
       (2 * crest.cohesion / factor * std::tan(std::numbers::pi / 4 + angle / 2) - load) / soil.unit_weight;
   return std::max(0.0, height);

@@ -155,7 +155,7 @@ void check_soil(const Soil& soil, std::size_t number, Faults& faults) {
   if (!(soil.friction_angle >= 0 && soil.friction_angle < std::numbers::pi / 2))
     faults.push_back(fmt::format("{}: the friction angle {:.4g}° must be at least 0° and less than 90°", name,
                                  soil.friction_angle * 180 / std::numbers::pi));
-  if (soil.cohesion == 0 && soil.friction_angle == 0 && !(soil.cohesion_gradient > 0))
+  if (!soil.law && soil.cohesion == 0 && soil.friction_angle == 0 && !(soil.cohesion_gradient > 0))
     faults.push_back(fmt::format("{} has no strength: cohesion and friction angle are both zero", name));
   if (!(soil.pore_pressure_ratio >= 0 && soil.pore_pressure_ratio < 1))
     faults.push_back(
@@ -220,6 +220,12 @@ void check_drawdown(const Section& section, Faults& faults) {
 }
 
 }  // namespace
+
+StrengthTangent find_strength(const Soil& soil, const StrengthPlane& plane) {
+  if (soil.law) return soil.law->find_tangent(plane);
+  return {soil.cohesion + soil.cohesion_gradient * std::max(0.0, soil.cohesion_level - plane.at[1]),
+          std::tan(soil.friction_angle)};
+}
 
 bool holds_water(const Section& section, const Soil& soil) {
   if (!section.drawdown) return false;

@@ -14,6 +14,7 @@
 
 #include "base/methods.hpp"
 #include "base/shown_units.hpp"
+#include "base/strength_law.hpp"
 
 namespace talus::lem {
 
@@ -33,17 +34,18 @@ struct UndrainedEnvelope {
   double friction_angle = 0;  ///< φ_R [rad]
 };
 
-/// Strength τ_f = c(y) + σ'_n tanφ and unit weights of a soil.
+/// Strength τ_f = c(y) + σ'_n tanφ, or that of a law, and unit weights of a soil.
 struct Soil {
   std::string name;
-  double unit_weight = 0;            ///< γ above the water table [N/m³]
-  double saturated_unit_weight = 0;  ///< γ below it [N/m³]
-  double cohesion = 0;               ///< c, or c_u where φ = 0 [Pa]
-  double friction_angle = 0;         ///< φ [rad]; 0: undrained
-  double cohesion_gradient = 0;      ///< increase of c with depth below `cohesion_level` [Pa/m]
-  double cohesion_level = 0;         ///< elevation below which c increases; c is constant above it [m]
-  double pore_pressure_ratio = 0;    ///< r_u = u over the weight of the soil above; used if > 0 [-]
-  int piezometric_line = -1;         ///< index of the line of this soil; -1: the water table
+  double unit_weight = 0;                  ///< γ above the water table [N/m³]
+  double saturated_unit_weight = 0;        ///< γ below it [N/m³]
+  double cohesion = 0;                     ///< c, or c_u where φ = 0 [Pa]
+  double friction_angle = 0;               ///< φ [rad]; 0: undrained
+  double cohesion_gradient = 0;            ///< increase of c with depth below `cohesion_level` [Pa/m]
+  double cohesion_level = 0;               ///< elevation below which c increases; c is constant above it [m]
+  std::shared_ptr<const StrengthLaw> law;  ///< replaces c, φ and the increase of c
+  double pore_pressure_ratio = 0;          ///< r_u = u over the weight of the soil above; used if > 0 [-]
+  int piezometric_line = -1;               ///< index of the line of this soil; -1: the water table
   Suction suction = Suction::ignored;
   double phi_b = 0;                                                  ///< [rad]
   double largest_suction = std::numeric_limits<double>::infinity();  ///< upper limit of the suction that is used [Pa]
@@ -139,6 +141,9 @@ struct Section {
     return push == 0 || slides_left == (push < 0) ? acceleration : -acceleration;
   }
 };
+
+/// Returns c and tanφ of a soil on a plane, without roots and suction.
+StrengthTangent find_strength(const Soil& soil, const StrengthPlane& plane);
 
 /// Returns true if a soil does not drain during the drawdown of the section.
 bool holds_water(const Section& section, const Soil& soil);

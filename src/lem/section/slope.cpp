@@ -248,10 +248,14 @@ class Closure {
     const Soil& soil = section.soils[static_cast<std::size_t>(number)];
     const double standing = section.water_table.empty() ? 0 : std::max(0.0, strip_.water.at(dx) - strip_.ground.at(dx));
     const double vertical = soil_weight + strip_.load.at(dx) + section.water_unit_weight * standing;
-    double cohesion = soil.cohesion, u = 0;
-    if (soil.cohesion_gradient != 0) cohesion += soil.cohesion_gradient * std::max(0.0, soil.cohesion_level - y);
+    // The stress on the side of a crack vanishes, and the active plane is steep.
+    constexpr double steep = std::numbers::pi / 3;
+    const double held = soil.law ? std::max(0.0, vertical - std::max(0.0, slope_.pore_pressure({x_, y}))) : 0;
+    const StrengthTangent strength = find_strength(soil, {{x_, y}, z, held, steep, steep, 0});
+    double cohesion = strength.cohesion, u = 0;
     if (!soil.undrained) u = find_pressure(soil, soil_weight, {x_, y}, cohesion);
-    const double root = std::tan(std::numbers::pi / 4 - soil.friction_angle / 2);
+    const double angle = soil.law ? std::atan(strength.tan_friction) : soil.friction_angle;
+    const double root = std::tan(std::numbers::pi / 4 - angle / 2);
     return root * root * (vertical - u) - 2 * cohesion * root + u - inside;
   }
 

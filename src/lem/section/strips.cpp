@@ -214,6 +214,8 @@ void build_strips(Slope::Strips& strips) {
   for (const Soil& soil : section.soils) {
     strips.tan_friction.push_back(std::tan(soil.friction_angle));
     strips.tan_phi_b.push_back(std::tan(soil.phi_b));
+    strips.laws = strips.laws || soil.law;
+    strips.curved_laws = strips.curved_laws || (soil.law && soil.law->is_curved);
   }
   strips.loads = !section.surcharges.empty();
   for (const RootCohesion& roots : section.roots)

@@ -54,6 +54,7 @@ struct Slope::Strips {
   std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false;
+  bool laws = false, curved_laws = false;  ///< of the soils
 
   /// Returns the index of the strip over x; at a break that to the right.
   int find(double x) const;

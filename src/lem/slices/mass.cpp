@@ -225,9 +225,13 @@ void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optio
   }
   set_moment_centre(cut.surface, cut);
   for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
-  if (cut.slides_left) return;
-  turn_slices(cut.slices);
-  turn_slices(cut.before);
+  if (!cut.slides_left) {
+    turn_slices(cut.slices);
+    turn_slices(cut.before);
+  }
+  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
+  if (slope.before() != nullptr && slope.before()->strips().laws)
+    set_law_strengths(slope.before()->strips(), cut.before, false);
 }
 
 /// Returns Janbu's simplified factor, by which two crack depths on one surface are compared; infinity if there is none.

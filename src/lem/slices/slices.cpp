@@ -142,6 +142,15 @@ double average_root_cohesion(const Slope::Strips& strips, const Slice& slice) {
   return sum / places;
 }
 
+/// Returns the strength due to the suction of a slice whose pore pressure is negative [Pa].
+double find_suction_strength(const Slope::Strips& strips, const Slice& slice) {
+  const auto number = static_cast<std::size_t>(slice.soil);
+  const Soil& soil = strips.section.soils[number];
+  const double suction = -slice.pore_pressure;
+  if (soil.suction == Suction::phi_b) return suction * strips.tan_phi_b[number];
+  return suction * (soil.saturation ? soil.saturation(suction) : 1) * slice.tan_friction;
+}
+
 /// Returns u = u₀ + B̄ Δσ_v (Bishop 1954), where -Δσ_v is the weight of the ponded water that was removed.
 double lower_pressure(const Slope::Strips& strips, const Strip& strip, double b_bar, double x, double before) {
   const double dx = x - strip.left, ground = strip.ground.at(dx);
@@ -177,7 +186,7 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
     slice.root_cohesion = average_root_cohesion(strips, slice);
     slice.cohesion += slice.root_cohesion;
   }
-  if (soil.undrained) return;
+  if (soil.undrained && !soil.law) return;
   double u = 0;
   if (before != nullptr && soil.b_bar && holds_water(section, soil)) {
     u = lower_pressure(strips, strip, *soil.b_bar, p[0], before->pore_pressure);
@@ -191,14 +200,41 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
       u = section.water_unit_weight * (strip.find_water(soil).at(p[0] - strip.left) - p[1]);
     }
   }
+  slice.water_pressure = u;
+  if (soil.undrained) return;
   // The pressure that is used: suction only if the soil takes it into account.
   slice.pore_pressure = std::max(u, soil.suction == Suction::ignored ? 0.0 : -soil.largest_suction);
   if (slice.pore_pressure >= 0) return;
-  const double suction = -slice.pore_pressure;
-  slice.suction_strength = soil.suction == Suction::phi_b
-                               ? suction * strips.tan_phi_b[number]
-                               : suction * (soil.saturation ? soil.saturation(suction) : 1) * slice.tan_friction;
+  slice.suction_strength = find_suction_strength(strips, slice);
   slice.cohesion += slice.suction_strength;
+}
+
+double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices, bool has_forces) {
+  double change = 0, sum = 0;
+  for (Slice& slice : slices) {
+    const Soil& soil = strips.section.soils[static_cast<std::size_t>(slice.soil)];
+    if (!soil.law) continue;
+    const double width = slice.right - slice.left, dip = slice.alpha(),
+                 total = (slice.weight + slice.surface_load) / width, u = std::max(0.0, slice.water_pressure);
+    StrengthPlane plane;
+    plane.at = {0.5 * (slice.left + slice.right), 0.5 * (slice.base_left[1] + slice.base_right[1])};
+    plane.depth = 0.5 * (slice.top_left + slice.top_right) - plane.at[1];
+    plane.vertical = std::max(0.0, total - u);
+    plane.inclination = std::atan2(slice.base_right[1] - slice.base_left[1], width);
+    plane.dip = dip;
+    const double own = slice.normal / slice.length - slice.pore_pressure,
+                 estimate = plane.vertical * std::cos(dip) * std::cos(dip);
+    plane.normal = has_forces ? own : estimate;
+    const StrengthTangent tangent = soil.law->find_tangent(plane);
+    const double before = slice.cohesion + plane.normal * slice.tan_friction;
+    slice.tan_friction = tangent.tan_friction;
+    slice.suction_strength = slice.pore_pressure < 0 ? find_suction_strength(strips, slice) : 0;
+    slice.cohesion = tangent.cohesion + slice.root_cohesion + slice.suction_strength;
+    const double after = slice.cohesion + plane.normal * slice.tan_friction;
+    change = std::max(change, std::abs(after - before));
+    sum += std::abs(after) / static_cast<double>(slices.size());
+  }
+  return sum > 0 ? change / sum : 0;
 }
 
 // Ponded water and loads on vertical steps of the ground.

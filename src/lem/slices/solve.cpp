@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lem/slices/mass.hpp"
+#include "lem/slices/slices.hpp"
 #include "lem/slices/wedge_mechanism.hpp"
 
 namespace talus::lem {
@@ -17,6 +18,11 @@ namespace {
 constexpr double largest_factor = 1000;
 /// Largest residual of the equations over the weight of a converged solution [-].
 constexpr double largest_residual = 1e-5;
+
+/// Limit of the change of a strength over the mean one, after which the next tangents are taken as those of the
+/// solution. Convergence is quadratic, so that they differ by some 1e-10 of it [-].
+constexpr double tangent_tolerance = 1e-5;
+constexpr int most_tangents = 60;
 
 /// Memory of one thread, reused for all surfaces.
 struct Scratch {
@@ -117,8 +123,11 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
   return Refusal::none;
 }
 
-Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
-                    double horizontal) {
+namespace {
+
+/// Solves with the strengths that the slices have.
+Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                      double horizontal) {
   static thread_local Scratch s;
   Solution solution;
   solution.method = method;
@@ -187,6 +196,36 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   if (method == Method::janbu_corrected) correct(cut, solution);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
   return solution;
+}
+
+/// Returns true if the strength of a slice depends on its normal force.
+bool is_curved(const Slope& slope, const CutSurface& cut) {
+  const std::vector<Soil>& soils = slope.section().soils;
+  return slope.strips().curved_laws && std::any_of(cut.slices.begin(), cut.slices.end(), [&](const Slice& slice) {
+           const auto& law = soils[static_cast<std::size_t>(slice.soil)].law;
+           return law && law->is_curved;
+         });
+}
+
+}  // namespace
+
+Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                    double horizontal) {
+  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
+  if (!is_curved(slope, cut)) return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
+  // The tangents at the normal stresses of one solution give the next one: Newton's method for the envelopes.
+  Checks lenient = checks;
+  lenient.reject = false;
+  for (int i = 0; i < most_tangents; ++i) {
+    Solution solution = solve_linear(slope, cut, method, lenient, true, horizontal);
+    if (!(solution.factor > 0)) return solution;
+    if (set_law_strengths(slope.strips(), cut.slices, true) < tangent_tolerance)
+      return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
+  }
+  Solution none;
+  none.method = method;
+  none.refusal = Refusal::not_converged;
+  return none;
 }
 
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {

@@ -31,6 +31,7 @@ struct Slice {
   double earthquake = 0;               ///< k_h W, positive in the direction of sliding
   double centroid = 0;                 ///< elevation of the centre of the weight at the slice's middle [m]
   double pore_pressure = 0;            ///< u at the middle of the base; suction is negative [Pa]
+  double water_pressure = 0;           ///< the same in soil with a law, also where u has no effect on the strength [Pa]
   double cohesion = 0;                 ///< c, including roots and suction [Pa]
   double root_cohesion = 0;            ///< part of c due to roots [Pa]
   double suction_strength = 0;         ///< part of c due to suction [Pa]

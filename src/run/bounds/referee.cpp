@@ -23,6 +23,11 @@ constexpr int most_triangles = 2500, most_unproven = 3;
 std::optional<std::string> find_obstacle(const input::Case& data) {
   if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
+  for (const auto& [region, name] : data.regions) {
+    const material::Traits& traits = data.materials.at(name).traits();
+    if (traits.only_slices || !traits.serves_bounds)
+      return fmt::format("the strength of material '{}' ({}) is not one of limit analysis", name, traits.title);
+  }
   return std::nullopt;
 }
 
