@@ -237,7 +237,7 @@ class CamClay {
                       in.template get<Preconsolidation>().preconsolidation.value_or(not_set), start.saturation, state);
   }
   /// Copies the root content of a point to `start`.
-  static void read_roots(const double* state, StateStart& start) requires Rooted { start.root_content = state[3]; }
+  static void read_start(const double* state, StateStart& start) requires Rooted { start.root_content = state[3]; }
   /// Sets p'_c to `ratio` times the mean effective stress [Pa].
   void set_preconsolidation(double ratio, const double* sigma, double* state) const {
     state[1] = ratio * std::max(find_pressure(sigma), soil_.smallest_pressure);

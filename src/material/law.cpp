@@ -14,7 +14,7 @@ std::string list_words(bool (*holds)(const Traits&), const char* last) {
 
 Law make_law(Model model, const SoilNumbers& in, const StrengthChange& change) {
   std::optional<Law> law;
-  Laws::visit(model, [&]<class L>() { law.emplace(L::make(in, change)); });
+  Laws::visit(model, [&]<class L>() { law.emplace(L::make(typename L::Input(in), change)); });
   return std::move(*law);
 }
 
@@ -63,6 +63,17 @@ void divide_strength(Model model, SoilNumbers& in, PartialDivision& division) {
   });
 }
 
+bool is_divisible(Model model) {
+  bool answer = false;
+  Laws::visit(model, [&]<class L>() {
+    using Changeable = typename L::Input::Changeable;
+    answer = requires(const Changeable& in, PartialDivision& division) {
+      L::divide(in, division);
+    };
+  });
+  return answer;
+}
+
 bool is_total_stress(Model model, const SoilNumbers& in) {
   bool answer = false;
   Laws::visit(model, [&]<class L>() {
@@ -99,10 +110,10 @@ void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& 
       law);
 }
 
-void read_roots(const Law& law, const double* state, StateStart& start) {
+void read_start(const Law& law, const double* state, StateStart& start) {
   std::visit(
       [&]<class L>(const L&) {
-        if constexpr (requires { L::read_roots(state, start); }) L::read_roots(state, start);
+        if constexpr (requires { L::read_start(state, start); }) L::read_start(state, start);
       },
       law);
 }

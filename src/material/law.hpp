@@ -9,16 +9,30 @@
 #include <vector>
 
 #include "material/cam_clay.hpp"
+#include "material/curved_envelopes.hpp"
+#include "material/directed_strength.hpp"
 #include "material/external.hpp"
+#include "material/hoek_brown.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/rooted_mohr_coulomb.hpp"
+#include "material/shansep.hpp"
 #include "material/tresca.hpp"
 
 namespace talus::material {
 
 using Law =
-    std::variant<MohrCoulomb, RootedMohrCoulomb, Tresca, ModifiedCamClay, RootedCamClay, LinearElastic, External>;
+    std::variant<MohrCoulomb, RootedMohrCoulomb, Tresca, Shansep, Adp, Anisotropic, Bedding, PowerCurve, StrengthTable,
+                 HoekBrown, BartonBandis, ModifiedCamClay, RootedCamClay, LinearElastic, NoStrength, External>;
+
+/// Returns the law as the class whose update a step calls: laws may share it.
+template <class L>
+const auto& get_kernel(const L& law) {
+  if constexpr (requires { typename L::Kernel; })
+    return static_cast<const typename L::Kernel&>(law);
+  else
+    return law;
+}
 
 template <class Laws>
 struct OfLaws;
@@ -72,7 +86,7 @@ bool needs(Model model) {
 std::string list_words(bool (*holds)(const Traits&), const char* last = " or ");
 /// Lists the models that LEM, FEM and partial factors accept.
 inline std::string list_sliceable() {
-  return list_words([](const Traits& t) { return t.serves_slices && t.strength == Strength::known; });
+  return list_words([](const Traits& t) { return t.serves_slices && !t.only_slices && t.strength == Strength::known; });
 }
 
 /// Largest number of state variables of any law. The first one is common to all plastic laws: the deviatoric plastic
@@ -106,6 +120,8 @@ std::string describe_model(Model model, const SoilNumbers& in);
 /// Returns the strength for LEM; std::nullopt for a law without cohesion and friction angle.
 std::optional<SliceStrength> find_slice_strength(Model model, const SoilNumbers& in);
 void divide_strength(Model model, SoilNumbers& in, PartialDivision& division);
+/// Returns true if divide_strength() changes soils of this model.
+bool is_divisible(Model model);
 /// Returns true if the law is in total stresses, so that pore pressure does not act.
 bool is_total_stress(Model model, const SoilNumbers& in);
 /// Returns the model of the same soil with the cohesion as a state variable, where the cohesion varies in space.
@@ -128,7 +144,7 @@ void complete_soil(SoilNumbers& in, const std::string& name, const auto& find_fi
 /// Sets the initial state variables of a point; `state` has room for max_state_size values.
 void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& start, double* state);
 /// Copies the roots of a point from its state to `start`.
-void read_roots(const Law& law, const double* state, StateStart& start);
+void read_start(const Law& law, const double* state, StateStart& start);
 /// Returns E_c of (2.84) at stress `sigma` and state variables `state` [Pa].
 double constrained_modulus(const Law& law, const double* sigma, const double* state);
 /// Returns E_c where it depends on neither.

@@ -87,7 +87,7 @@ class RootedMohrCoulomb {
                                    soil_.widen_bounds<T>(state[1] * root_share_), around);
   }
 
-  static void read_roots(const double* state, StateStart& start) { start.root_cohesion = state[1]; }
+  static void read_start(const double* state, StateStart& start) { start.root_cohesion = state[1]; }
   static std::vector<StateField> fields() { return {{"root_cohesion", "Pa", 0}, separation_field}; }
   static void show(const double* state, double /*saturation*/, double* values) {
     values[0] = state[1];

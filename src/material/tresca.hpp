@@ -1,26 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Tresca: undrained soil in total stresses with a strength s_u that may grow with depth. The code is that of
-// Mohr–Coulomb with φ = 0 and c = s_u, with the growth of s_u as a state variable and without a tension cut-off.
+// Tresca: undrained soil in total stresses with a strength s_u that may grow with depth or follow a profile. The code
+// is that of Mohr–Coulomb with φ = 0 and c = s_u, with the growth of s_u as a state variable and without a tension
+// cut-off.
 
 #include <vector>
 
 #include "material/mohr_coulomb.hpp"
+#include "material/strength_profile.hpp"
 
 namespace talus::material {
 
 struct TrescaInput {
-  double undrained_strength = 0;  ///< s_u at `undrained_level` and above [Pa]
-  double undrained_gradient = 0;  ///< growth of s_u below that level [Pa/m]
-  double undrained_level = 0;     ///< [m]
+  double undrained_strength = 0;          ///< s_u at `undrained_level` and above [Pa]
+  double undrained_gradient = 0;          ///< growth of s_u below that level [Pa/m]
+  double undrained_level = 0;             ///< [m]
+  std::vector<double> profile_strengths;  ///< s_u along the profile instead [Pa]
 
   /// Returns the increase of s_u at a level [Pa].
   double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
 };
 void describe(auto& v, TrescaInput& in, const Users& users) {
   const std::vector<input::Slip> slips{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
+  v.key("profile_strengths", in.profile_strengths,
+        users.allow(quantity("kPa").above(0)).usual(1, 500, slips).example("[20, 20, 45]"),
+        "Undrained shear strengths s_u along the profile, instead of `undrained_strength`.");
   v.key("undrained_strength", in.undrained_strength,
-        users.need(quantity("kPa").above(0)).usual(1, 500, slips).example("25"),
+        users.need(quantity("kPa").above(0))
+            .usual(1, 500, slips)
+            .unless_given("profile_strengths", !in.profile_strengths.empty())
+            .example("25"),
         "Undrained shear strength s_u, at `undrained_level` and above it.");
   v.key("undrained_gradient", in.undrained_gradient, users.allow(quantity("kPa/m").at_least(0)).example("1.5"),
         "s_u grows by this per metre below `undrained_level`.");
@@ -45,35 +54,22 @@ class Tresca {
   static constexpr int state_size = 2;
   static constexpr bool is_plastic = true;
 
-  using Input = Needs<YoungInput, PoissonInput, TrescaInput>;
+  using Input = Needs<YoungInput, PoissonInput, TrescaInput, StrengthProfile>;
+  static void check(const Input& in, const SoilFindings& findings);
   static Tresca make(const Input& in, const StrengthChange& change) {
     return {LinearElastic::make(in), in.get<TrescaInput>().undrained_strength, change.factor};
   }
-  static Properties list_properties(const Input& in) {
-    const TrescaInput& s = in.get<TrescaInput>();
-    Properties list{
-        make_divided("undrained_strength", "undrained shear strength", "su", ShownAs::stress, s.undrained_strength)};
-    if (s.undrained_gradient > 0)
-      list.push_back(make_divided("undrained_gradient", "growth of the undrained strength with depth", "dsu/dz",
-                                  ShownAs::stress_per_length, s.undrained_gradient));
-    return list;
-  }
-  static SliceStrength find_slice_strength(const Input& in) {
-    const TrescaInput& s = in.get<TrescaInput>();
-    return {s.undrained_strength, 0, s.undrained_gradient, s.undrained_level};
-  }
-  static void divide(const Input::Changeable& in, PartialDivision& division) {
-    TrescaInput& s = in.get<TrescaInput>();
-    division.divide(s.undrained_strength, division.undrained, "undrained shear strength", "s_u", "kPa", 1e3);
-    division.divide(s.undrained_gradient, division.undrained, "growth of the undrained strength", "ds_u/dz", "kPa/m",
-                    1e3);
-  }
+  static Properties list_properties(const Input& in);
+  static SliceStrength find_slice_strength(const Input& in);
+  static void divide(const Input::Changeable& in, PartialDivision& division);
   static bool is_total_stress(const Input&) { return true; }
   using Local = Tresca;
-  static bool varies(const Input& in) { return in.get<TrescaInput>().undrained_gradient != 0; }
-  void set_initial_state(const Input& in, const StateStart& start, double* state) const {
-    state[1] = in.get<TrescaInput>().find_growth(start.level);
+  static bool varies(const Input& in) {
+    const TrescaInput& s = in.get<TrescaInput>();
+    return s.undrained_gradient != 0 || !s.profile_strengths.empty();
   }
+  void set_initial_state(const Input& in, const StateStart& start, double* state) const;
+  static void read_start(const double* state, StateStart& start) { start.strength_growth = state[1]; }
 
   /// `undrained_strength` is that of the case [Pa]; `factor` divides it and its growth.
   Tresca(const LinearElastic& elastic, double undrained_strength, double factor = 1)

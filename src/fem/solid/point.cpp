@@ -53,7 +53,7 @@ PointAnswer update_plain(const L& law, double saturation, const double* d_epsilo
   return {has_yielded<L>(law.template update<NS, double>(sigma, d_epsilon, state, true, around)), true};
 }
 
-/// Computes the tangent by central differences, for external laws.
+/// Computes the tangent by central differences, for laws without an analytical one.
 template <int NS, class L>
 void differentiate(const L& law, double saturation, const double* d_epsilon, const double* sigma, const double* state,
                    double* tangent) {
@@ -82,8 +82,18 @@ template <int NS, class L>
 PointAnswer update_with_tangent(const L& law, double saturation, const double* d_epsilon, double* sigma, double* state,
                                 double* tangent) {
   if constexpr (L::traits.is_opaque) {
-    differentiate<NS>(law, saturation, d_epsilon, sigma, state, tangent);
+    std::array<double, NS> old_sigma;
+    std::array<double, L::state_size> old_state;
+    std::copy_n(sigma, NS, old_sigma.begin());
+    std::copy_n(state, L::state_size, old_state.begin());
     auto answer = update_plain<NS>(law, saturation, d_epsilon, sigma, state);
+    // The response of a library within its yield surface is unknown.
+    if constexpr (!L::traits.stores_always)
+      if (!answer.yields) {
+        fill_elastic<NS>(law.find_elastic(), tangent);
+        return answer;
+      }
+    differentiate<NS>(law, saturation, d_epsilon, old_sigma.data(), old_state.data(), tangent);
     answer.symmetric = is_symmetric<NS>(tangent);
     return answer;
   } else {

@@ -114,7 +114,9 @@ namespace {
 /// Returns true if the plastic flow of some soil dilates.
 bool dilates(const Case& data) {
   return std::any_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
-    return entry.second.traits().has_friction && entry.second.dilatancy_angle > 0;
+    const Material& m = entry.second;
+    return (m.traits().has_friction && m.dilatancy_angle > 0) ||
+           (material::needs<material::FlowRatio>(m.model) && m.dilatancy_ratio > 0);
   });
 }
 

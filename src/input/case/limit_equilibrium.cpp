@@ -87,7 +87,7 @@ void check_partial_factors(const Case& data, Findings& findings) {
     findings.add("partial_factors.set", "set = \"by_hand\" needs at least one factor, for example friction = 1.25");
   if (p.set == DesignApproach::none || !findings.is_sound("materials")) return;
   for (const auto& [name, m] : data.materials)
-    if (!m.traits().serves_slices)
+    if (!m.traits().serves_slices || (m.traits().only_slices && !material::is_divisible(m.model)))
       findings.add("partial_factors.set",
                    "partial factors divide cohesion and friction angle, which material '{}' does not have", name);
 }

@@ -124,6 +124,40 @@ void check_bounds_need(const Case& data, Findings& findings) {
   }
 }
 
+/// Reports laws whose strength LEM alone has, or that limit analysis lacks.
+void check_only_slices(const Case& data, Findings& findings) {
+  std::string others;
+  for (const Method method : {Method::fem, Method::bounds, Method::mpm})
+    if (uses(data, method)) others += fmt::format("{}\"{}\"", others.empty() ? "" : ", ", get_word(method));
+  if (others.empty()) return;
+  if (uses(data, Method::bounds))
+    for (const auto& [name, material] : data.materials)
+      if (!material.traits().serves_bounds && findings.is_sound("materials." + name + ".model"))
+        findings.add("materials." + name + ".model",
+                     "limit analysis takes straight envelopes, and that of material '{}' ({}) is curved; take "
+                     "\"bounds\" out of 'methods' in [analysis]",
+                     name, material.traits().title);
+  for (const auto& [name, material] : data.materials)
+    if (material.traits().only_slices && findings.is_sound("materials." + name + ".model"))
+      findings.add(
+          "materials." + name + ".model",
+          "the strength of material '{}' ({}) serves LEM only; take {} out of 'methods' in [analysis], or give "
+          "the material another model",
+          name, material.traits().title, others);
+}
+
+/// Reports strengths by depth or by σ'_v without a section, which gives the soil above a point.
+void check_columns(const Case& data, Findings& findings) {
+  if (data.mesh.dimension == 2 && data.mesh.file.empty()) return;
+  for (const auto& [name, material] : data.materials) {
+    const bool by_stress = material.model == material::model_of<material::Shansep>;
+    const std::string path = "materials." + name + (by_stress ? ".model" : ".profile_depths");
+    if ((by_stress || !material.profile_depths.empty()) && findings.is_sound(path))
+      findings.add(path, "{} of material '{}' needs a plane section of [[geometry.polygon]] or layers",
+                   by_stress ? "the strength by σ'_v" : "the strength by depth", name);
+  }
+}
+
 void check_has_strength(const Case& data, Findings& findings) {
   if (!findings.is_sound("materials") || data.materials.empty()) return;
   if (std::none_of(data.materials.begin(), data.materials.end(),
@@ -231,6 +265,8 @@ void check_methods(const Case& data, Findings& findings) {
   if (has_elements) check_elements_need(data, findings);
   if (has_bounds) check_bounds_need(data, findings);
   check_reduces(data, findings);
+  check_only_slices(data, findings);
+  check_columns(data, findings);
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;

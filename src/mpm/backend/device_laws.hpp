@@ -10,9 +10,11 @@
 
 namespace talus::mpm {
 
-/// Laws that call a user's library run on the CPU only.
+/// Laws that call a user's library or iterate run on the CPU only; others are stored as the class whose update a step
+/// calls.
 template <class L>
-inline constexpr bool runs_on_device = !std::is_same_v<L, material::External>;
+inline constexpr bool runs_on_device =
+    !L::traits.is_opaque && std::is_same_v<L, std::decay_t<decltype(material::get_kernel(std::declval<const L&>()))>>;
 
 /// Limit of the bit sets of materials in laws.hpp.
 inline constexpr int most_laws = 32;
@@ -67,14 +69,16 @@ struct DeviceLaws {
 /// Stores a law, which must run on a device.
 inline StoredLaw store_law(const material::Law& law) {
   StoredLaw stored{};
-  stored.kind = static_cast<int>(law.index());
   stored.states = material::state_size(law);
   stored.softens = material::get_traits(law).softens;
   std::visit(
-      [&]<class L>(const L& l) {
+      [&](const auto& given) {
+        const auto& kernel = material::get_kernel(given);
+        using L = std::decay_t<decltype(kernel)>;
         if constexpr (runs_on_device<L>) {
+          stored.kind = find_kind<L>();
           static_assert(std::is_trivially_copyable_v<L>);
-          std::memcpy(stored.bytes, &l, sizeof l);
+          std::memcpy(stored.bytes, &kernel, sizeof kernel);
         }
       },
       law);

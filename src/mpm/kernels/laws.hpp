@@ -56,7 +56,7 @@ inline bool law_softens(const std::vector<material::Law>& laws, std::uint32_t m)
   return material::get_traits(laws[m]).softens;
 }
 void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, auto&& work) {
-  std::visit(work, laws[m]);
+  std::visit([&](const auto& law) { work(material::get_kernel(law)); }, laws[m]);
 }
 
 /// Lanes may have different laws; `material` of update() is the material number of each lane.
@@ -134,7 +134,12 @@ void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, a
     return;
   }
   const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));
-  std::visit([&](const auto& law) { work(OneLaw<std::decay_t<decltype(law)>>{law}); }, laws[m]);
+  std::visit(
+      [&](const auto& law) {
+        const auto& kernel = material::get_kernel(law);
+        work(OneLaw<std::decay_t<decltype(kernel)>>{kernel});
+      },
+      laws[m]);
 }
 
 }  // namespace talus::mpm

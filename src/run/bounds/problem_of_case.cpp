@@ -13,6 +13,7 @@
 #include "bounds/problem.hpp"
 #include "mesh/generate.hpp"
 #include "run/common/mesh_estimate.hpp"
+#include "run/common/soil_column.hpp"
 #include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
@@ -32,6 +33,7 @@ class ProblemBuilder {
   ProblemBuilder(const site::Site& site, Supports supports)
       : site_(site),
         data_(site_.data()),
+        columns_(site_),
         supports_(supports),
         mesh_(
             mesh::generate<2>(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_))))) {
@@ -86,16 +88,17 @@ class ProblemBuilder {
     const std::vector<site::RootsAt> roots = site::find_roots<2>(data_, mesh_, places, soils);
     p.strength.resize(p.size());
     for (std::size_t i = 0; i < places.size(); ++i)
-      p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i][1], roots[i].cohesion);
+      p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i], roots[i].cohesion);
   }
 
-  bounds::Strength find_strength(const input::Material& m, double level, double root_cohesion) const {
+  bounds::Strength find_strength(const input::Material& m, const Vec<2>& x, double root_cohesion) const {
     const site::PlaneStrength given = site::find_plane_strength(m);
     if (!given.yields) return {given.cohesion, 0, {}};
     bounds::Strength soil;
     soil.cohesion =
-        given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - level);
+        given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - x[1]);
     soil.tan_friction = std::tan(given.friction_angle);
+    if (given.law) soil.cohesion = root_cohesion + given.law->find_tangent(columns_.find(x)).cohesion;
     if (data_.bounds.flow == input::BoundsFlow::davis) {
       const double phi = given.friction_angle, psi = m.dilatancy_angle,
                    share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
@@ -194,6 +197,7 @@ class ProblemBuilder {
 
   const site::Site site_;
   const input::Case& data_;
+  const SoilColumns columns_;
   Supports supports_;
   const mesh::Mesh<2> mesh_;
   std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil

@@ -41,6 +41,8 @@ std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   for (const auto& [region, name] : data.regions) {
     const input::Material& m = data.materials.at(name);
     if (m.traits().strength == material::Strength::none) continue;
+    // The angles of a curved envelope vary with the stress.
+    if (material::needs<material::FlowRatio>(m.model)) continue;
     const double psi = associated ? m.friction_angle : m.dilatancy_angle;
     low = std::min(low, psi);
     high = std::max(high, psi);
@@ -152,6 +154,7 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
 bool has_less_dilatancy(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const input::Material& m = data.materials.at(region.second);
+    if (material::needs<material::FlowRatio>(m.model)) return m.dilatancy_ratio < 1;
     return m.traits().strength != material::Strength::none && m.dilatancy_angle < m.friction_angle;
   });
 }

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
+#include "run/common/soil_column.hpp"
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
@@ -31,11 +32,12 @@ struct RegionSoil {
 
 RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
   RegionSoil soil{site.get_soil(region)};
-  if (!soil.material.traits().serves_slices)
+  if (!soil.material.traits().serves_slices || soil.material.traits().only_slices)
     throw Error(ExitCode::wrong_input,
                 fmt::format("FEM cannot reduce the strength of material '{}': it takes the models {}",
                             site.data().regions.at(region),
-                            material::list_words([](const material::Traits& t) { return t.serves_slices; }, " and ")));
+                            material::list_words(
+                                [](const material::Traits& t) { return t.serves_slices && !t.only_slices; }, " and ")));
   if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
     soil.varies = true;
     soil.material.model = *local;
@@ -152,15 +154,16 @@ class SolidBuilder {
     if (std::none_of(soils_.begin(), soils_.end(), [](const RegionSoil& s) { return s.varies; })) return;
     std::vector<material::Law> laws;
     for (const RegionSoil& soil : soils_) laws.push_back(input::make_law(soil.material));
-    solid_.model.set_state = [site = site_, mesh = solid_.mesh, soils = soils_, laws = std::move(laws)](
-                                 int region, const Vec<D>& x, double* state) {
+    solid_.model.set_state = [site = site_, mesh = solid_.mesh, soils = soils_, laws = std::move(laws),
+                              columns = SoilColumns(site_)](int region, const Vec<D>& x, double* state) {
       const RegionSoil& soil = soils[region];
       if (!soil.varies) return;
       const input::Material& given = site.get_soil(mesh->region_names[region]);
-      const material::StateStart start{
+      material::StateStart start{
           .stress = nullptr,
           .root_cohesion = site::find_roots<D>(site.data(), *mesh, {x}, {&given}).front().cohesion,
           .level = x[1]};
+      add_column<D>(columns, x, start);
       material::set_initial_state(laws[region], soil.material, start, state);
     };
   }
@@ -177,7 +180,10 @@ template <int D>
 void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated) {
   std::vector<RegionSoil> soils = list_soils<D>(site, *solid.mesh);
   if (associated)
-    for (RegionSoil& soil : soils) soil.material.dilatancy_angle = soil.material.friction_angle;
+    for (RegionSoil& soil : soils) {
+      soil.material.dilatancy_angle = soil.material.friction_angle;
+      soil.material.dilatancy_ratio = 1;
+    }
   solid.model.make_law = [soils = std::move(soils)](int region, double factor) {
     return input::make_law(soils[static_cast<std::size_t>(region)].material, {}, factor);
   };

@@ -22,10 +22,9 @@ ChosenDevice::ChosenDevice(const input::Case& data, const RunOptions& options) {
   if (get_ranks().size() > 1)
     throw Error(ExitCode::wrong_input, "--device: a device calculates alone; start the program without mpiexec");
   for (const auto& [name, material] : data.materials)
-    if (material.model == material::model_of<material::External>)
-      throw Error(ExitCode::wrong_input, "--device: material '" + name +
-                                             "' is calculated by a library of yours, which no device can call; leave "
-                                             "--device out");
+    if (material.traits().is_opaque)
+      throw Error(ExitCode::wrong_input, "--device: material '" + name + "' (" + material.traits().title +
+                                             ") runs on the processor only; leave --device out");
   options.device == DeviceKind::gpu ? mpm::use_gpu() : mpm::use_emulated_device({.threads = options.threads});
 }
 

@@ -14,6 +14,7 @@
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/kernels/softening.hpp"
 #include "mpm/solver/observe.hpp"
+#include "run/common/soil_column.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "site/initial_water.hpp"
@@ -69,7 +70,7 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
   const auto kept = static_cast<std::size_t>(stays_in_family ? now.family_states : material::common_state_size);
   material::StateStart start{point.stress.data(), find_void_ratio(point, soil), find_saturation(point)};
   start.level = point.position[1];
-  material::read_roots(law, fresh.data(), start);
+  material::read_start(law, fresh.data(), start);
   State renewed = make_state(law, soil, start);
   const double preconsolidation = renewed[1];
   std::copy_n(point.state.begin(), kept, renewed.begin());
@@ -113,14 +114,16 @@ void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const
     places.push_back(mesh::to_global(mesh, p.element, p.xi));
   }
   const std::vector<site::RootsAt> roots = site::find_roots<D>(data, mesh, places, soils);
+  const SoilColumns columns(data);
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto& p = points[i];
     const auto number = static_cast<std::size_t>(p.material);
     const double saturation =
         soils[i]->water.is_wet() && !water.empty() ? material::saturation(water[number].retention, p.pressure) : 1.0;
-    p.state = make_state(
-        laws[number], *soils[i],
-        {p.stress.data(), soils[i]->void_ratio(), saturation, roots[i].content, roots[i].cohesion, places[i][1]});
+    material::StateStart start{p.stress.data(),  soils[i]->void_ratio(), saturation,
+                               roots[i].content, roots[i].cohesion,      places[i][1]};
+    add_column<D>(columns, places[i], start);
+    p.state = make_state(laws[number], *soils[i], start);
   }
 }
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Elastic, perfectly plastic soil with a curved envelope τ(σ'_n). The return is that of Mohr–Coulomb to the tangent at
+// the normal stress of the plane that fails, repeated with the tangent at the new normal stress until both agree: the
+// stress then lies on the envelope, and flow is that of its tangent plane.
+
+#include <variant>
+
+#include "material/mohr_coulomb.hpp"
+
+namespace talus::material {
+
+/// Parameters of the rock mass of Hoek and Brown. Stresses are positive in compression here.
+struct HoekBrownMass {
+  double intact_strength = 0, m = 0, s = 0, a = 0;
+
+  double tensile_strength() const { return s * intact_strength / m; }  ///< [Pa]
+  double find_major(double minor) const;                               ///< σ1 at failure [Pa]
+  double find_ratio(double minor) const;                               ///< dσ1/dσ3 [-]
+  /// Returns the tangent to the envelope at an effective normal stress [Pa]; below the tensile strength that near it.
+  StrengthTangent find_tangent(double normal) const;
+};
+
+/// τ = factor (σ' + shift)^exponent + cohesion for stresses in kPa. Its secant replaces it where its slope would tend
+/// to infinity.
+struct PowerEnvelope {
+  double factor = 0, exponent = 0;
+  double shift = 0, cohesion = 0;  ///< [Pa]
+
+  static double tensile_strength() { return 0; }
+  StrengthTangent find_tangent(double normal) const;
+};
+
+/// Straight between pairs, and beyond them with the first and last slopes.
+struct StrengthPairs {
+  std::vector<double> normal, shear;  ///< [Pa]
+
+  static double tensile_strength() { return 0; }
+  StrengthTangent find_tangent(double normal_stress) const;
+};
+
+using CurvedEnvelope = std::variant<HoekBrownMass, PowerEnvelope, StrengthPairs>;
+
+struct FlowRatio {
+  double dilatancy_ratio = 0;  ///< tan ψ over tan φ of the tangent [-]
+};
+void describe(auto& v, FlowRatio& in, const Users& users) {
+  v.key("dilatancy_ratio", in.dilatancy_ratio,
+        users.need(plain().at_least(0).at_most(1)).by_methods({"fem", "mpm"}).example("0"),
+        "tan ψ of the plastic flow over tan φ of the tangent to the envelope: 0 at constant volume, 1 associated.");
+}
+
+/// State variables as Mohr–Coulomb's.
+class CurvedLaw {
+ public:
+  static constexpr Traits traits{.word = "curved", .meaning = "", .title = "curved envelope", .is_opaque = true};
+  static constexpr int state_size = MohrCoulomb::state_size, gap_states = 1;
+  static constexpr bool is_plastic = true;
+
+  CurvedLaw(const LinearElastic& elastic, CurvedEnvelope envelope, double dilatancy_ratio, double factor)
+      : elastic_(elastic), envelope_(std::move(envelope)), dilatancy_ratio_(dilatancy_ratio), factor_(factor) {}
+
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return elastic_.constrained_modulus();
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return elastic_; }
+  template <int NS>
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
+    return elastic_.elastic_energy<NS>(sigma);
+  }
+  static std::vector<StateField> fields() { return {separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
+  static double find_gap(const double* state) { return state[1]; }
+
+  template <int NS, class T>
+  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                     const Surroundings<T>& around = {}) const {
+    if constexpr (std::is_same_v<T, double>) {
+      return active ? update_point<NS>(sigma, d_epsilon, state, around.gaps) : Response<double>{false, 0.0, 0.0};
+    } else {
+      Response<T> response{false, T(0.0), T(0.0)};
+      for (int l = 0; l < LaneTraits<T>::width; ++l) {
+        if (!active[l]) continue;
+        double s[NS], d[NS], q[state_size];
+        for (int i = 0; i < NS; ++i) s[i] = sigma[i][l];
+        for (int i = 0; i < NS; ++i) d[i] = d_epsilon[i][l];
+        for (int i = 0; i < state_size; ++i) q[i] = state[i][l];
+        const Response<double> one = update_point<NS>(s, d, q, around.gaps);
+        response.any_plastic = response.any_plastic || one.any_plastic;
+        response.plastic_dilation.value[l] = one.plastic_dilation;
+        response.dissipation.value[l] = one.dissipation;
+        response.opened.value[l] = one.opened;
+        response.gap.value[l] = one.gap;
+        for (int i = 0; i < NS; ++i) sigma[i].value[l] = s[i];
+        for (int i = 0; i < state_size; ++i) state[i].value[l] = q[i];
+      }
+      return response;
+    }
+  }
+
+  /// Returns the strength, divided by the factor, at an effective normal stress [Pa].
+  StrengthTangent find_tangent(double normal) const;
+
+ private:
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
+  /// Returns true if the circle of the principal stresses s1 >= s3 lies within the envelope; else a normal stress near
+  /// which it crosses it.
+  bool is_within(double s1, double s3, double& normal) const;
+  double find_tension() const;
+
+  LinearElastic elastic_;
+  CurvedEnvelope envelope_;
+  double dilatancy_ratio_, factor_;
+};
+
+/// Base of the laws with a curved envelope in all methods but limit analysis; `L` is the law.
+template <class L>
+struct CurvedSoil : CurvedLaw {
+  using Kernel = CurvedLaw;
+
+  template <class In>
+  static L make(const In& in, const StrengthChange& change) {
+    return L(CurvedLaw(LinearElastic::make(in), L::make_envelope(in), in.template get<FlowRatio>().dilatancy_ratio,
+                       change.factor));
+  }
+  template <class In>
+  static SliceStrength find_slice_strength(const In& in) {
+    SliceStrength strength;
+    strength.law = std::make_shared<const StrengthLaw>(make_strength(in));
+    return strength;
+  }
+  template <class In>
+  static StrengthLaw make_strength(const In& in) {
+    StrengthLaw law;
+    law.is_curved = true;
+    law.find_tangent = [envelope = L::make_envelope(in)](const StrengthPlane& plane) {
+      return envelope.find_tangent(plane.normal);
+    };
+    return law;
+  }
+
+ protected:
+  explicit CurvedSoil(const CurvedLaw& law) : CurvedLaw(law) {}
+};
+
+}  // namespace talus::material

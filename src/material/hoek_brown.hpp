@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Generalised Hoek–Brown criterion of jointed rock (Hoek, Carranza-Torres and Corkum 2002):
+//
+//   σ1 = σ3 + σ_ci (m_b σ3/σ_ci + s)^a,  m_b = m_i exp((GSI - 100)/(28 - 14 D)),  s = exp((GSI - 100)/(9 - 3 D)),
+//   a = 1/2 + (exp(-GSI/15) - exp(-20/3))/6
+
+#include "material/curved_law.hpp"
+
+namespace talus::material {
+
+struct HoekBrownInput {
+  double intact_strength = 0;  ///< σ_ci [Pa]
+  double gsi = 0;              ///< [-]
+  double intact_constant = 0;  ///< m_i [-]
+  double disturbance = 0;      ///< D [-]
+};
+void describe(auto& v, HoekBrownInput& in, const Users& users) {
+  v.key("intact_strength", in.intact_strength,
+        users.need(quantity("MPa").above(0))
+            .usual(1, 300, {{"kPa", 1e-3}, {"Pa", 1e-6}, {"psi", 6.894757e-3}})
+            .example("30"),
+        "σ_ci, uniaxial compressive strength of the intact rock.");
+  v.key("gsi", in.gsi, users.need(plain().above(0).at_most(100)).usual(5, 90).example("45"),
+        "Geological Strength Index of the rock mass.");
+  v.key("intact_constant", in.intact_constant, users.need(plain().above(0)).usual(2, 35).example("10"),
+        "m_i of the intact rock.");
+  v.key("disturbance", in.disturbance, users.allow(plain().at_least(0).at_most(1)).example("0.7"),
+        "D, disturbance by blasting and relief, from 0 (none) to 1.");
+}
+
+HoekBrownMass make_rock_mass(const HoekBrownInput& in);
+
+struct HoekBrown : CurvedSoil<HoekBrown> {
+  static constexpr Traits traits{
+      .word = "hoek_brown",
+      .meaning = "jointed rock with the generalised Hoek–Brown criterion of 2002",
+      .title = "Hoek–Brown",
+      .serves_slices = true,
+      .serves_bounds = false,
+      .is_opaque = true,
+      .paragraphs = {"mohr_coulomb"},
+      .assumption =
+          "{}: generalised Hoek–Brown criterion (2002), perfectly plastic. LEM uses the tangent to its "
+          "envelope at the normal stress of each base, FEM and MPM return the stress to the envelope."};
+
+  using Input = Needs<YoungInput, PoissonInput, HoekBrownInput, FlowRatio>;
+  static Properties list_properties(const Input& in);
+  static HoekBrownMass make_envelope(const Input& in) { return make_rock_mass(in.get<HoekBrownInput>()); }
+  explicit HoekBrown(const CurvedLaw& law) : CurvedSoil(law) {}
+};
+
+}  // namespace talus::material

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "run/common/soil_column.hpp"
+
+#include <algorithm>
+
+#include "lem/section/strips.hpp"
+#include "run/common/section_of_case.hpp"
+
+namespace talus::run {
+
+SoilColumns::SoilColumns(const site::Site& site) {
+  const auto& regions = site.data().regions;
+  const bool needs = std::any_of(regions.begin(), regions.end(), [&](const auto& entry) {
+    return material::needs<material::StrengthProfile>(site.get_soil(entry.first).model) &&
+           material::find_local_model(site.get_soil(entry.first).model, site.get_soil(entry.first));
+  });
+  if (needs && site.has_ground()) slope_ = std::make_shared<const lem::Slope>(make_section(site).section);
+}
+
+StrengthPlane SoilColumns::find(const Vec<2>& x) const {
+  const lem::Slope::Strips& strips = slope_->strips();
+  const lem::Strip& strip = strips.strip(strips.find(x[0]));
+  const double dx = x[0] - strip.left, ground = strip.ground.at(dx);
+  int soil = -1;
+  const double water = strip.ponded ? std::max(0.0, strip.water.at(dx) - ground) : 0,
+               above = slope_->weight_above(x[0], x[1], soil) + (strips.loads ? strip.load.at(dx) : 0) +
+                       strips.section.water_unit_weight * water,
+               u = std::max(0.0, slope_->pore_pressure({x[0], x[1]}));
+  StrengthPlane plane;
+  plane.at = {x[0], x[1]};
+  plane.depth = std::max(0.0, ground - x[1]);
+  plane.vertical = std::max(0.0, above - u);
+  return plane;
+}
+
+}  // namespace talus::run

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The soil above a point of a plane section, from which strengths by depth and by σ'_v follow in FEM, limit analysis
+// and MPM as they do in LEM.
+
+#include <memory>
+
+#include "base/vec.hpp"
+#include "material/blocks.hpp"
+#include "site/site.hpp"
+
+namespace talus::lem {
+class Slope;
+}
+
+namespace talus::run {
+
+class SoilColumns {
+ public:
+  /// Makes the section of the case if a soil has a strength by depth or σ'_v; else find() must not be called. Throws
+  /// what make_section() throws.
+  explicit SoilColumns(const site::Site& site);
+
+  bool is_needed() const { return slope_ != nullptr; }
+  /// Returns level, depth under the ground and σ'_v at a point as a plane of unknown inclination. σ'_v is the weight of
+  /// soil, water and loads above less the pore pressure.
+  StrengthPlane find(const Vec<2>& x) const;
+
+ private:
+  std::shared_ptr<const lem::Slope> slope_;
+};
+
+/// Writes depth and σ'_v at `x` into the start of a state, where they are needed.
+template <int D>
+void add_column(const SoilColumns& columns, const Vec<D>& x, material::StateStart& start) {
+  if (!columns.is_needed()) return;
+  const StrengthPlane plane = columns.find({x[0], x[1]});
+  start.depth = plane.depth;
+  start.vertical = plane.vertical;
+}
+
+}  // namespace talus::run
