@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
+#include "report/content/strength.hpp"
 #include "report/content/water.hpp"
 #include "report/folder/numbers.hpp"
 #include "site/roots.hpp"
@@ -203,6 +204,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
                            : material::describe_model(soil.model, soil)},
              {"regions", regions},
              {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
+    if (json strength = sample_strength(data, soil); !strength.is_null()) row["strength"] = std::move(strength);
     if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);
     rows.push_back(std::move(row));
   }

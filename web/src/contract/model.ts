@@ -55,8 +55,20 @@ export interface MaterialRow {
     /** At the factor of safety: c/F, atan(tan φ/F). */
     at_failure: number | null;
   }[];
+  /** Absent for soil without a strength on a plane. */
+  strength?: SoilStrength;
   /** Absent for dry soil. */
   water?: SoilWater;
+}
+
+/** The τ–σ diagram of a soil. */
+export interface SoilStrength {
+  /** Title of the axis of the stresses. */
+  stress: string;
+  /** [Pa], rising from 0. */
+  normal: number[];
+  /** Shear strengths at these stresses [Pa], of planes or places with a name; one line without a name where there is only one. */
+  lines: { name: string; shear: number[] }[];
 }
 
 /** The triangles that fields of pore water lie on. */

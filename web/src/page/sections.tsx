@@ -9,6 +9,7 @@ import { HistorySection } from "../charts/history/HistorySection";
 import { CalibrationSection } from "../charts/laboratory/CalibrationSection";
 import { PointSection } from "../charts/laboratory/PointSection";
 import { ProfileSection } from "../charts/profile/ProfileSection";
+import { StrengthSection } from "../charts/strength/StrengthSection";
 import { StudySection } from "../charts/study/StudySection";
 import { SoilWaterSection } from "../charts/water/SoilWaterSection";
 import { CompareSection, listComparisons } from "../charts/compare/CompareSection";
@@ -151,6 +152,13 @@ const sections: Section[] = [
     has: ({ result }) => (result.flow?.states.length ?? 0) > 0,
     draw: () => <FlowSection />,
     chart: { title: "Seepage: discharge, exit gradients, uplift and heave", height: 700 },
+  },
+  {
+    id: "strength",
+    label: "Strength",
+    has: ({ kind, model }) => kind !== "study" && model.materials.some((m) => m.strength),
+    draw: () => <StrengthSection />,
+    chart: { title: "Strength of the soils", height: 330 },
   },
   {
     id: "water",
