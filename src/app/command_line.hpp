@@ -63,6 +63,7 @@ void check_asked_level();
 
 void add_run(CLI::App& app);
 void add_study(CLI::App& app);
+void add_find(CLI::App& app);
 void add_collect(CLI::App& app);
 void add_point(CLI::App& app);
 void add_calibrate(CLI::App& app);

@@ -103,6 +103,10 @@ void gather_owners(const BlockEntry& block, const std::string& word, std::vector
 
 }  // namespace
 
+bool KeyEntry::is_whole_number() const {
+  return type == Codec<int>::name(spec);
+}
+
 const std::string& KeyEntry::get_example(std::size_t i) const {
   return spec.examples.empty() ? default_text : spec.examples[std::min(i, spec.examples.size() - 1)];
 }
@@ -115,6 +119,24 @@ std::string BlockEntry::write_header(const std::string& chosen_name) const {
   if (kind == BlockKind::list) return "[[" + name + "]]";
   if (kind == BlockKind::named) return "[" + name + "." + chosen_name + "]";
   return "[" + name + "]";
+}
+
+std::optional<KeyEntry> find_key_entry(const std::string& path) {
+  const std::vector<std::string> steps = split_path(path);
+  const BlockEntry root = collect_catalogue();
+  const BlockEntry* block = &root;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_last = i + 1 == steps.size();
+    if (is_last)
+      for (const KeyEntry& key : block->keys)
+        if (key.name == steps[i] || block->kind == BlockKind::entries) return key;
+    const auto inner = std::find_if(block->blocks.begin(), block->blocks.end(),
+                                    [&](const BlockEntry& b) { return b.key == steps[i]; });
+    if (inner == block->blocks.end()) return std::nullopt;
+    block = &*inner;
+    if (block->kind == BlockKind::list || block->kind == BlockKind::named) ++i;
+  }
+  return std::nullopt;
 }
 
 std::string describe_owners(const std::string& word) {

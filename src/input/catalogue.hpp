@@ -2,6 +2,7 @@
 #pragma once
 // All declared keys as data: the source of the manual, the template and the JSON Schema.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ struct KeyEntry {
   std::vector<std::pair<std::string, std::string>> words;  ///< for a choice: word and meaning
   JsonTree schema;                                         ///< JSON Schema of the value
 
+  bool is_whole_number() const;
   /// Returns an example of a value: that of sample `i` of a list, or the default.
   const std::string& get_example(std::size_t i = 0) const;
 };
@@ -47,6 +49,10 @@ struct BlockEntry {
 
 /// Returns the whole case file as a block without name.
 BlockEntry collect_catalogue();
+
+/// Returns the declaration of the key at a dotted path as for --set, with names or numbers of entries; std::nullopt if
+/// there is none.
+std::optional<KeyEntry> find_key_entry(const std::string& path);
 
 /// Describes the places of a key, a block or a choice of this name in a case file: "it is a key of [lem]", "it belongs
 /// to 'methods' in [lem]"; empty if there are none or more than two.

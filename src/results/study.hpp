@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json_tree.hpp"
+#include "results/back_analysis.hpp"
 #include "results/run.hpp"
 #include "results/sampling.hpp"
 
@@ -125,6 +126,7 @@ struct StudyResult {
   StudyUnits units;
   std::optional<StudyExtrapolation> extrapolation;
   std::optional<Sampling> sampling;
+  std::optional<BackAnalysis> back_analysis;
   // Set for samples evaluated by LEM, which have no RunResult.
   std::optional<Project> project;
   std::optional<Provenance> provenance;
@@ -143,6 +145,7 @@ void describe(auto& v, As<StudyResult> auto& r) {
   v.key("units", r.units, {"", "units of display"});
   v.maybe("extrapolation", r.extrapolation, {"", "factors extrapolated over a key"});
   v.maybe("sampling", r.sampling, {"", "uncertain numbers"});
+  v.maybe("back_analysis", r.back_analysis, {"", "value of a key at which a result reaches its target"});
   v.maybe("project", r.project, {"", "title block"});
   v.maybe("provenance", r.provenance, {"", "program, machine and input"});
   v.maybe("input", r.input, {"", "every key of the case"});

@@ -43,42 +43,12 @@ class VariantRuns {
   void run_one(std::size_t i) {
     if (is_interrupted()) return;
     const Variant& variant = plan_.variants[i];
-    StudyRow row = rows_[i];
-    const fs::path folder = join_name(options_.folder, variant.name);
-    if (options_.resume) keep(folder, row);
+    StudyRow row = options_.resume ? load_row(variant, options_) : rows_[i];
     if (!row.kept) {
       begin(variant.label);
-      calculate(variant, folder, row);
+      calculate_row(variant, options_, {}, row);
     }
     end(i, std::move(row));
-  }
-
-  /// Reads the results of a finished run, and marks it as kept or failed.
-  static void keep(const fs::path& folder, StudyRow& row) {
-    row.result = load_variant(folder);
-    row.kept = row.result && row.result->status == results::Status::finished;
-    if (row.kept) check_row(folder, row);
-  }
-
-  void calculate(const Variant& variant, const fs::path& folder, StudyRow& row) const {
-    run::RunOptions run;
-    run.folder = folder;
-    run.resume = options_.resume;
-    run.overwrite = options_.overwrite;
-    try {
-      row.result = run::run_case(variant.loaded, run);
-      row.summary.status = VariantStatus::finished;
-      return;
-    } catch (...) {  // not even a program error in one variant may lose the results of the others
-      const Failure failure = explain_failure(std::current_exception());
-      row.code = failure.code;
-      row.summary.reason = failure.sentence;
-      row.summary.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
-                           : row.code == ExitCode::interrupted ? VariantStatus::interrupted
-                                                               : VariantStatus::failed;
-    }
-    row.result = load_variant(folder);
-    if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
   }
 
   void begin(const std::string& label) {
@@ -201,6 +171,46 @@ void check_row(const fs::path& folder, StudyRow& row) try {
   row.summary.status = VariantStatus::failed;
 }
 
+StudyRow begin_row(const Variant& variant) {
+  StudyRow row;
+  row.summary.name = variant.label;
+  row.summary.folder = variant.name;
+  return row;
+}
+
+StudyRow load_row(const Variant& variant, const StudyOptions& options) {
+  const fs::path folder = join_name(options.folder, variant.name);
+  StudyRow row = begin_row(variant);
+  row.result = load_variant(folder);
+  row.kept = row.result && row.result->status == results::Status::finished;
+  if (row.kept) check_row(folder, row);
+  return row;
+}
+
+void calculate_row(const Variant& variant, const StudyOptions& options, const RowRun& how, StudyRow& row) {
+  run::RunOptions run;
+  run.folder = join_name(options.folder, variant.name);
+  run.resume = options.resume;
+  run.overwrite = options.overwrite;
+  run.threads = how.threads;
+  run.progress = how.progress;
+  run.label = how.label;
+  try {
+    row.result = run::run_case(variant.loaded, run);
+    row.summary.status = VariantStatus::finished;
+    return;
+  } catch (...) {  // not even a program error in one variant may lose the results of the others
+    const Failure failure = explain_failure(std::current_exception());
+    row.code = failure.code;
+    row.summary.reason = failure.sentence;
+    row.summary.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
+                         : row.code == ExitCode::interrupted ? VariantStatus::interrupted
+                                                             : VariantStatus::failed;
+  }
+  row.result = load_variant(run.folder);
+  if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
+}
+
 void check_variants(const StudyPlan& plan, const StudyOptions& options) {
   if (options.overwrite) return;
   std::string changed;
@@ -216,11 +226,8 @@ void check_variants(const StudyPlan& plan, const StudyOptions& options) {
 }
 
 std::vector<StudyRow> begin_rows(const StudyPlan& plan) {
-  std::vector<StudyRow> rows(plan.variants.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].summary.name = plan.variants[i].label;
-    rows[i].summary.folder = plan.variants[i].name;
-  }
+  std::vector<StudyRow> rows;
+  for (const Variant& variant : plan.variants) rows.push_back(begin_row(variant));
   return rows;
 }
 

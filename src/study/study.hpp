@@ -52,6 +52,20 @@ void check_row(const std::filesystem::path& folder, StudyRow& row);
 /// Throws Error (wrong_input) if a variant that would be kept is of another input.
 void check_variants(const StudyPlan& plan, const StudyOptions& options);
 
+/// Returns the row of a variant before its run.
+StudyRow begin_row(const Variant& variant);
+/// Returns the row of a variant of which an earlier call may have finished the run: it is kept, or failed if files are
+/// missing.
+StudyRow load_row(const Variant& variant, const StudyOptions& options);
+
+struct RowRun {
+  int threads = 1;
+  Progress* progress = nullptr;
+  std::string label = {};  ///< precedes the name of a stage in the progress line
+};
+/// Runs a variant. A failure is part of its row.
+void calculate_row(const Variant& variant, const StudyOptions& options, const RowRun& how, StudyRow& row);
+
 /// Returns the rows of a study before it starts.
 std::vector<StudyRow> begin_rows(const StudyPlan& plan);
 

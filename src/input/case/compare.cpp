@@ -20,20 +20,6 @@ namespace {
 
 constexpr const char* per_cent = "%";
 
-std::string list_results(const Case& data, const std::string& name) {
-  std::vector<std::string> names;
-  for (const results::NamedValue& known : list_result_names(data)) names.push_back(known.name);
-  for (const PointTest& test : data.tests)
-    for (const PointQuantity& q : list_point_quantities())
-      names.push_back(fmt::format("test[{}].{}", test.name, q.name));
-  const std::string near = find_nearest(name, names);
-  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
-  if (uses(data, Method::mpm) && data.analysis == AnalysisKind::strength_reduction &&
-      data.strength_reduction.curve.enabled)
-    names.emplace_back("curve.displacement[SRF]");
-  return fmt::format("it yields {}", fmt::join(names, ", "));
-}
-
 /// A plain number is in SI units; a unit must be of the result's dimension.
 bool fits(const Amount& amount, const std::string& unit) {
   if (amount.unit.empty()) return true;
@@ -54,6 +40,20 @@ void check_amount(const Amount& amount, const results::NamedValue& result, const
 }
 
 }  // namespace
+
+std::string suggest_result(const Case& data, const std::string& name) {
+  std::vector<std::string> names;
+  for (const results::NamedValue& known : list_result_names(data)) names.push_back(known.name);
+  for (const PointTest& test : data.tests)
+    for (const PointQuantity& q : list_point_quantities())
+      names.push_back(fmt::format("test[{}].{}", test.name, q.name));
+  const std::string near = find_nearest(name, names);
+  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
+  if (uses(data, Method::mpm) && data.analysis == AnalysisKind::strength_reduction &&
+      data.strength_reduction.curve.enabled)
+    names.emplace_back("curve.displacement[SRF]");
+  return fmt::format("it yields {}", fmt::join(names, ", "));
+}
 
 double to_si(const Amount& amount) {
   return amount.number * units::get_si_factor(amount.unit);
@@ -79,7 +79,7 @@ void check_compare(const Case& data, Findings& findings) {
     const std::optional<results::NamedValue> result = find_possible_name(data, compare.name);
     if (!result) {
       findings.add(path + ".name", "the case yields no result '{}'; {}", compare.name,
-                   list_results(data, compare.name));
+                   suggest_result(data, compare.name));
       continue;
     }
     check_amount(compare.value, *result, path + ".value", "value", findings);

@@ -34,6 +34,9 @@ std::optional<PointResultName> find_point_result_name(const std::string& name);
 /// Returns the result `name`, including those of a trial of the curve; std::nullopt if the case does not yield it.
 std::optional<results::NamedValue> find_result_name(const Case& data, const std::string& name);
 
+/// Returns "did you mean 'lem.spencer'?", or "it yields …" with all names, for a result that the case does not yield.
+std::string suggest_result(const Case& data, const std::string& name);
+
 /// Returns the result `name` of the case with additional calculations, so that a [[compare]] stays valid if --set or a
 /// study leaves one out; std::nullopt if no such case yields it.
 std::optional<results::NamedValue> find_possible_name(const Case& data, const std::string& name);

@@ -155,7 +155,7 @@ EchoedNumber find_number(const json& echo, const std::string& key) {
     unit = at->value("unit", "");
     at = &(*at)["value"];
   }
-  if (!at->is_number() && !at->is_null()) fail_input("'{}' holds no number that could be uncertain", key);
+  if (!at->is_number() && !at->is_null()) fail_input("'{}' is not a single number", key);
   return {unit, at->is_number() ? std::optional(at->get<double>()) : std::nullopt};
 }
 

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "study/back_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/folder_lock.hpp"
+#include "base/numbers.hpp"
+#include "base/text.hpp"
+#include "base/units.hpp"
+#include "base/user_file.hpp"
+#include "input/case/result_names.hpp"
+#include "input/case/uncertain_number.hpp"
+#include "input/catalogue.hpp"
+#include "input/echo.hpp"
+#include "results/interval.hpp"
+#include "results/named.hpp"
+#include "study/root_search.hpp"
+#include "study/sampled_numbers.hpp"
+#include "study/study_table.hpp"
+
+namespace talus::study {
+
+namespace fs = std::filesystem;
+using results::BackAnalysis;
+using results::BackAnalysisBracket;
+using results::BackAnalysisEnd;
+using results::BackAnalysisRun;
+
+namespace {
+
+/// A word for the main factor, beside the names of results.
+constexpr const char *factor_word = "factor", *main_factor = "main_factor";
+/// First step of the expansion over the present value.
+constexpr double first_step = 0.5;
+
+std::string write_amount(double value, const std::string& unit, int digits = 6) {
+  return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
+}
+
+/// Reads a number in `unit`, or one with another unit. Throws Error (wrong_input).
+double read_amount(const std::string& text, const std::string& unit, const std::string& what) {
+  double value = 0;
+  const char *first = text.data(), *last = first + text.size();
+  if (parse_number(first, last, value) == last && std::isfinite(value)) return value;
+  return units::parse_as_si(text, unit, what) / (unit.empty() ? 1 : units::get_si_factor(unit));
+}
+
+/// Sets result, title, unit and target. Throws Error (wrong_input).
+void read_target(const std::string& text, const input::LoadedCase& base, BackAnalysis& finding) {
+  const auto sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    fail_input("--target is '{}'; write NAME=VALUE, such as --target factor=1.0", text);
+  const std::string word = text.substr(0, sign), name = word == factor_word ? main_factor : word;
+  const auto result = input::find_result_name(base.data, name);
+  if (!result || input::find_point_result_name(name))
+    fail_input("--target: the case yields no result '{}'; {}", word, input::suggest_result(base.data, name));
+  finding.result = name, finding.title = result->title, finding.result_unit = result->unit;
+  finding.target = read_amount(text.substr(sign + 1), result->unit, "--target " + word);
+}
+
+input::Override make_override(const std::string& key, double value, const std::string& unit) {
+  const std::string number = write_shortest(value);
+  return {key, unit.empty() ? number : fmt::format("\"{} {}\"", number, unit)};
+}
+
+/// Finds the number at the key. Throws InputError with a suggestion for a key that does not exist.
+input::EchoedNumber find_key_number(const std::string& key, const input::LoadedCase& base,
+                                    const std::vector<input::Override>& overrides) {
+  try {
+    return input::find_number(base.echo.get(), key);
+  } catch (const Error&) {
+    std::vector<input::Override> changes = overrides;
+    changes.push_back({key, "1"});
+    input::read_case_text(base.text, base.file, changes);  // throws for an unknown key
+    throw;
+  }
+}
+
+/// Returns the range of the search and its start. Throws Error (wrong_input).
+RootOptions plan_search(const BackAnalysisRequest& request, const input::EchoedNumber& present,
+                        const std::optional<input::KeyEntry>& entry, const std::string& unit) {
+  RootOptions options;
+  options.tolerance = request.tolerance;
+  options.start = present.value;
+  if (entry && entry->spec.low)
+    options.range.low = entry->spec.low->value, options.range.low_open = entry->spec.low->open;
+  if (entry && entry->spec.high)
+    options.range.high = entry->spec.high->value, options.range.high_open = entry->spec.high->open;
+  if (request.from.empty() != request.to.empty())
+    fail_input("--from and --to belong together: give both ends of the range of '{}', or neither", request.key);
+  if (!request.from.empty()) {
+    const double low = read_amount(request.from, unit, "--from"), high = read_amount(request.to, unit, "--to");
+    if (!(low < high)) fail_input("--from is {} and --to is {}; --from is the smaller one", request.from, request.to);
+    for (const auto& [option, value] : {std::pair{"--from", low}, std::pair{"--to", high}})
+      if (!options.range.holds(value))
+        fail_input("{} is {}, outside of the range of '{}': {}", option, write_amount(value, unit), request.key,
+                   entry->spec.write_range());
+    options.range = {low, high, false, false};
+    options.is_given = true;
+    return options;
+  }
+  if (!present.value) fail_input("'{}' has no value in the case to start from; give --from and --to", request.key);
+  options.step = first_step * std::abs(*present.value);
+  if (options.step > 0) return options;
+  const auto& usual = entry ? entry->spec.usual_range : std::nullopt;
+  if (!usual) fail_input("'{}' is 0, which gives no scale for the search; give --from and --to", request.key);
+  options.step = usual->high / 8;
+  return options;
+}
+
+class KeySearch {
+ public:
+  KeySearch(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+            const BackAnalysisRequest& request, const StudyOptions& options)
+      : base_(base), overrides_(overrides), options_(options) {
+    finding_.key = request.key;
+    const input::EchoedNumber present = find_key_number(request.key, base, overrides);
+    const auto entry = input::find_key_entry(request.key);
+    if (entry && entry->is_whole_number())
+      fail_input("'{}' is a whole number; `talus find` varies other numbers, `talus study` any", request.key);
+    finding_.unit = present.unit;
+    finding_.present = present.value;
+    finding_.tolerance = request.tolerance;
+    read_target(request.target, base, finding_);
+    search_ = plan_search(request, present, entry, present.unit);
+    search_.target = finding_.target;
+    plan_.summary = begin_study(base);
+    plan_.summary.mode = "back_analysis";
+    plan_.summary.vary.push_back({request.key, present.unit, {}});
+    plan_.names.push_back(shorten_path(request.key, {request.key}));
+    if (search_.is_given) check_ends();
+  }
+
+  BackAnalysisOutcome run() {
+    check_folder(base_, plan_, options_,
+                 "give another one with -o, replace it with --overwrite, or continue with --resume");
+    FolderLock lock(options_.folder);
+    lock.take_existing();
+    lock.take();
+    files_ = open_folder(plan_, options_);
+    BackAnalysisOutcome outcome;
+    try {
+      take(search_root(search_, [this](double x) { return evaluate(x); }));
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::interrupted) throw;
+      finding_.end = BackAnalysisEnd::interrupted;
+      finding_.sentences = {
+          fmt::format("The search was interrupted after {} runs; --resume continues it.", rows_.size())};
+      outcome.failure = Error(ExitCode::interrupted, finding_.sentences.front());
+    }
+    write_tables();
+    if (options_.progress) options_.progress->clear();
+    const results::StudyResult study = describe_study(plan_, rows_);
+    outcome.tables = write_study_markdown(plan_, rows_, study);
+    outcome.finding = finding_;
+    if (!outcome.failure && finding_.end != BackAnalysisEnd::found && finding_.end != BackAnalysisEnd::jump)
+      outcome.failure = Error(ExitCode::wrong_input, finding_.sentences.front());
+    return outcome;
+  }
+
+ private:
+  /// Throws InputError if the case does not permit an end of the given range.
+  void check_ends() const {
+    for (const double x : {search_.range.low, search_.range.high}) make_variant(x);
+  }
+
+  Variant make_variant(double x) const {
+    Variant variant = name_variant(x);
+    variant.changes.push_back({"study", "{}"});
+    variant.changes.push_back(make_override(finding_.key, x, finding_.unit));
+    variant.loaded = input::read_case_text(base_.text, base_.file, variant.changes);
+    variant.input_hash = input::hash_input(variant.loaded.echo, variant.loaded.data);
+    return variant;
+  }
+
+  Variant name_variant(double x) const {
+    const std::string number = write_shortest(x);
+    Variant variant;
+    variant.name = make_file_name(fmt::format("{}_{}", plan_.names.front(), number), "run");
+    variant.label =
+        fmt::format("{} = {}{}{}", plan_.names.front(), number, finding_.unit.empty() ? "" : " ", finding_.unit);
+    variant.values.push_back(number);
+    variant.changes = overrides_;
+    return variant;
+  }
+
+  /// Runs the case with one value, or reads a run that is kept. Throws Error for failures that would recur with any
+  /// value.
+  Sample evaluate(double x) {
+    throw_if_interrupted();
+    Sample sample{x, {}, {}, {}};
+    StudyRow row;
+    try {
+      plan_.variants.push_back(make_variant(x));
+      row = calculate(plan_.variants.back());
+    } catch (const InputError& error) {
+      plan_.variants.push_back(name_variant(x));
+      row = begin_row(plan_.variants.back());
+      row.code = error.code();
+      row.summary.status = results::VariantStatus::failed;
+      row.summary.reason = error.diagnostics().front().sentence;
+    }
+    BackAnalysisRun run;
+    run.value = x;
+    if (row.result && row.summary.status == results::VariantStatus::finished) {
+      sample.y = results::find_value(*row.result, finding_.result);
+      const results::ResultInterval interval = results::find_interval(*row.result, finding_.result);
+      sample.lower = interval.lower, sample.upper = interval.upper, sample.resolution = interval.resolution;
+      if (!interval.source.empty()) finding_.interval_of = interval.source;
+      run.result = sample.y, run.lower = sample.lower, run.upper = sample.upper;
+      if (finding_.result == main_factor) run.by = results::name_main_method(*row.result);
+      if (!sample.y && row.summary.reason.empty()) row.summary.reason = "the run has no such result";
+    }
+    const ExitCode code = row.code;
+    const std::string reason = row.summary.reason;
+    finding_.runs.push_back(run);
+    rows_.push_back(std::move(row));
+    write_tables();
+    if (code == ExitCode::interrupted || code == ExitCode::cannot_write || code == ExitCode::no_memory ||
+        code == ExitCode::folder_exists)
+      throw Error(code, reason);
+    return sample;
+  }
+
+  StudyRow calculate(const Variant& variant) {
+    if (!options_.overwrite) {
+      const auto earlier = load_variant(join_name(options_.folder, variant.name));
+      if (earlier && earlier->provenance.input_hash != variant.input_hash)
+        fail_input(
+            "in '{}' the results of '{}' belong to another input; resume with the same case, or start anew with "
+            "--overwrite",
+            options_.folder.string(), variant.name);
+    }
+    StudyRow row = options_.resume ? load_row(variant, options_) : begin_row(variant);
+    if (row.kept) return row;
+    files_->add_folder(variant.name);
+    const std::string label = fmt::format("[{}: {}] ", rows_.size() + 1, variant.label);
+    if (options_.progress) options_.progress->show(label);
+    calculate_row(variant, options_, {options_.threads, options_.progress, label}, row);
+    return row;
+  }
+
+  void take(RootFinding found) {
+    finding_.end = found.end;
+    finding_.value = found.x;
+    finding_.bracket = found.bracket;
+    finding_.others = found.others;
+    finding_.low = found.low, finding_.high = found.high;
+    finding_.sentences = {
+        fmt::format("{} = {}", finding_.key, finding_.value ? write_amount(*finding_.value, finding_.unit) : "none")};
+  }
+
+  void write_tables() {
+    plan_.summary.back_analysis = finding_;
+    write_study_tables(plan_, rows_, options_.folder);
+  }
+
+  const input::LoadedCase& base_;
+  const std::vector<input::Override>& overrides_;
+  const StudyOptions& options_;
+  RootOptions search_;
+  BackAnalysis finding_;
+  StudyPlan plan_;
+  std::vector<StudyRow> rows_;
+  std::unique_ptr<FileList> files_;
+};
+
+}  // namespace
+
+BackAnalysisOutcome search_key(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                               const BackAnalysisRequest& request, const StudyOptions& options) {
+  if (!(request.tolerance > 0 && request.tolerance < 1))
+    fail_input("--tolerance is {:g}; it is above 0 and below 1, relative to the value of the key", request.tolerance);
+  return KeySearch(base, overrides, request, options).run();
+}
+
+}  // namespace talus::study

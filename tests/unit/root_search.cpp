@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// The bracketed search of back-analysis, on functions with known roots: smooth, stepped, jumping, non-monotone and
+// undefined in places.
+#include "study/root_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace talus::study {
+namespace {
+
+using results::BackAnalysisEnd;
+
+struct Search {
+  RootFinding found;
+  std::set<double> tried;
+};
+
+Search search(const RootOptions& options, const std::function<Sample(double)>& function) {
+  Search search;
+  search.found = search_root(options, [&](double x) {
+    EXPECT_TRUE(search.tried.insert(x).second) << "evaluated twice: " << x;
+    EXPECT_TRUE(options.range.holds(x)) << x;
+    return function(x);
+  });
+  return search;
+}
+
+Search search_value(const RootOptions& options, const std::function<std::optional<double>(double)>& function) {
+  return search(options, [&](double x) { return Sample{x, function(x), {}, {}}; });
+}
+
+RootOptions start_at(double x, double low = -INFINITY, double high = INFINITY) {
+  RootOptions options;
+  options.start = x, options.step = 0.5 * std::abs(x);
+  options.range.low = low, options.range.high = high;
+  return options;
+}
+
+RootOptions search_between(double low, double high) {
+  RootOptions options;
+  options.range = {low, high, false, false};
+  options.is_given = true;
+  return options;
+}
+
+TEST(RootSearch, AProportionalResultHasAnExactRootFromAnyStart) {
+  for (const double start : {0.01, 3.0, 30.0, 7000.0}) {
+    const Search s = search_value(start_at(start, 0), [](double x) { return x / 25.7; });
+    ASSERT_EQ(s.found.end, BackAnalysisEnd::found) << start;
+    EXPECT_NEAR(*s.found.x, 25.7, 1e-9 * 25.7) << start;
+    EXPECT_LE(s.found.bracket->high - s.found.bracket->low, 1e-3 * s.found.bracket->high);
+    EXPECT_TRUE(s.found.others.empty());
+    EXPECT_FALSE(s.found.largest_reversal);
+  }
+}
+
+TEST(RootSearch, CurvedResultsNeedFewRuns) {
+  const std::vector<std::pair<double, std::function<double(double)>>> cases = {
+      {std::cbrt(2.0), [](double x) { return x * x * x - 1; }},
+      {std::log(3.0), [](double x) { return std::exp(x) - 2; }},
+      {0.25, [](double x) { return 2 * std::sqrt(x); }},
+      {4.0, [](double x) { return 4 / x; }},
+      {std::tan(0.6), [](double x) { return std::atan(x) / 0.6; }}};
+  for (const auto& [root, function] : cases) {
+    const Search s = search_value(start_at(1, 0), function);
+    ASSERT_TRUE(s.found.x);
+    EXPECT_NEAR(*s.found.x, root, 1e-5 * root);
+    EXPECT_LE(s.tried.size(), 11U) << root;
+    EXPECT_TRUE(s.found.bracket->low <= root && root <= s.found.bracket->high);
+  }
+}
+
+TEST(RootSearch, ARootThatIsEvaluatedIsExact) {
+  const Search s = search_value(search_between(0, 2), [](double x) { return x; });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_EQ(*s.found.x, 1);
+  EXPECT_EQ(s.found.bracket->low, s.found.bracket->high);
+}
+
+TEST(RootSearch, ADecreasingResultIsFollowedDownwardsAndThroughZero) {
+  const Search s = search_value(start_at(0.1), [](double x) { return 1 / (1.2 + 2 * x); });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, -0.1, 1e-5);
+}
+
+TEST(RootSearch, TheLimitOfTheRangeIsTried) {
+  const Search s = search_value(start_at(10, 0), [](double x) { return 1 + 1e-9 + x; });
+  EXPECT_EQ(s.found.end, BackAnalysisEnd::not_reached);
+  EXPECT_EQ(s.found.samples.front().x, 0);
+  EXPECT_LE(s.tried.size(), 12U);
+}
+
+TEST(RootSearch, ResultsThatDoNotDependOnTheKeyAreNoted) {
+  const Search s = search_value(start_at(10, 0), [](double) { return 1.4; });
+  EXPECT_EQ(s.found.end, BackAnalysisEnd::no_effect);
+  EXPECT_LE(s.tried.size(), 7U);
+}
+
+TEST(RootSearch, AJumpOverTheTargetHasNoValue) {
+  const Search s =
+      search_value(search_between(0, 10), [](double x) { return x < 4.321 ? 0.8 + 0.01 * x : 1.1 + 0.01 * x; });
+  EXPECT_EQ(s.found.end, BackAnalysisEnd::jump);
+  EXPECT_FALSE(s.found.x);
+  ASSERT_TRUE(s.found.bracket);
+  EXPECT_LT(s.found.bracket->low, 4.321);
+  EXPECT_GE(s.found.bracket->high, 4.321);
+  EXPECT_LE(s.found.bracket->high - s.found.bracket->low, 1e-3 * 4.33);
+}
+
+TEST(RootSearch, ScatterNarrowsTheBracketAllTheSame) {
+  // The scatter of a search for slip surfaces, 0.2 %.
+  const Search s =
+      search_value(search_between(5, 50), [](double x) { return (x / 20) * (1 + 0.001 * std::sin(1e5 * x)); });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, 20, 0.04);
+  EXPECT_FALSE(s.found.largest_reversal);
+}
+
+TEST(RootSearch, AResultInStepsIsNotNarrowedBeyondItsResolution) {
+  const Search s = search(search_between(5, 50), [](double x) {
+    const double step = 0.01;
+    return Sample{x, (std::floor(x / 20 / step) + 0.5) * step, {}, {}, step};
+  });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, 20, 0.3);
+  EXPECT_GT(s.found.bracket->high - s.found.bracket->low, 1e-3 * 20);
+  EXPECT_EQ(s.found.end, BackAnalysisEnd::found);
+}
+
+TEST(RootSearch, SeveralRootsAreListed) {
+  // A parabola with roots at 3 and 5. The first step from 5.5 goes beyond both.
+  const auto parabola = [](double x) { return 1 + (x - 3) * (x - 5); };
+  const Search inside = search_value(search_between(0, 8), parabola);
+  ASSERT_TRUE(inside.found.x) << "both ends are above the target, the middle is not";
+  EXPECT_EQ(inside.found.others.size(), 1U);
+  ASSERT_TRUE(inside.found.largest_reversal);
+  const Search s = search_value(start_at(5.5, 0), parabola);
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, 5, 1e-3);
+  EXPECT_EQ(s.found.others.size(), 1U);
+}
+
+TEST(RootSearch, UndefinedEndsOfTheRangeAreApproached) {
+  const Search s = search_value(search_between(0, 64),
+                                [](double x) { return x > 3 && x < 50 ? std::optional(x / 5) : std::nullopt; });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, 5, 1e-5);
+}
+
+TEST(RootSearch, AnUndefinedPlaceInTheBracketIsAvoided) {
+  const Search beside = search_value(search_between(0, 10),
+                                     [](double x) { return x > 4.5 && x < 5.5 ? std::nullopt : std::optional(x / 3); });
+  ASSERT_TRUE(beside.found.x);
+  EXPECT_NEAR(*beside.found.x, 3, 1e-5);
+  const Search around = search_value(search_between(0, 10),
+                                     [](double x) { return x > 2 && x < 7 ? std::nullopt : std::optional(x / 5); });
+  EXPECT_EQ(around.found.end, BackAnalysisEnd::gap);
+  EXPECT_FALSE(around.found.x);
+  EXPECT_LE(around.found.bracket->low, 2);
+  EXPECT_GE(around.found.bracket->high, 7);
+}
+
+TEST(RootSearch, NothingDefinedIsNoResult) {
+  const auto none = [](double) { return std::optional<double>(); };
+  EXPECT_EQ(search_value(search_between(1, 2), none).found.end, BackAnalysisEnd::no_result);
+  EXPECT_EQ(search_value(start_at(1), none).found.end, BackAnalysisEnd::no_result);
+}
+
+TEST(RootSearch, TheIntervalEndsWhereItsOwnLimitsReachTheTarget) {
+  for (const bool falls : {false, true}) {
+    const Search s = search(start_at(40, 0), [&](double x) {
+      const double y = falls ? 25 / x : x / 25;
+      return Sample{x, y, 0.98 * y, 1.03 * y};
+    });
+    ASSERT_TRUE(s.found.x && s.found.low && s.found.high);
+    EXPECT_NEAR(*s.found.x, 25, 1e-4);
+    const double weak = falls ? 25 * 0.98 : 25 / 1.03, strong = falls ? 25 * 1.03 : 25 / 0.98;
+    // The ends are arguments whose interval excludes the target, at most a tenth too far out.
+    EXPECT_LE(*s.found.low, weak);
+    EXPECT_NEAR(*s.found.low, weak, 0.15 * (25 - weak));
+    EXPECT_GE(*s.found.high, strong);
+    EXPECT_NEAR(*s.found.high, strong, 0.15 * (strong - 25));
+  }
+}
+
+TEST(RootSearch, AnIntervalThatLeavesTheRangeHasOneEnd) {
+  const Search s = search(search_between(10, 25.1), [](double x) {
+    return Sample{x, x / 25, 0.9 * x / 25, 1.1 * x / 25};
+  });
+  ASSERT_TRUE(s.found.x && s.found.low);
+  EXPECT_FALSE(s.found.high);
+}
+
+TEST(RootSearch, RoundsToTheFewestDigits) {
+  EXPECT_EQ(round_within(12.3456, 0.5), 12);
+  EXPECT_EQ(round_within(12.3456, 0.1), 12.3);
+  EXPECT_EQ(round_within(-0.0123456, 1e-5), -0.01235);
+  EXPECT_EQ(round_within(0, 1e-9), 0);
+}
+
+}  // namespace
+}  // namespace talus::study
