@@ -72,6 +72,12 @@ class Study:
         sampling: Optional[dict[str, Any]] = self.summary.get("sampling")
         return sampling
 
+    @property
+    def back_analysis(self) -> Optional[dict[str, Any]]:
+        """The outcome of `talus find`, as study.json has it: value, bracket, interval, runs; None for other studies."""
+        finding: Optional[dict[str, Any]] = self.summary.get("back_analysis")
+        return finding
+
     @functools.cached_property
     def samples(self) -> Table:
         """samples.csv as arrays by the name of the column, a row for each sample; NaN where it has no result."""

@@ -45,6 +45,7 @@ inline constexpr auto words<BackAnalysisEnd> =
 struct BackAnalysis {
   std::string key, unit;                   ///< varied key
   std::string result, title, result_unit;  ///< name, title and unit of the result
+  std::string column;                      ///< name of the column of the result in the table of the study
   double target = 0, tolerance = 0;        ///< tolerance: relative width of the bracket
   std::optional<double> present;           ///< value of the key in the case
   BackAnalysisEnd end = BackAnalysisEnd::interrupted;
@@ -62,6 +63,7 @@ void describe(auto& v, As<BackAnalysis> auto& r) {
   v.key("result", r.result, {"", "name of the result"});
   v.key("title", r.title, {"", "title of the result"});
   v.key("result_unit", r.result_unit, {"", "unit of the result"});
+  v.key("column", r.column, {"", "column of the result"});
   v.key("target", r.target, {"", "target of the result"});
   v.key("tolerance", r.tolerance, {"", "largest relative width of the bracket"});
   v.key("present", r.present, {"", "value of the key in the case"});

@@ -18,6 +18,7 @@
 #include "input/echo.hpp"
 #include "results/interval.hpp"
 #include "results/named.hpp"
+#include "study/back_analysis_text.hpp"
 #include "study/root_search.hpp"
 #include "study/sampled_numbers.hpp"
 #include "study/study_table.hpp"
@@ -37,10 +38,6 @@ constexpr const char *factor_word = "factor", *main_factor = "main_factor";
 /// First step of the expansion over the present value.
 constexpr double first_step = 0.5;
 
-std::string write_amount(double value, const std::string& unit, int digits = 6) {
-  return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
-}
-
 /// Reads a number in `unit`, or one with another unit. Throws Error (wrong_input).
 double read_amount(const std::string& text, const std::string& unit, const std::string& what) {
   double value = 0;
@@ -59,6 +56,7 @@ void read_target(const std::string& text, const input::LoadedCase& base, BackAna
   if (!result || input::find_point_result_name(name))
     fail_input("--target: the case yields no result '{}'; {}", word, input::suggest_result(base.data, name));
   finding.result = name, finding.title = result->title, finding.result_unit = result->unit;
+  finding.column = find_result_column(name);
   finding.target = read_amount(text.substr(sign + 1), result->unit, "--target " + word);
 }
 
@@ -148,8 +146,7 @@ class KeySearch {
     } catch (const Error& error) {
       if (error.code() != ExitCode::interrupted) throw;
       finding_.end = BackAnalysisEnd::interrupted;
-      finding_.sentences = {
-          fmt::format("The search was interrupted after {} runs; --resume continues it.", rows_.size())};
+      finding_.sentences = describe_outcome(finding_, {}, {});
       outcome.failure = Error(ExitCode::interrupted, finding_.sentences.front());
     }
     write_tables();
@@ -250,8 +247,14 @@ class KeySearch {
     finding_.bracket = found.bracket;
     finding_.others = found.others;
     finding_.low = found.low, finding_.high = found.high;
-    finding_.sentences = {
-        fmt::format("{} = {}", finding_.key, finding_.value ? write_amount(*finding_.value, finding_.unit) : "none")};
+    finding_.sentences = describe_outcome(finding_, found.largest_reversal, list_missing());
+  }
+
+  std::vector<MissingResult> list_missing() const {
+    std::vector<MissingResult> missing;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (!finding_.runs[i].result) missing.push_back({finding_.runs[i].value, rows_[i].summary.reason});
+    return missing;
   }
 
   void write_tables() {

@@ -20,6 +20,8 @@ namespace {
 constexpr int most_expansions = 16;
 /// Steps away from the target in succession that end the expansion in one direction.
 constexpr int most_recessions = 3;
+/// Undefined arguments in succession that end it.
+constexpr int most_undefined = 2;
 /// Runs between an argument with a value and one without, and on either side of an extreme value.
 constexpr int most_edges = 6, most_extremes = 3;
 /// Undefined arguments inside one bracket.
@@ -174,12 +176,12 @@ class Search {
     if (!first) return std::nullopt;
     if (auto pair = find_root_pair()) return pair;
     struct Side {
-      int direction, steps = 0, recessions = 0;
+      int direction, steps = 0, recessions = 0, undefined = 0;
       double last;  ///< absolute miss
       bool is_done = false;
     };
     const int guess = *first < 0 ? 1 : -1;
-    std::array sides{Side{guess, 0, 0, std::abs(*first)}, Side{-guess, 0, 0, std::abs(*first)}};
+    std::array sides{Side{guess, 0, 0, 0, std::abs(*first)}, Side{-guess, 0, 0, 0, std::abs(*first)}};
     std::size_t now = 0;
     while (!sides[0].is_done || !sides[1].is_done) {
       if (sides[now].is_done) now = 1 - now;
@@ -191,9 +193,10 @@ class Search {
         if (auto pair = find_root_pair()) return pair;
       const bool recedes = here && std::abs(*here) >= side.last * (1 - equal);
       side.recessions = recedes ? side.recessions + 1 : 0;
-      side.is_done = !here || side.recessions == most_recessions;
-      side.last = here ? std::abs(*here) : 0;
-      if (recedes || side.is_done) now = 1 - now;
+      side.undefined = here ? 0 : side.undefined + 1;
+      side.is_done = !x || side.undefined == most_undefined || side.recessions == most_recessions;
+      if (here) side.last = std::abs(*here);
+      if (recedes || !here) now = 1 - now;
     }
     return approach_edges();
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 
 #include "base/atomic_file.hpp"
 #include "base/text.hpp"
@@ -18,6 +19,7 @@
 #include "results/json.hpp"
 #include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
+#include "study/back_analysis_text.hpp"
 
 namespace talus::study {
 
@@ -83,6 +85,32 @@ StudyColumn begin_column(const std::string& name, const std::string& title, cons
   return {name, title, unit, {}, ColumnKind::other, ""};
 }
 
+/// A factor with a column.
+struct FactorColumn {
+  const char *name, *title;
+};
+constexpr FactorColumn governing_factor{"main_factor", "governing"};
+constexpr FactorColumn slice_factors[] = {{"lem.fellenius", "Fellenius"},
+                                          {"lem.bishop", "Bishop"},
+                                          {"lem.janbu", "Janbu"},
+                                          {"lem.janbu_corrected", "Janbu, corrected"},
+                                          {"lem.spencer", "Spencer"},
+                                          {"lem.morgenstern_price", "Morgenstern–Price"},
+                                          {"lem.morgenstern_price_constant", "Morgenstern–Price, constant"},
+                                          {"lem.corps_1", "Corps of Engineers #1"},
+                                          {"lem.corps_2", "Corps of Engineers #2"},
+                                          {"lem.lowe_karafiath", "Lowe–Karafiath"},
+                                          {"lem.modified_swedish", "Modified Swedish"},
+                                          {"lem.noncircular.spencer", "Spencer, non-circular"},
+                                          {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}};
+constexpr FactorColumn element_factors[] = {{"fem.factor", "finite elements"},
+                                            {"fem.by_displacement", "finite elements, displacement"},
+                                            {"fem.associated.factor", "finite elements, ψ = φ"}};
+
+std::string name_factor_column(const std::string& title) {
+  return "FoS, " + title;
+}
+
 /// Adds columns of numbers to a table.
 class Columns {
  public:
@@ -111,7 +139,8 @@ class Columns {
   void add_factor(const std::string& title, const std::string& name, ColumnKind kind = ColumnKind::factor) {
     const std::size_t count = table.size();
     add(
-        "FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); }, kind);
+        name_factor_column(title), "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); },
+        kind);
     if (table.size() > count) table.back().by = title;
   }
 
@@ -177,29 +206,11 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
   for (const double f : plan.factors)
     columns.add(fmt::format("displacement at SRF {:g}", f), plan.summary.units.displacement, "{:.4g}", true,
                 [f](const RunResult& r) { return get_displacement(r, f); });
-  columns.add_factor("governing", "main_factor", ColumnKind::governing);
+  columns.add_factor(governing_factor.title, governing_factor.name, ColumnKind::governing);
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add_factor(criterion, std::string("factor_of_safety.") + criterion);
-  for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"lem.fellenius", "Fellenius"},
-           {"lem.bishop", "Bishop"},
-           {"lem.janbu", "Janbu"},
-           {"lem.janbu_corrected", "Janbu, corrected"},
-           {"lem.spencer", "Spencer"},
-           {"lem.morgenstern_price", "Morgenstern–Price"},
-           {"lem.morgenstern_price_constant", "Morgenstern–Price, constant"},
-           {"lem.corps_1", "Corps of Engineers #1"},
-           {"lem.corps_2", "Corps of Engineers #2"},
-           {"lem.lowe_karafiath", "Lowe–Karafiath"},
-           {"lem.modified_swedish", "Modified Swedish"},
-           {"lem.noncircular.spencer", "Spencer, non-circular"},
-           {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}})
-    columns.add_factor(title, name, ColumnKind::other);
-  for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"fem.factor", "finite elements"},
-           {"fem.by_displacement", "finite elements, displacement"},
-           {"fem.associated.factor", "finite elements, ψ = φ"}})
-    columns.add_factor(title, name);
+  for (const FactorColumn& f : slice_factors) columns.add_factor(f.title, f.name, ColumnKind::other);
+  for (const FactorColumn& f : element_factors) columns.add_factor(f.title, f.name);
   for (const double f : list_runout_factors(rows))
     columns.add(
         fmt::format("front advance at SRF {:g}", f), plan.summary.units.length, "{:.3g}", false,
@@ -228,7 +239,17 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
   columns.add("wall time", "s", "{:.3g}", false,
               [](const RunResult& r) { return get(r.timing, &results::Timing::wall); });
   columns.table.push_back(std::move(ends));
+  if (plan.summary.back_analysis) add_back_analysis(*plan.summary.back_analysis, columns.table);
   return columns.table;
+}
+
+std::string find_result_column(const std::string& name) {
+  if (name == governing_factor.name) return name_factor_column(governing_factor.title);
+  for (const auto& list :
+       {std::span<const FactorColumn>(slice_factors), std::span<const FactorColumn>(element_factors)})
+    for (const FactorColumn& f : list)
+      if (name == f.name) return name_factor_column(f.title);
+  return name;
 }
 
 std::string write_study_csv(const std::vector<StudyColumn>& table) {
@@ -250,7 +271,10 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
   text += "Varied:";
   for (const results::StudyKey& key : study.vary)
     text += fmt::format("{} `{}`", &key == study.vary.data() ? "" : ",", key.key);
-  text += ".\n\n|";
+  text += ".\n";
+  if (study.back_analysis)
+    for (const std::string& sentence : study.back_analysis->sentences) text += fmt::format("\n{}\n", sentence);
+  text += "\n|";
   for (const StudyColumn& c : study.columns)
     text += fmt::format(" {} |", write_cell(output::make_label(c.title, c.unit)));
   text += "\n|";

@@ -15,6 +15,9 @@ namespace talus::study {
 /// Makes the table of a study. Columns without values are left out, except those of the varied keys and the factors.
 std::vector<results::StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
+/// Returns the name of the column of a result; a result without one in every study has a column of its own name.
+std::string find_result_column(const std::string& name);
+
 std::string write_study_csv(const std::vector<results::StudyColumn>& table);
 
 /// Makes plan, table and outcome of each variant for the report; numbers in `full` are in the unit of their column.

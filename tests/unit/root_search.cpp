@@ -163,6 +163,13 @@ TEST(RootSearch, AnUndefinedPlaceInTheBracketIsAvoided) {
   EXPECT_GE(around.found.bracket->high, 7);
 }
 
+TEST(RootSearch, TheExpansionCrossesAnUndefinedPlace) {
+  const Search s =
+      search_value(start_at(1, 0), [](double x) { return x > 1.4 && x < 2 ? std::nullopt : std::optional(x / 3); });
+  ASSERT_TRUE(s.found.x);
+  EXPECT_NEAR(*s.found.x, 3, 1e-5);
+}
+
 TEST(RootSearch, NothingDefinedIsNoResult) {
   const auto none = [](double) { return std::optional<double>(); };
   EXPECT_EQ(search_value(search_between(1, 2), none).found.end, BackAnalysisEnd::no_result);

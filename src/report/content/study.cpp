@@ -185,6 +185,20 @@ json make_column(const results::StudyColumn& column, const ShownUnits& units) {
           {"values", values}};
 }
 
+/// Returns `StudyGoal` of web/src/contract/: target and value of a back-analysis in the units of the columns.
+json make_goal(const results::BackAnalysis& finding, const ShownUnits& units) {
+  const double key = choose_unit(finding.unit, units).si, result = choose_unit(finding.result_unit, units).si;
+  const auto convert = [&](const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? json(*value / key) : json();
+  };
+  return {{"key", finding.key},
+          {"result", finding.column},
+          {"target", keep_finite(finding.target) / result},
+          {"value", convert(finding.value)},
+          {"low", convert(finding.low)},
+          {"high", convert(finding.high)}};
+}
+
 /// Returns true if the column of one method equals the governing column.
 bool is_told_by_method(const results::StudyColumn& governing, const std::vector<results::StudyColumn>& columns) {
   const auto is_same = [](const results::StudyCell& a, const results::StudyCell& b) { return a.full == b.full; };
@@ -269,6 +283,9 @@ ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const re
 results::Status find_status(const results::StudyResult& study) {
   using results::Status;
   using results::VariantStatus;
+  // A run without a result may be part of a search that has ended.
+  if (study.back_analysis)
+    return study.back_analysis->end == results::BackAnalysisEnd::interrupted ? Status::interrupted : Status::finished;
   const auto has = [&](VariantStatus status) {
     return std::any_of(study.variants.begin(), study.variants.end(), [&](const auto& v) { return v.status == status; });
   };
@@ -351,6 +368,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   content.first = take_first(runs, study);
   content.status = find_status(study);
   std::vector<std::string>& sentences = content.sentences;
+  if (study.back_analysis) sentences = study.back_analysis->sentences;
   if (study.sampling) format_sampling(*study.sampling, units.length, sentences);
   if (study.extrapolation) format_extrapolation(*study.extrapolation, sentences);
   format_ranges(study.columns, sentences);
@@ -364,7 +382,9 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   }
   if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
   if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;
-  content.table = JsonTree({{"columns", columns}, {"rows", rows}});
+  json table{{"columns", columns}, {"rows", rows}};
+  if (study.back_analysis) table["goal"] = make_goal(*study.back_analysis, units);
+  content.table = JsonTree(std::move(table));
   return content;
 }
 

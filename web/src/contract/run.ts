@@ -73,6 +73,21 @@ export interface StudyShown {
   columns: (Column & { shown: string[] })[];
   /** Of the variants, in their order. */
   rows: VariantShown[];
+  /** Of a back-analysis. */
+  goal?: StudyGoal;
+}
+
+/** Target of a back-analysis and the value of the key that reaches it, in the units of their columns. */
+export interface StudyGoal {
+  /** Names of the columns. */
+  key: string;
+  result: string;
+  target: number;
+  /** Null if no value was found. */
+  value: number | null;
+  /** Ends of the interval of the value; null if unknown. */
+  low: number | null;
+  high: number | null;
 }
 
 export interface VariantShown {

@@ -3,6 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
+import type { StudyGoal } from "../../contract";
 import { report } from "../../state";
 import { Chart } from "../base/Chart";
 import { AxisChoice, type AxisKind, CsvButton, Legend, Select, useSwitches } from "../base/Legend";
@@ -25,10 +26,22 @@ function logTicks(values: number[]) {
   return { type: "log" as const, ticks: findLogTicks(ends, 6), tickFormat: formatLogTick };
 }
 
+/** The target, the interval of the value as a band, and the value. An unknown end of the band is that of the chart. */
+function markGoal(goal: StudyGoal, stops: number[]) {
+  const band = { x1: goal.low ?? stops[0]!, x2: goal.high ?? stops.at(-1)! };
+  return [
+    goal.low !== null || goal.high !== null ?
+      Plot.rectX([band], { x1: "x1", x2: "x2", fill: "var(--ink)", fillOpacity: 0.08 })
+    : [],
+    Plot.ruleY([goal.target], { stroke: "var(--ink)", strokeDasharray: "6 4" }),
+    goal.value === null ? [] : Plot.ruleX([goal.value], { stroke: "var(--ink)", strokeWidth: 1.5 }),
+  ];
+}
+
 export function StudyPlot({ study }: { study: Study }) {
   const results = findNumeric(study);
   const keys = findVaried(study).filter((c) => c.values.filter((v) => v !== null).length > 1);
-  const [resultName, setResult] = useState(results[0]?.name ?? "");
+  const [resultName, setResult] = useState(study.goal?.result ?? results[0]?.name ?? "");
   const [keyName, setKey] = useState(keys[0]?.name ?? byVariant);
   const [axisKind, setAxisKind] = useState<AxisKind>("log");
   const result = results.find((c) => c.name === resultName);
@@ -49,13 +62,17 @@ export function StudyPlot({ study }: { study: Study }) {
   const canLog = spansDecades(points.map((p) => p.y));
   const logY = canLog && axisKind === "log";
 
+  // Marks of a back-analysis, on its own axes only.
+  const goal = study.goal && study.goal.result === result.name && study.goal.key === key?.name ? study.goal : null;
+
   const list = (columns: typeof keys) => columns.map((c): [string, string] => [c.name, titleWithUnit(c.title, c.unit)]);
 
   const draw = (width: number): Plot.PlotOptions => {
     const narrow = width < 560;
     const labels = !key;
-    const low = Math.min(...points.map((p) => p.y));
-    const high = Math.max(...points.map((p) => p.y));
+    const shown = [...points.map((p) => p.y), ...(goal ? [goal.target] : [])];
+    const low = Math.min(...shown);
+    const high = Math.max(...shown);
     const pad = (high - low) * 0.1 || Math.abs(high) * 0.1 || 1;
     return layOut({
       height: labels && narrow ? 420 : 360,
@@ -80,6 +97,7 @@ export function StudyPlot({ study }: { study: Study }) {
       marks: [
         Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--line)" }),
+        goal ? markGoal(goal, stops) : [],
         groups.map((g, i) => {
           const mine = points.filter((p) => p.group === g);
           const style = styleOf(i);
@@ -127,6 +145,13 @@ export function StudyPlot({ study }: { study: Study }) {
           };
         }}
       />
+      {goal && (
+        <p class="chart-note">
+          Dashed: the target, {formatQuantity(goal.target, result.unit)}.
+          {goal.value !== null && key && ` Line: the value found, ${formatQuantity(goal.value, key.unit)}.`}
+          {(goal.low !== null || goal.high !== null) && " Grey: values that the interval of the result allows."}
+        </p>
+      )}
       {missing > 0 && (
         <p class="chart-note">
           {missing === 1 ? "One variant" : `${missing} variants`} without{" "}

@@ -13,6 +13,7 @@ export type StudyRow = StudyVariant & VariantShown;
 export interface Study extends Pick<StudyResult, "vary" | "mode" | "reference" | "extrapolation"> {
   columns: StudyShown["columns"];
   rows: StudyRow[];
+  goal?: StudyShown["goal"];
 }
 
 /** Factors of methods without a mesh do not vary with the size. */
@@ -26,6 +27,7 @@ export const shownStudy = computed<Study | undefined>(() => {
   return {
     ...result,
     columns: shown.columns,
+    goal: shown.goal,
     rows: variants.map((variant, i) => ({ ...variant, ...shown.rows[i]! })),
     extrapolation: extrapolation && {
       ...extrapolation,

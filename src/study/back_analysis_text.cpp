@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "study/back_analysis_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+
+namespace talus::study {
+
+using results::BackAnalysis;
+using results::BackAnalysisBracket;
+using results::BackAnalysisEnd;
+using results::BackAnalysisRun;
+using results::StudyCell;
+using results::StudyColumn;
+
+std::string write_amount(double value, const std::string& unit, int digits) {
+  return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
+}
+
+namespace {
+
+/// Further runs without a result are counted only.
+constexpr std::size_t most_missing = 3;
+
+/// Writes the sentences of one outcome.
+class Outcome {
+ public:
+  explicit Outcome(const BackAnalysis& finding)
+      // Two digits beyond the tolerance.
+      : f_(finding), digits_(2 + static_cast<int>(std::ceil(-std::log10(finding.tolerance)))) {}
+
+  std::string write_end() const {
+    switch (f_.end) {
+      case BackAnalysisEnd::found:
+        return fmt::format("At {} = {} the {} is {}{}.", f_.key, key(*f_.value), f_.title, result(f_.target),
+                           present());
+      case BackAnalysisEnd::jump:
+        return fmt::format(
+            "The {} jumps over {} between {}: a run with exactly this result does not exist, and another mechanism "
+            "probably governs beyond.",
+            f_.title, result(f_.target), bracket(*f_.bracket));
+      case BackAnalysisEnd::gap:
+        return fmt::format("The {} reaches {} between {}, where runs have no result.", f_.title, result(f_.target),
+                           bracket(*f_.bracket));
+      case BackAnalysisEnd::not_reached:
+        return write_ends("does not reach " + result(f_.target));
+      case BackAnalysisEnd::no_effect:
+        return fmt::format("The {} does not depend on {}: it is {} {}.", f_.title, f_.key, result(*first()->result),
+                           span());
+      case BackAnalysisEnd::no_result:
+        return fmt::format("No run has the result '{}'.", f_.result);
+      default:
+        return fmt::format("The search was interrupted after {} runs; --resume continues it.", f_.runs.size());
+    }
+  }
+
+  std::string write_bracket() const {
+    if (f_.bracket->low == f_.bracket->high) return "The run with this value has the target exactly.";
+    return fmt::format("It is interpolated between {}, {} runs.", bracket(*f_.bracket), f_.runs.size());
+  }
+
+  std::string write_interval() const {
+    if (f_.interval_of.empty())
+      return "The result has no interval: the bracket is that of the search, and says nothing on the error of the "
+             "model.";
+    const std::string of = fmt::format("The interval of the result ({})", f_.interval_of);
+    if (f_.low && f_.high) return fmt::format("{} allows values from {} to {}.", of, key(*f_.low), key(*f_.high));
+    if (f_.low)
+      return fmt::format("{} allows values from {} upwards; its other end was not reached.", of, key(*f_.low));
+    if (f_.high) return fmt::format("{} allows values up to {}; its other end was not reached.", of, key(*f_.high));
+    return of + " excludes no value that was tried.";
+  }
+
+  std::string write_other(const BackAnalysisBracket& other) const {
+    return fmt::format("The target is also crossed between {}.", bracket(other));
+  }
+
+  std::string write_reversal(double reversal) const {
+    return fmt::format(
+        "The result is not monotone: it changes by up to {} against its trend, so further values may reach the target.",
+        write_amount(reversal, f_.result_unit, 2));
+  }
+
+  std::string write_missing(const MissingResult& missing) const {
+    return fmt::format("{} = {} has no result: {}", f_.key, key(missing.value), missing.reason);
+  }
+
+ private:
+  std::string key(double value) const { return write_amount(value, f_.unit, digits_); }
+  std::string result(double value) const { return write_amount(value, f_.result_unit, 5); }
+  std::string bracket(const BackAnalysisBracket& b) const {
+    return fmt::format("{} ({}) and {} ({})", key(b.low), result(b.low_result), key(b.high), result(b.high_result));
+  }
+
+  std::string present() const {
+    for (const BackAnalysisRun& run : f_.runs)
+      if (f_.present && run.value == *f_.present && run.result && run.value != *f_.value)
+        return fmt::format(" ({} at the value of the case, {})", result(*run.result), key(run.value));
+    return "";
+  }
+
+  /// Runs with the smallest and the largest value of the key that have a result.
+  const BackAnalysisRun* first() const {
+    return find_end([](double a, double b) { return a < b; });
+  }
+  const BackAnalysisRun* last() const {
+    return find_end([](double a, double b) { return a > b; });
+  }
+  template <class Before>
+  const BackAnalysisRun* find_end(Before before) const {
+    const BackAnalysisRun* found = nullptr;
+    for (const BackAnalysisRun& run : f_.runs)
+      if (run.result && (found == nullptr || before(run.value, found->value))) found = &run;
+    return found;
+  }
+
+  std::string span() const { return fmt::format("from {} to {}", key(first()->value), key(last()->value)); }
+
+  std::string write_ends(const std::string& what) const {
+    const BackAnalysisRun *low = first(), *high = last(), *nearest = low;
+    for (const BackAnalysisRun& run : f_.runs)
+      if (run.result && std::abs(*run.result - f_.target) < std::abs(*nearest->result - f_.target)) nearest = &run;
+    std::string text = fmt::format("The {} {}: it is {} at {} = {} and {} at {}", f_.title, what, result(*low->result),
+                                   f_.key, key(low->value), result(*high->result), key(high->value));
+    if (nearest->value != low->value && nearest->value != high->value)
+      text += fmt::format(", and nearest to it with {} at {}", result(*nearest->result), key(nearest->value));
+    return text + ".";
+  }
+
+  const BackAnalysis& f_;
+  int digits_;
+};
+
+}  // namespace
+
+std::vector<std::string> describe_outcome(const BackAnalysis& finding, std::optional<double> reversal,
+                                          const std::vector<MissingResult>& missing) {
+  const Outcome outcome(finding);
+  std::vector<std::string> sentences{outcome.write_end()};
+  if (finding.end == BackAnalysisEnd::found) {
+    sentences.push_back(outcome.write_bracket());
+    sentences.push_back(outcome.write_interval());
+  }
+  for (const BackAnalysisBracket& other : finding.others) sentences.push_back(outcome.write_other(other));
+  if (reversal) sentences.push_back(outcome.write_reversal(*reversal));
+  for (std::size_t i = 0; i < std::min(missing.size(), most_missing); ++i)
+    sentences.push_back(outcome.write_missing(missing[i]));
+  if (missing.size() > most_missing)
+    sentences.push_back(fmt::format("{} further runs have no result.", missing.size() - most_missing));
+  return sentences;
+}
+
+void add_back_analysis(const BackAnalysis& finding, std::vector<StudyColumn>& table) {
+  const auto make = [&](const std::string& name, const std::string& title, const std::string& unit, auto member) {
+    StudyColumn made{name, title, unit, {}, results::ColumnKind::other, ""};
+    for (const BackAnalysisRun& run : finding.runs)
+      made.cells.push_back(
+          run.*member ? StudyCell{write_shortest(*(run.*member)), fmt::format("{:.4g}", *(run.*member))} : StudyCell{});
+    return made;
+  };
+  const auto is_empty = [](const StudyColumn& c) {
+    return std::all_of(c.cells.begin(), c.cells.end(), [](const StudyCell& cell) { return cell.full.empty(); });
+  };
+  auto at = std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == finding.column; });
+  if (at == table.end()) {
+    const auto key =
+        std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == finding.key; });
+    const auto place = key == table.end() ? table.begin() : key + 1;
+    at = table.insert(place, make(finding.column, finding.result, finding.result_unit, &BackAnalysisRun::result));
+  }
+  StudyColumn by{"governs", "governs", "", {}, results::ColumnKind::other, ""};
+  for (const BackAnalysisRun& run : finding.runs) by.cells.push_back({run.by, run.by});
+  StudyColumn lower = make("lower end", "lower end", finding.result_unit, &BackAnalysisRun::lower),
+              upper = make("upper end", "upper end", finding.result_unit, &BackAnalysisRun::upper);
+  ++at;
+  for (StudyColumn* added : {&by, &upper, &lower})
+    if (!is_empty(*added)) at = table.insert(at, std::move(*added));
+}
+
+}  // namespace talus::study
