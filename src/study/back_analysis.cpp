@@ -71,6 +71,7 @@ input::EchoedNumber find_key_number(const std::string& key, const input::LoadedC
   try {
     return input::find_number(base.echo.get(), key);
   } catch (const Error&) {
+    if (input::find_key(base.echo, key)) throw;
     std::vector<input::Override> changes = overrides;
     changes.push_back({key, "1"});
     input::read_case_text(base.text, base.file, changes);  // throws for an unknown key

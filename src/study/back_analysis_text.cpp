@@ -36,21 +36,19 @@ class Outcome {
   std::string write_end() const {
     switch (f_.end) {
       case BackAnalysisEnd::found:
-        return fmt::format("At {} = {} the {} is {}{}.", f_.key, key(*f_.value), f_.title, result(f_.target),
-                           present());
+        return fmt::format("At {} = {} {} is {}{}.", f_.key, key(*f_.value), title(), result(f_.target), present());
       case BackAnalysisEnd::jump:
         return fmt::format(
-            "The {} jumps over {} between {}: a run with exactly this result does not exist, and another mechanism "
+            "{} jumps over {} between {}: a run with exactly this result does not exist, and another mechanism "
             "probably governs beyond.",
-            f_.title, result(f_.target), bracket(*f_.bracket));
+            start(), result(f_.target), bracket(*f_.bracket));
       case BackAnalysisEnd::gap:
-        return fmt::format("The {} reaches {} between {}, where runs have no result.", f_.title, result(f_.target),
+        return fmt::format("{} reaches {} between {}, where runs have no result.", start(), result(f_.target),
                            bracket(*f_.bracket));
       case BackAnalysisEnd::not_reached:
         return write_ends("does not reach " + result(f_.target));
       case BackAnalysisEnd::no_effect:
-        return fmt::format("The {} does not depend on {}: it is {} {}.", f_.title, f_.key, result(*first()->result),
-                           span());
+        return fmt::format("{} does not depend on {}: it is {} {}.", start(), f_.key, result(*first()->result), span());
       case BackAnalysisEnd::no_result:
         return fmt::format("No run has the result '{}'.", f_.result);
       default:
@@ -60,7 +58,7 @@ class Outcome {
 
   std::string write_bracket() const {
     if (f_.bracket->low == f_.bracket->high) return "The run with this value has the target exactly.";
-    return fmt::format("It is interpolated between {}, {} runs.", bracket(*f_.bracket), f_.runs.size());
+    return fmt::format("It is interpolated between {}, after {} runs.", bracket(*f_.bracket), f_.runs.size());
   }
 
   std::string write_interval() const {
@@ -90,6 +88,9 @@ class Outcome {
   }
 
  private:
+  /// The result within a sentence and at its start.
+  std::string title() const { return f_.result == "main_factor" ? "the " + f_.title : "'" + f_.result + "'"; }
+  std::string start() const { return f_.result == "main_factor" ? "The " + f_.title : title(); }
   std::string key(double value) const { return write_amount(value, f_.unit, digits_); }
   std::string result(double value) const { return write_amount(value, f_.result_unit, 5); }
   std::string bracket(const BackAnalysisBracket& b) const {
@@ -124,7 +125,10 @@ class Outcome {
     const BackAnalysisRun *low = first(), *high = last(), *nearest = low;
     for (const BackAnalysisRun& run : f_.runs)
       if (run.result && std::abs(*run.result - f_.target) < std::abs(*nearest->result - f_.target)) nearest = &run;
-    std::string text = fmt::format("The {} {}: it is {} at {} = {} and {} at {}", f_.title, what, result(*low->result),
+    if (low == high)
+      return fmt::format("{} {}: it is {} at {} = {}, and no other run has a result.", start(), what,
+                         result(*low->result), f_.key, key(low->value));
+    std::string text = fmt::format("{} {}: it is {} at {} = {} and {} at {}", start(), what, result(*low->result),
                                    f_.key, key(low->value), result(*high->result), key(high->value));
     if (nearest->value != low->value && nearest->value != high->value)
       text += fmt::format(", and nearest to it with {} at {}", result(*nearest->result), key(nearest->value));

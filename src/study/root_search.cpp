@@ -372,17 +372,19 @@ class Search {
 
   void conclude(const std::optional<Pair>& pair) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least, first = 0, last = 0;
+    int count = 0;
     for (const Sample& s : samples_) {
       if (!s.y) continue;
+      ++count;
       if (!std::isfinite(least)) first = *s.y;
       least = std::min(least, *s.y), greatest = std::max(greatest, *s.y), last = *s.y;
     }
     finding_.samples = samples_;
     const auto make_bracket = [](const Pair& p) { return BackAnalysisBracket{p.a.x, p.b.x, *p.a.y, *p.b.y}; };
     if (!pair) {
-      finding_.end = !std::isfinite(least)                                             ? BackAnalysisEnd::no_result
-                     : samples_.size() > 1 && greatest - least <= equal * find_scale() ? BackAnalysisEnd::no_effect
-                                                                                       : BackAnalysisEnd::not_reached;
+      finding_.end = !std::isfinite(least)                                   ? BackAnalysisEnd::no_result
+                     : count > 1 && greatest - least <= equal * find_scale() ? BackAnalysisEnd::no_effect
+                                                                             : BackAnalysisEnd::not_reached;
       add_reversal(last - first);
       return;
     }

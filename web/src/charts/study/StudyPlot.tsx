@@ -107,7 +107,7 @@ export function StudyPlot({ study }: { study: Study }) {
             Plot.dot(mine, { ...place, strokeWidth: 1.6, fill: "var(--ground)", symbol: style.symbol, r: 4.2 }),
           ];
         }),
-        groups.length === 1 && points.length <= 12 && !narrow
+        groups.length === 1 && points.length <= 12 && !narrow && !goal
           ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--ink)" })
           : [],
       ],
