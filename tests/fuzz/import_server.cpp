@@ -22,7 +22,7 @@ constexpr rlim_t longest_import = 100;  // of processor time [s]
 
 int import_file(const std::string& file, const std::string& output) {
   try {
-    const auto found = talus::drawing::import_files({{file}, "m", "", "", "", "", "", {}});
+    const auto found = talus::drawing::import_files({{file}, "m", "", "", "", "", "", {}, {}});
     std::ofstream(output) << found.text;
     return 0;
   } catch (...) {

@@ -143,7 +143,9 @@ TEST_F(BackAnalysisRuns, TheEarthquakeAtFactorOneIsTheYieldAcceleration) {
     const auto yield = results::find_value(*still, "lem.yield_acceleration");
     ASSERT_TRUE(yield);
     EXPECT_NEAR(std::abs(*outcome.finding.value), *yield, 2e-5 * *yield);
-    if (is_plane) EXPECT_NEAR(*yield, exact, 1e-5);
+    if (is_plane) {
+      EXPECT_NEAR(*yield, exact, 1e-5);
+    }
   }
 }
 

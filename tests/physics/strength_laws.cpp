@@ -41,6 +41,7 @@ class StrengthLaws : public testing::Test {
 std::string write_circle(double x, double y, double radius) {
   return fmt::format(R"(
 lem.search = "none"
+lem.referee = false
 lem.slices = 400
 lem.surface = [{{ name = "circle", centre = [{}, {}], radius = {} }}]
 )",
@@ -127,7 +128,7 @@ std::string write_adp(double base, const std::string& surface, bool mirrored) {
   };
   return fmt::format(R"(
 analysis.methods = ["lem"]
-lem.methods = ["fellenius", "bishop", "spencer"]
+lem.methods = ["fellenius", "bishop"]
 geometry.polygon = [{{ name = "clay", points = [{}] }}]
 regions.clay = "clay"
 {}
@@ -149,9 +150,9 @@ TEST_F(StrengthLaws, AdpOnCirclesIsTheMomentIntegral) {
            {-10, 2.438, 11.768, 21.768, 1.559}, {-2.5, 2.516, 7.449, 9.949, 1.745}, {0, 1.891, 8.112, 8.112, 2.104}}) {
     const auto factors = list_given(write_adp(k.base, write_circle(k.x, k.y, k.radius), false));
     const auto mirrored = list_given(write_adp(k.base, write_circle(-k.x, k.y, k.radius), true));
-    ASSERT_EQ(factors.size(), 3u);
-    ASSERT_EQ(mirrored.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(factors.size(), 2u);
+    ASSERT_EQ(mirrored.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_NEAR(factors[i], k.factor, 1e-3 * k.factor) << k.base;
       EXPECT_NEAR(mirrored[i], factors[i], 1e-9);
     }
@@ -209,10 +210,12 @@ TEST_F(StrengthLaws, WeakBeddingLowersTheFactorWhereItIsParallelToTheBase) {
 TEST_F(StrengthLaws, CurvedEnvelopesHaveTheirStrengthOnEveryBase) {
   const nlohmann::json summary =
       run(write_frictional("model = \"power_curve\"\npower_factor = 1.4\npower_exponent = 0.8\n"));
+  int solved = 0;
   for (const nlohmann::json& given : summary.at("lem").at("given")) {
     const nlohmann::json& s = given.at("slices");
+    if (given.at("factor").is_null()) continue;  // a check rejects this solution
+    ++solved;
     const double factor = given.at("factor").get<double>();
-    ASSERT_GT(factor, 0);
     for (std::size_t i = 0; i < s.at("normal").size(); ++i) {
       const double length = s.at("length")[i].get<double>(),
                    normal = s.at("normal")[i].get<double>() / length - s.at("pore_pressure")[i].get<double>(),
@@ -221,6 +224,7 @@ TEST_F(StrengthLaws, CurvedEnvelopesHaveTheirStrengthOnEveryBase) {
       EXPECT_NEAR(shear * factor, 1e3 * 1.4 * std::pow(normal / 1e3, 0.8), 1e-5 * shear) << i;
     }
   }
+  EXPECT_GE(solved, 3);
 }
 
 std::string write_search(const std::string& polygon, const std::string& material, const std::string& more = "",
@@ -316,7 +320,7 @@ TEST_F(StrengthLaws, FemReturnsToTheEnvelopeOfHammahsRock) {
                        "25\nyoung_modulus = 5e6\npoisson_ratio = 0.3\ndilatancy_ratio = 0",
                        R"(
 mesh.size = 1
-fem = { flow = "as_given", resolution = 0.005 }
+fem = { meshes = 1, flow = "as_given", resolution = 0.005 }
 boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
 )",
                        R"("fem")"));

@@ -69,7 +69,7 @@ TEST(StrengthEnvelopes, HoekBrownEnvelopeTouchesEveryCircle) {
 std::vector<std::array<double, 6>> make_increments() {
   std::vector<std::array<double, 6>> list;
   for (int i = 0; i < 200; ++i) {
-    const auto random = [&, k = 0]() mutable { return std::sin(12.9898 * (i + 1) + 78.233 * ++k) * 0.01; };
+    auto random = [&, k = 0]() mutable { return std::sin(12.9898 * (i + 1) + 78.233 * ++k) * 0.01; };
     list.push_back({random() - 0.004, random() - 0.004, random() - 0.004, random(), random(), random()});
   }
   return list;
