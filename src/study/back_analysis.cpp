@@ -25,9 +25,7 @@
 
 namespace talus::study {
 
-namespace fs = std::filesystem;
 using results::BackAnalysis;
-using results::BackAnalysisBracket;
 using results::BackAnalysisEnd;
 using results::BackAnalysisRun;
 
@@ -242,7 +240,7 @@ class KeySearch {
     return row;
   }
 
-  void take(RootFinding found) {
+  void take(const RootFinding& found) {
     finding_.end = found.end;
     finding_.value = found.x;
     finding_.bracket = found.bracket;
