@@ -55,7 +55,8 @@ TEST(Sampling, NumbersNeedAKeyThatHoldsOne) {
                    "did you mean 'cohesion'?");
   expect_one_fault(sample + change(cohesion, "cohesion", "cohesoin") + "deviation = 1\n",
                    "has no number 'materials.soil.cohesoin'");
-  expect_one_fault(sample + change(cohesion, "soil.cohesion", "soil.model") + "deviation = 1\n", "holds no number");
+  expect_one_fault(sample + change(cohesion, "soil.cohesion", "soil.model") + "deviation = 1\n",
+                   "is not a single number");
   expect_one_fault(sample + cohesion + "deviation = 1\n" + cohesion + "deviation = 1\n",
                    "two uncertain numbers of the key");
   EXPECT_TRUE(
