@@ -126,7 +126,8 @@ std::string write_adp(double base, const std::string& surface, bool mirrored) {
       text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", mirrored ? -p[0] : p[0], p[1]);
     return text;
   };
-  return fmt::format(R"(
+  return fmt::format(
+      R"(
 analysis.methods = ["lem"]
 lem.methods = ["fellenius", "bishop"]
 geometry.polygon = [{{ name = "clay", points = [{}] }}]
@@ -139,7 +140,9 @@ undrained_strength = 40
 direct_ratio = 0.63
 passive_ratio = 0.35
 )",
-                     points({{-50, base}, {60, base}, {60, 5}, {5, 5}, {0, 0}, {-50, 0}}), surface);
+      points(base < 0 ? std::vector<std::array<double, 2>>{{-50, base}, {60, base}, {60, 5}, {5, 5}, {0, 0}, {-50, 0}}
+                      : std::vector<std::array<double, 2>>{{0, 0}, {60, 0}, {60, 5}, {5, 5}}),
+      surface);
 }
 
 TEST_F(StrengthLaws, AdpOnCirclesIsTheMomentIntegral) {
