@@ -118,6 +118,23 @@ void WedgeMechanism::join_short_bases() {
   }
 }
 
+namespace {
+
+/// Sets the strength of a law on an interface under the vertical stress `above` [Pa]. Any tangent to a curved envelope
+/// gives an upper bound; the one at half the vertical stress is near the least. On steep planes clay has its strength
+/// in direct shear, as on level ones.
+void set_interface_strength(const Section& section, double above, double ground, double direction, Slice& here) {
+  const Soil& soil = section.soils[static_cast<std::size_t>(here.soil)];
+  const double vertical = std::max(0.0, above - std::max(0.0, here.water_pressure));
+  const double inclination = std::remainder(direction, std::numbers::pi);
+  const StrengthTangent tangent =
+      soil.law->find_tangent({here.base_left, ground - here.base_left[1], vertical, inclination, 0, 0.5 * vertical});
+  here.cohesion += tangent.cohesion;
+  here.tan_friction = tangent.tan_friction;
+}
+
+}  // namespace
+
 bool WedgeMechanism::measure_interface(const Slope& slope, const Base& base, double horizontal,
                                        Interface& interface) const {
   const Slope::Strips& strips = slope.strips();
@@ -140,13 +157,15 @@ bool WedgeMechanism::measure_interface(const Slope& slope, const Base& base, dou
     here.base_left = here.base_right = p;
     const double weight = std::max(0.0, slope.weight_above(p[0], p[1], here.soil));
     add_strength(strips, strip, weight, nullptr, here);
-    interface.cohesion += here.cohesion * length / places;
-    interface.uplift += std::max(0.0, here.pore_pressure) * length / places;
-    interface.tan_friction += here.tan_friction / places;
     double pond = 0;
     if (strip.ponded) pond = section.water_unit_weight * std::max(0.0, strip.water.at(x) - ground);
     double load = pond, thrust = pond * strip.ground.slope;
     if (strips.loads) load += strip.load.at(x), thrust += strip.thrust.at(x);
+    if (section.soils[static_cast<std::size_t>(here.soil)].law)
+      set_interface_strength(section, weight + load, ground, std::atan2(dy, dx), here);
+    interface.cohesion += here.cohesion * length / places;
+    interface.uplift += std::max(0.0, here.pore_pressure) * length / places;
+    interface.tan_friction += here.tan_friction / places;
     interface.down += sign * width * (vertical * weight + load);
     interface.push += sign * width * (horizontal * weight + way_ * thrust);
   }
