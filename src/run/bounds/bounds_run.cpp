@@ -192,14 +192,14 @@ void BoundsRun::prepare() {
   if (!is_made) made_.reset();
 }
 
-results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const {
-  show(fmt::format("{} triangles", problem.size()));
-  return make_bounds_result(bounds::find_bounds(problem, options,
-                                                [&](const bounds::BoundsLevel& level) {
-                                                  show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles,
-                                                                   level.lower, level.upper));
-                                                }),
-                            data_.bounds.gap);
+results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) const {
+  show(fmt::format("{} triangles", made.problem.size()));
+  return make_bounds_result(
+      find_case_bounds(made, options,
+                       [&](const bounds::BoundsLevel& level) {
+                         show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper));
+                       }),
+      data_.bounds.gap);
 }
 
 /// Searches the other direction of the earthquake. The result is that of the direction with the smaller upper bound;
@@ -209,10 +209,10 @@ void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
     input::Case data = data_;
     data.earthquake.direction = direction;
     data.earthquake.horizontal = std::abs(data.earthquake.horizontal);
-    return make_bounds_problem(data).problem;
+    return make_bounds_problem(data);
   };
-  const bounds::Problem left = directed(input::EarthquakeDirection::left);
-  const bool was_left = left.body_force == made_->problem.body_force;
+  const ProblemOfCase left = directed(input::EarthquakeDirection::left);
+  const bool was_left = left.problem.body_force == made_->problem.body_force;
   results::BoundsFile other = search(was_left ? directed(input::EarthquakeDirection::right) : left, options);
   const auto get_upper = [](const results::BoundsFile& file) {
     return file.summary.upper.value_or(std::numeric_limits<double>::infinity());
@@ -237,7 +237,7 @@ void BoundsRun::calculate(std::optional<double> start) {
     options.most_triangles = data_.bounds.triangles;
     options.start = start.value_or(1);
     options.threads = options_.threads;
-    file_ = search(made_->problem, options);
+    file_ = search(*made_, options);
     if (data_.earthquake.list_directions().size() > 1) search_other_direction(options);
     file_.summary.warnings.insert(file_.summary.warnings.begin(), made_->notes.begin(), made_->notes.end());
   });

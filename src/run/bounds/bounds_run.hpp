@@ -31,7 +31,7 @@ class BoundsRun : public MethodRun<results::BoundsFile> {
   void write_result(results::RunResult& run) const;
 
  private:
-  results::BoundsFile search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const;
+  results::BoundsFile search(const ProblemOfCase& made, const bounds::BoundsOptions& options) const;
   void search_other_direction(const bounds::BoundsOptions& options);
 
   const site::Site site_;

@@ -27,6 +27,9 @@ namespace {
 constexpr double along_axis = 1 - 1e-9;
 /// A side with a smaller run, over its length and over the width of the section, counts as vertical.
 constexpr double vertical = 1e-9;
+/// Parts of a side of a triangle, between which strengths are compared with their linear interpolation.
+constexpr int lattice = 8;
+constexpr double rounding = 1e-9;
 
 class ProblemBuilder {
  public:
@@ -44,6 +47,7 @@ class ProblemBuilder {
     add_triangles();
     add_strengths();
     add_sides();
+    enclose_strengths();
     return std::move(made_);
   }
 
@@ -91,6 +95,47 @@ class ProblemBuilder {
       p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i], roots[i].cohesion);
   }
 
+  /// Strengths by depth and by σ'_v have kinks, and are curved. Those of a triangle are scaled so that none is above,
+  /// or none below the law at the points of a lattice.
+  void enclose_strengths() {
+    bounds::Problem& p = made_.problem;
+    std::vector<double> least(p.size(), 1), most(p.size(), 1);
+    bool is_linear = true;
+    for (std::size_t e = 0; e < p.size(); ++e) {
+      const site::PlaneStrength given = site::find_plane_strength(get_soil(e));
+      if (!given.law) continue;
+      std::array<double, 3> corner{};
+      for (std::size_t i = 0; i < 3; ++i) corner[i] = find_law_strength(given, get_corner(e, i));
+      for (int i = 0; i <= lattice; ++i)
+        for (int j = 0; j <= lattice - i; ++j) {
+          const std::array<double, 3> w{double(i) / lattice, double(j) / lattice, double(lattice - i - j) / lattice};
+          Vec<2> x{};
+          double linear = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            linear += w[k] * corner[k];
+            for (std::size_t d = 0; d < 2; ++d) x[d] += w[k] * get_corner(e, k)[d];
+          }
+          if (!(linear > 0)) continue;
+          const double ratio = find_law_strength(given, x) / linear;
+          least[e] = std::min(least[e], ratio), most[e] = std::max(most[e], ratio);
+        }
+      is_linear = is_linear && least[e] > 1 - rounding && most[e] < 1 + rounding;
+    }
+    if (is_linear) return;
+    made_.stronger = p;
+    for (std::size_t e = 0; e < p.size(); ++e)
+      for (std::size_t i = 0; i < 3; ++i) {
+        p.strength[e][i].cohesion *= least[e];
+        made_.stronger->strength[e][i].cohesion *= most[e];
+      }
+  }
+  const Vec<2>& get_corner(std::size_t e, std::size_t i) const {
+    return made_.problem.nodes[static_cast<std::size_t>(made_.problem.triangles[e][i])];
+  }
+  double find_law_strength(const site::PlaneStrength& given, const Vec<2>& x) const {
+    return given.law->find_tangent(columns_.find(x)).cohesion;
+  }
+
   bounds::Strength find_strength(const input::Material& m, const Vec<2>& x, double root_cohesion) const {
     const site::PlaneStrength given = site::find_plane_strength(m);
     if (!given.yields) return {given.cohesion, 0, {}};
@@ -98,7 +143,7 @@ class ProblemBuilder {
     soil.cohesion =
         given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - x[1]);
     soil.tan_friction = std::tan(given.friction_angle);
-    if (given.law) soil.cohesion = root_cohesion + given.law->find_tangent(columns_.find(x)).cohesion;
+    if (given.law) soil.cohesion = root_cohesion + find_law_strength(given, x);
     if (data_.bounds.flow == input::BoundsFlow::davis) {
       const double phi = given.friction_angle, psi = m.dilatancy_angle,
                    share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
@@ -220,6 +265,21 @@ void check_bounds(const input::Case& data) {
                           "'triangles' allows {} in the last one; {} would do",
                           format_value(size, length), count, data.bounds.triangles,
                           format_value(std::ceil(fits / unit) * unit * length.si, length)));
+}
+
+bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
+                                      const std::function<void(const bounds::BoundsLevel&)>& report) {
+  bounds::BoundsResult found = bounds::find_bounds(made.problem, options, report);
+  if (!made.stronger) return found;
+  bounds::BoundsResult other = bounds::find_bounds(*made.stronger, options, report);
+  found.upper = other.upper;
+  found.no_upper = std::move(other.no_upper);
+  found.velocity_problem = std::move(other.velocity_problem);
+  found.velocity = std::move(other.velocity);
+  found.kinematic_check = other.kinematic_check;
+  for (std::size_t i = 0; i < found.levels.size(); ++i)
+    found.levels[i].upper = i < other.levels.size() ? other.levels[i].upper : other.upper;
+  return found;
 }
 
 ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports) {

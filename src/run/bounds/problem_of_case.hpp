@@ -4,12 +4,13 @@
 // of its loads.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec.hpp"
-#include "bounds/problem.hpp"
+#include "bounds/find_bounds.hpp"
 #include "input/case/case.hpp"
 #include "site/seepage_results.hpp"
 #include "site/site.hpp"
@@ -18,6 +19,9 @@ namespace talus::run {
 
 struct ProblemOfCase {
   bounds::Problem problem;
+  /// The same with strengths that are nowhere below those of the case, for the upper bound, where strengths are not
+  /// linear in each triangle; those of `problem` are then nowhere above them.
+  std::optional<bounds::Problem> stronger;
   site::WaterResult water;         ///< origin of the pore pressures
   std::vector<std::string> notes;  ///< sentences on what limit analysis does not take from the case as it is
 };
@@ -32,6 +36,10 @@ enum class Supports {
 /// are computed on this mesh. Throws Error (wrong_input) for a boundary or a load that limit analysis does not support,
 /// and what mesh::generate() and find_held_water() throw.
 ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports = Supports::as_given);
+
+/// Returns the bounds of a case; those of `problem`, with the upper bound of `stronger` where there is one.
+bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
+                                      const std::function<void(const bounds::BoundsLevel&)>& report = {});
 
 /// Throws Error (wrong_input) if the size of [bounds] gives more triangles than its limit.
 void check_bounds(const input::Case& data);

@@ -72,9 +72,9 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
     for (const input::EarthquakeDirection direction : data.earthquake.list_directions()) {
       judged.earthquake.direction = direction;
       if (options.progress) options.progress->show("limit analysis: proving an interval");
-      const bounds::Problem problem = make_bounds_problem(judged, Supports::below_soil).problem;
-      search.most_triangles = std::max(most_triangles, 2 * static_cast<int>(problem.size()));
-      take(bounds::find_bounds(problem, search), referee);
+      const ProblemOfCase made = make_bounds_problem(judged, Supports::below_soil);
+      search.most_triangles = std::max(most_triangles, 2 * static_cast<int>(made.problem.size()));
+      take(find_case_bounds(made, search), referee);
       has_lower = has_lower && referee.no_lower.empty();
     }
   } catch (const Error& error) {
