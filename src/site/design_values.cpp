@@ -66,7 +66,8 @@ class SoilFactors : public material::PartialDivision {
 
 void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v,
                  std::vector<results::DesignValue>& out) {
-  if (!m.traits().serves_slices)
+  if (!m.traits().serves_slices ||
+      (m.traits().strength == material::Strength::known && !material::is_divisible(m.model)))
     throw Error(ExitCode::wrong_input,
                 fmt::format("material '{}' has no cohesion and friction angle that partial factors could divide; take "
                             "[partial_factors] out, or give the soil the model {}",

@@ -87,9 +87,11 @@ void check_partial_factors(const Case& data, Findings& findings) {
     findings.add("partial_factors.set", "set = \"by_hand\" needs at least one factor, for example friction = 1.25");
   if (p.set == DesignApproach::none || !findings.is_sound("materials")) return;
   for (const auto& [name, m] : data.materials)
-    if (!m.traits().serves_slices || (m.traits().only_slices && !material::is_divisible(m.model)))
+    if (!m.traits().serves_slices ||
+        (m.traits().strength == material::Strength::known && !material::is_divisible(m.model)))
       findings.add("partial_factors.set",
-                   "partial factors divide cohesion and friction angle, which material '{}' does not have", name);
+                   "partial factors divide cohesion and friction angle, which material '{}' ({}) does not have", name,
+                   m.traits().title);
 }
 
 }  // namespace
@@ -198,7 +200,8 @@ void check_drawdown(const Case& data, Findings& findings) {
   for (const auto& [name, m] : data.materials) {
     const std::string path = "materials." + name + ".undrained_envelope";
     if (!m.slices.undrained_envelope || !findings.is_sound("materials." + name)) continue;
-    if (!material::find_slice_strength(m.model, m) || m.friction_angle == 0)
+    const auto strength = material::find_slice_strength(m.model, m);
+    if (!strength || strength->law || m.friction_angle == 0)
       findings.add(path,
                    "material '{}' has an undrained envelope but no friction angle in effective stresses, which a "
                    "drawdown starts from",
