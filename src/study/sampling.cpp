@@ -413,9 +413,10 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
     result.notes.push_back(
         fmt::format("LEM does not use {}: it has no effect here.", fmt::join(slices.numbers().idle_keys(), ", ")));
   if (slices.is_full()) {
-    result.notes.push_back(
-        fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",
-                    fmt::join(slices.numbers().section_keys(), ", ")));
+    result.notes.push_back(fmt::format(
+        "{} changes the geometry, the water or a strength law, so the critical surface was searched anew for every "
+        "sample.",
+        fmt::join(slices.numbers().section_keys(), ", ")));
   } else if (is_checked) {
     if (result.check)
       result.notes.push_back(

@@ -43,6 +43,9 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
   run::SectionOfCase made = make(middle_values_);
   middle_ = std::move(made.section);
   notes_ = std::move(made.notes);
+  // Laws take their numbers, weights and pore pressures from a section of their own.
+  const bool has_law = std::any_of(middle_.soils.begin(), middle_.soils.end(),
+                                   [](const lem::Soil& soil) { return soil.law != nullptr; });
   std::set<std::string>
       porous;  // materials with a varied porosity, in which weights are not linear in the grain density
   for (const results::UncertainNumber& n : sampled.numbers)
@@ -50,6 +53,10 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
       porous.insert(material);
   for (std::size_t i = 0; i < sampled.numbers.size(); ++i) {
     const results::UncertainNumber& n = sampled.numbers[i];
+    if (has_law) {
+      section_keys_.push_back(n.key);
+      continue;
+    }
     Link link;
     link.number = i;
     link.factor = n.unit.empty() ? 1 : units::get_si_factor(n.unit);

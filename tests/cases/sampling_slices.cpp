@@ -139,6 +139,29 @@ TEST(SamplingSlices, TrescaHasTheFactorsOfFrictionlessSoil) {
   }
 }
 
+/// Bedding that no base is parallel to changes nothing, but its soil has a law, whose numbers come from a section of
+/// its own for every sample.
+TEST(SamplingSlices, ALawHasTheNumbersOfEverySample) {
+  const auto calculate = [](bool has_law) {
+    std::string text = sampling_slope::write_case(sample + "samples = 8\n" + deviations);
+    const std::string plain = "model = \"mohr_coulomb\"\n";
+    if (has_law)
+      text.replace(text.find(plain), plain.size(),
+                   "model = \"bedding\"\nbedding_angle = -85\nbedding_cohesion = 0\nbedding_friction = 5\n");
+    StudyOptions options;
+    options.folder = sampling_slope::make_folder(has_law ? "law" : "no_law");
+    options.threads = 1;
+    const std::vector<input::Override> changes{{"lem.entry_exit.exits", "9"}, {"lem.entry_exit.entries", "9"}};
+    const auto result = run_sampling(input::read_case_text(text, "law.toml", changes), changes, options);
+    return results::to_json(result.study).at("sampling");
+  };
+  const json law = calculate(true), plain = calculate(false);
+  EXPECT_NE(law.at("notes").dump().find("strength law"), std::string::npos);
+  for (const char* key : {"mean", "deviation"})
+    EXPECT_NEAR(law.at("factor").at(key).get<double>(), plain.at("factor").at(key).get<double>(), 0.01) << key;
+  EXPECT_GT(law.at("factor").at("deviation"), 0.02);
+}
+
 /// A key of the section for LEM: every sample is searched anew, and a deeper crack never raises the factor here.
 TEST(SamplingSlices, AKeyOfTheSectionIsSearchedSampleBySample) {
   const json block = run(sample + R"(samples = 6

@@ -173,8 +173,6 @@ void Candidates::compare_methods() {
 
 Candidates::Strength Candidates::find_strength(const Soil& soil, double tan_friction, double weight,
                                                const Slice& slice) const {
-  // The strength of a law is that of the cut surface; solve_with() computes it anew.
-  if (soil.law) return {slice.cohesion, slice.pore_pressure};
   Strength strength{soil.cohesion + slice.root_cohesion, slice.pore_pressure};
   if (soil.cohesion_gradient != 0) {
     const double y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
@@ -215,7 +213,7 @@ void Candidates::fill(const Kept& kept, const std::vector<Soil>& soils, double v
     slice.weight = scale * sum.dry;
     if (sum.dry > 0) slice.centroid = sum.dry_moment / sum.dry;
     const Soil& soil = soils[static_cast<std::size_t>(slice.soil)];
-    if (!soil.law) slice.tan_friction = std::tan(soil.friction_angle);
+    slice.tan_friction = std::tan(soil.friction_angle);
     const Strength strength = find_strength(soil, slice.tan_friction, sum.dry, slice);
     slice.cohesion = strength.cohesion, slice.pore_pressure = strength.pore_pressure;
   }
@@ -236,7 +234,7 @@ double Candidates::find_quick(const Kept& kept, const std::vector<Soil>& soils, 
     const Slice& shape = kept.cut.slices[at];
     const Part sum = sum_weight(kept, at, soils);
     const auto soil = static_cast<std::size_t>(shape.soil);
-    const double tan_friction = soils[soil].law ? shape.tan_friction : work.tan_friction[soil];
+    const double tan_friction = work.tan_friction[soil];
     const Strength strength = find_strength(soils[soil], tan_friction, sum.dry, shape);
     Wedge& wedge = mass.wedges[i];
     wedge.friction = tan_friction;

@@ -31,7 +31,8 @@ class Candidates {
 
   /// Returns the smallest factor over all surfaces for other soils (in the order of the section's) and accelerations
   /// over g; 0 when all surfaces are rejected. The soils may differ in weights, c, φ, gradient of c, r_u and φ_b, but
-  /// not in the water level.
+  /// not in the water level, and have no
+  /// law.
   double find_factor(const std::vector<Soil>& soils, double horizontal, double vertical, Workspace& work) const;
   /// Returns F of one surface; 0 when it is rejected.
   double find_factor(int surface, const std::vector<Soil>& soils, double horizontal, double vertical, Method method,
