@@ -127,7 +127,11 @@ class Assumptions {
     if (asks_for(folder_, Method::lem)) add_slices();
     if (asks_for(folder_, Method::fem)) add_elements();
     if (asks_for(folder_, Method::bounds)) add_bounds();
-    if (!asks_for(folder_, Method::mpm)) return sentences_;
+    if (!asks_for(folder_, Method::mpm)) {
+      if (asks_for(folder_, Method::lem) || asks_for(folder_, Method::fem) || asks_for(folder_, Method::bounds))
+        add_models();
+      return sentences_;
+    }
     add_ground();
     add_soils();
     add_mesh();
