@@ -28,9 +28,13 @@ ResultInterval make_referee_interval(const RunResult& run) {
 /// weakest one.
 ResultInterval make_slices_interval(const RunResult& run, std::optional<double> factor) {
   if (!factor || !run.slices->search) return {};
+  const auto& referee = run.slices->referee;
+  if (!referee || referee->judge(*factor) != Verdict::possible) return {};
+  // Printed bounds, by which a factor is judged, are rounded outward.
   ResultInterval interval = make_referee_interval(run);
-  const bool is_inside = *factor >= interval.lower.value_or(*factor) && *factor <= interval.upper.value_or(*factor);
-  return is_inside ? interval : ResultInterval{};
+  if (interval.lower) *interval.lower = std::min(*interval.lower, *factor);
+  if (interval.upper) *interval.upper = std::max(*interval.upper, *factor);
+  return interval;
 }
 
 ResultInterval make_elements_interval(const ElementRun& run) {

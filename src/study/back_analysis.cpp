@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "base/folder_lock.hpp"
@@ -18,6 +19,7 @@
 #include "input/echo.hpp"
 #include "results/interval.hpp"
 #include "results/named.hpp"
+#include "run/common/head.hpp"
 #include "study/back_analysis_text.hpp"
 #include "study/root_search.hpp"
 #include "study/sampled_numbers.hpp"
@@ -31,9 +33,8 @@ using results::BackAnalysisRun;
 
 namespace {
 
-/// A word for the main factor, beside the names of results.
 constexpr const char *factor_word = "factor", *main_factor = "main_factor";
-/// First step of the expansion over the present value.
+/// The expansion starts with a step of this fraction of the present value.
 constexpr double first_step = 0.5;
 
 /// Reads a number in `unit`, or one with another unit. Throws Error (wrong_input).
@@ -143,7 +144,7 @@ class KeySearch {
     try {
       take(search_root(search_, [this](double x) { return evaluate(x); }));
     } catch (const Error& error) {
-      if (error.code() != ExitCode::interrupted) throw;
+      if (error.code() != ExitCode::interrupted || rows_.empty()) throw;
       finding_.end = BackAnalysisEnd::interrupted;
       finding_.sentences = describe_outcome(finding_, {}, {});
       outcome.failure = Error(ExitCode::interrupted, finding_.sentences.front());
@@ -203,10 +204,10 @@ class KeySearch {
     BackAnalysisRun run;
     run.value = x;
     if (row.result && row.summary.status == results::VariantStatus::finished) {
-      sample.y = results::find_value(*row.result, finding_.result);
+      sample.y = run::find_result(*row.result, finding_.result);
       const results::ResultInterval interval = results::find_interval(*row.result, finding_.result);
       sample.lower = interval.lower, sample.upper = interval.upper, sample.resolution = interval.resolution;
-      if (!interval.source.empty()) finding_.interval_of = interval.source;
+      sources_[x] = interval.source;
       run.result = sample.y, run.lower = sample.lower, run.upper = sample.upper;
       if (finding_.result == main_factor) run.by = results::name_main_method(*row.result);
       if (!sample.y && row.summary.reason.empty()) row.summary.reason = "the run has no such result";
@@ -232,6 +233,8 @@ class KeySearch {
             options_.folder.string(), variant.name);
     }
     StudyRow row = options_.resume ? load_row(variant, options_) : begin_row(variant);
+    // A damaged run must not steer the search.
+    if (row.kept && row.code != ExitCode::success) throw Error(row.code, row.summary.reason);
     if (row.kept) return row;
     files_->add_folder(variant.name);
     const std::string label = fmt::format("[{}: {}] ", rows_.size() + 1, variant.label);
@@ -244,6 +247,7 @@ class KeySearch {
     finding_.end = found.end;
     finding_.value = found.x;
     finding_.bracket = found.bracket;
+    if (found.bracket) finding_.interval_of = sources_[found.bracket->low];
     finding_.others = found.others;
     finding_.low = found.low, finding_.high = found.high;
     finding_.sentences = describe_outcome(finding_, found.largest_reversal, list_missing());
@@ -268,6 +272,7 @@ class KeySearch {
   BackAnalysis finding_;
   StudyPlan plan_;
   std::vector<StudyRow> rows_;
+  std::map<double, std::string> sources_;  ///< of the intervals of the results, by the value of the key
   std::unique_ptr<FileList> files_;
 };
 

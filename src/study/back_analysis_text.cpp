@@ -30,7 +30,6 @@ constexpr std::size_t most_missing = 3;
 class Outcome {
  public:
   explicit Outcome(const BackAnalysis& finding)
-      // Two digits beyond the tolerance.
       : f_(finding), digits_(2 + static_cast<int>(std::ceil(-std::log10(finding.tolerance)))) {}
 
   std::string write_end() const {
@@ -63,7 +62,7 @@ class Outcome {
 
   std::string write_interval() const {
     if (f_.interval_of.empty())
-      return "The result has no interval: the bracket is that of the search, and says nothing on the error of the "
+      return "The result has no interval: the bracket is that of the search, and does not include the error of the "
              "model.";
     const std::string of = fmt::format("The interval of the result ({})", f_.interval_of);
     if (f_.low && f_.high) return fmt::format("{} allows values from {} to {}.", of, key(*f_.low), key(*f_.high));

@@ -151,7 +151,7 @@ class Search {
   }
 
   /// Returns argument number k = 1, 2, … from the start in a direction; nullopt beyond the range.
-  std::optional<double> find_step(int direction, int k) const {
+  std::optional<double> compute_step(int direction, int k) const {
     const double start = *options_.start;
     const SearchRange& range = options_.range;
     double x = start + direction * options_.step * (std::exp2(k) - 1);
@@ -165,7 +165,7 @@ class Search {
       if (k > last_before_limit && direction * (limit - x) < std::abs(limit - start) / 16 && !is_open) x = limit;
     }
     x = round_within(x, 0.05 * std::abs(x - start));
-    if (k > 1 && std::isfinite(limit) && x == find_step(direction, k - 1)) return std::nullopt;
+    if (k > 1 && std::isfinite(limit) && x == compute_step(direction, k - 1)) return std::nullopt;
     return range.holds(x) ? std::optional(x) : std::nullopt;
   }
 
@@ -174,7 +174,12 @@ class Search {
   std::optional<Pair> expand() {
     const std::optional<double> first = miss(sample(*options_.start).y);
     if (!first) return std::nullopt;
-    if (auto pair = find_root_pair()) return pair;
+    if (auto pair = find_root_pair()) {
+      // The trend at an exact root needs a second value.
+      for (const int direction : {1, -1})
+        if (const auto x = compute_step(direction, 1); x && sample(*x).y) break;
+      return pair;
+    }
     struct Side {
       int direction, steps = 0, recessions = 0, undefined = 0;
       double last;  ///< absolute miss
@@ -187,7 +192,7 @@ class Search {
       if (sides[now].is_done) now = 1 - now;
       Side& side = sides[now];
       const std::optional<double> x =
-          ++side.steps <= most_expansions ? find_step(side.direction, side.steps) : std::nullopt;
+          ++side.steps <= most_expansions ? compute_step(side.direction, side.steps) : std::nullopt;
       const std::optional<double> here = x ? miss(sample(*x).y) : std::nullopt;
       if (x)
         if (auto pair = find_root_pair()) return pair;
@@ -204,16 +209,16 @@ class Search {
   /// Narrows a pair by Chandrupatla's method (Advances in Engineering Software 28 (1997) 145-149): inverse quadratic
   /// interpolation where it is safe, otherwise bisection; steps of at least half the final width close the bracket
   /// from both sides.
-  Pair narrow(Pair pair, const Miss& g, const std::function<double(const Pair&)>& find_width) {
+  Pair narrow(Pair pair, const Miss& g, const std::function<double(const Pair&)>& compute_width) {
     Sample newest = pair.b, opposite = pair.a, previous = pair.a;
     std::optional<double> part = *g(newest) / (*g(newest) - *g(opposite));
     int gaps = 0;
     for (int step = 0; step < most_steps && pair.b.x > pair.a.x; ++step) {
-      const double width = find_width(pair), extent = pair.b.x - pair.a.x;
+      const double width = compute_width(pair), extent = pair.b.x - pair.a.x;
       if (extent <= width || is_resolved(pair, g)) break;
       const double least = std::min(0.5, 0.5 * width / extent);
       double x = newest.x + std::clamp(part.value_or(0.5), least, 1 - least) * (opposite.x - newest.x);
-      if (gaps > 0 && !part) x = find_widest_gap(pair, g);
+      if (gaps > 0 && !part) x = select_widest_gap(pair, g);
       x = round_within(x, 0.05 * std::min(x - pair.a.x, pair.b.x - x));
       if (x <= pair.a.x || x >= pair.b.x) break;
       const Sample made = sample(x);
@@ -254,7 +259,7 @@ class Search {
   }
 
   /// Returns the middle between the two most distant neighbours, undefined ones included, from pair.a to pair.b.
-  double find_widest_gap(const Pair& pair, const Miss& g) const {
+  double select_widest_gap(const Pair& pair, const Miss& g) const {
     double last = pair.a.x, widest = 0, middle = last;
     for (const Sample& s : samples_) {
       const bool is_between = s.x > pair.a.x && s.x < pair.b.x && !g(s);
@@ -290,22 +295,26 @@ class Search {
       std::optional<Pair> pair = find_pair(g, x);
       if (!pair) pair = expand_interval(root, end, g, first_extent);
       if (!pair) continue;
-      const auto find_width = [&](const Pair& p) {
+      const auto compute_width = [&](const Pair& p) {
         return std::max(make_root_width(p)(p), interval_tolerance * std::max(std::abs(p.a.x - x), std::abs(p.b.x - x)));
       };
-      pair = narrow(*pair, g, find_width);
-      const bool is_above = 0.5 * (pair->a.x + pair->b.x) > x;
-      (is_above ? finding_.high : finding_.low) = is_above ? pair->b.x : pair->a.x;
+      pair = narrow(*pair, g, compute_width);
+      // The excluded side: the lower end of the result is above the target, or its upper end below.
+      const bool is_lower = end == &Sample::lower, is_above = (compute_trend(root) > 0) == is_lower;
+      const Sample& outer = is_above ? pair->b : pair->a;
+      if (is_lower ? *g(outer) < 0 : *g(outer) > 0) continue;  // of another crossing
+      (is_above ? finding_.high : finding_.low) = outer.x;
     }
+    has_gap_ = false;
   }
 
   std::optional<Pair> expand_interval(const Pair& root, std::optional<double> Sample::*end, const Miss& g,
                                       double first_extent) {
-    const double x = interpolate_root(root), rises = find_trend(root) > 0 ? 1 : -1;
+    const double x = interpolate_root(root), rises = compute_trend(root) > 0 ? 1 : -1;
     const double direction = end == &Sample::lower ? rises : -rises;
-    const double share = std::abs(*(root.a.*end) - *root.a.y) / std::max(std::abs(*root.a.y), scatter);
+    const double fraction = std::abs(*(root.a.*end) - *root.a.y) / std::max(std::abs(*root.a.y), scatter);
     double step =
-        std::max(2 * share * std::max(std::abs(x), 0.01 * first_extent), 2 * options_.tolerance * std::abs(x));
+        std::max(2 * fraction * std::max(std::abs(x), 0.01 * first_extent), 2 * options_.tolerance * std::abs(x));
     for (int k = 0; k < most_interval_steps; ++k, step *= 2) {
       const SearchRange& range = options_.range;
       double next = round_within(x + direction * step, 0.05 * step);
@@ -320,7 +329,8 @@ class Search {
   }
 
   /// Returns the sign of the slope at the root: that between the nearest values outside of the pair.
-  double find_trend(const Pair& root) const {
+  double compute_trend(const Pair& root) const {
+    if (root.a.x != root.b.x) return *root.b.y - *root.a.y;
     Sample low = root.a, high = root.b;
     for (const Sample& s : samples_) {
       if (!s.y) continue;
@@ -337,19 +347,21 @@ class Search {
   bool is_jump(const Pair& pair) const {
     if (pair.a.x == pair.b.x) return false;
     double beside = 0;
+    bool has_neighbour = false;
+    const double noise = scatter * compute_scale();
     const Sample* last = nullptr;
     for (const Sample& s : samples_) {
       if (!s.y) continue;
       if (last != nullptr && (s.x <= pair.a.x || last->x >= pair.b.x) && (s.x == pair.a.x || last->x == pair.b.x))
-        beside = std::max(beside, std::abs((*s.y - *last->y) / (s.x - last->x)));
+        has_neighbour = true, beside = std::max(beside, (std::abs(*s.y - *last->y) - noise) / (s.x - last->x));
       last = &s;
     }
     const double change = std::abs(*pair.b.y - *pair.a.y);
-    return change > std::max(scatter * find_scale(), pair.a.resolution) &&
+    return has_neighbour && change > std::max(noise, pair.a.resolution) &&
            change > jump_ratio * beside * (pair.b.x - pair.a.x);
   }
 
-  double find_scale() const {
+  double compute_scale() const {
     double scale = std::abs(options_.target);
     if (scale == 0)
       for (const Sample& s : samples_) scale = std::max(scale, std::abs(s.y.value_or(0)));
@@ -357,7 +369,7 @@ class Search {
   }
 
   void add_reversal(double trend) {
-    double extreme = 0, largest = 0, noise = scatter * find_scale();
+    double extreme = 0, largest = 0, noise = scatter * compute_scale();
     bool is_first = true;
     for (const Sample& s : samples_) {
       if (!s.y) continue;
@@ -382,9 +394,9 @@ class Search {
     finding_.samples = samples_;
     const auto make_bracket = [](const Pair& p) { return BackAnalysisBracket{p.a.x, p.b.x, *p.a.y, *p.b.y}; };
     if (!pair) {
-      finding_.end = !std::isfinite(least)                                   ? BackAnalysisEnd::no_result
-                     : count > 1 && greatest - least <= equal * find_scale() ? BackAnalysisEnd::no_effect
-                                                                             : BackAnalysisEnd::not_reached;
+      finding_.end = !std::isfinite(least)                                      ? BackAnalysisEnd::no_result
+                     : count > 1 && greatest - least <= equal * compute_scale() ? BackAnalysisEnd::no_effect
+                                                                                : BackAnalysisEnd::not_reached;
       add_reversal(last - first);
       return;
     }
@@ -393,7 +405,7 @@ class Search {
     if (finding_.end == BackAnalysisEnd::found) finding_.x = interpolate_root(*pair);
     for (const Pair& p : list_pairs([this](const Sample& s) { return miss(s.y); }))
       if (p.a.x != pair->a.x && p.b.x != pair->b.x) finding_.others.push_back(make_bracket(p));
-    add_reversal(find_trend(*pair));
+    add_reversal(compute_trend(*pair));
   }
 
   const RootOptions& options_;

@@ -208,5 +208,63 @@ TEST(RootSearch, RoundsToTheFewestDigits) {
   EXPECT_EQ(round_within(0, 1e-9), 0);
 }
 
+/// Runs whose result is one end of its own interval, as a bound of limit analysis is.
+TEST(RootSearch, TheIntervalOfABoundLiesOnItsOwnSide) {
+  for (int i = 0; i <= 40; ++i) {
+    const double root = 18 + 0.1371 * i;
+    const Search upper = search(start_at(20, 0), [&](double x) {
+      return Sample{x, x / root, 0.95 * x / root, x / root};
+    });
+    ASSERT_TRUE(upper.found.x && upper.found.low && upper.found.high) << root;
+    EXPECT_NEAR(*upper.found.low, root, 2e-3 * root);
+    // The end is a run that excludes the target.
+    EXPECT_GE(*upper.found.high, root / 0.95);
+    EXPECT_LE(*upper.found.high, 1.01 * root / 0.95);
+    const Search falling = search(start_at(20, 0.01), [&](double x) {
+      return Sample{x, root / x, root / x, 1.05 * root / x};
+    });
+    ASSERT_TRUE(falling.found.x && falling.found.low && falling.found.high) << root;
+    EXPECT_NEAR(*falling.found.low, root, 2e-3 * root);
+    EXPECT_GE(*falling.found.high, 1.05 * root);
+    EXPECT_LE(*falling.found.high, 1.01 * 1.05 * root);
+  }
+}
+
+TEST(RootSearch, RunsWithoutIntervalsLeaveTheRoot) {
+  const Search s = search(start_at(20, 0), [](double x) {
+    const double y = x / 25.3;
+    return x > 25.4 && x < 30 ? Sample{x, y, {}, {}} : Sample{x, y, 0.97 * y, 1.03 * y};
+  });
+  ASSERT_EQ(s.found.end, BackAnalysisEnd::found);
+  EXPECT_NEAR(*s.found.x, 25.3, 1e-3 * 25.3);
+}
+
+TEST(RootSearch, ARootAtTheStartHasBothEndsOfItsInterval) {
+  const Search s = search(start_at(20, 0), [](double x) {
+    const double y = x / 20;
+    return Sample{x, y, 0.95 * y, 1.05 * y};
+  });
+  ASSERT_TRUE(s.found.x && s.found.low && s.found.high);
+  EXPECT_EQ(*s.found.x, 20);
+  EXPECT_NEAR(*s.found.low, 20 / 1.05, 0.02 * 20);
+  EXPECT_NEAR(*s.found.high, 20 / 0.95, 0.02 * 20);
+}
+
+TEST(RootSearch, ABracketWithoutNeighboursIsNoJump) {
+  RootOptions options = search_between(19, 20);
+  options.tolerance = 0.05;
+  EXPECT_EQ(search_value(options, [](double x) { return x / 19.5; }).found.end, BackAnalysisEnd::found);
+}
+
+TEST(RootSearch, ScatterHidesNoJump) {
+  for (int i = 0; i < 60; ++i) {
+    const Search s = search_value(start_at(20, 0), [&](double x) {
+      const double noise = 1e-3 * std::sin(1e5 * x + i);
+      return x / 25 * (1 + noise) + (x < 24.9 ? -0.02 : 0.02);
+    });
+    EXPECT_EQ(s.found.end, BackAnalysisEnd::jump) << i;
+  }
+}
+
 }  // namespace
 }  // namespace talus::study

@@ -375,10 +375,10 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   if (!rows.empty()) {
     const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
                                         [](const auto& v) { return v.status == results::VariantStatus::finished; });
-    sentences.push_back(
-        fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(), rows.size() == 1 ? "" : "s",
-                    keys.empty() ? "" : ", which differ in " + join_words(keys),
-                    content.status == results::Status::finished ? std::string("all") : std::to_string(finished)));
+    sentences.push_back(fmt::format(
+        "A study of {} variant{} of one case{}; {} finished.", rows.size(), rows.size() == 1 ? "" : "s",
+        keys.empty() ? "" : ", which differ in " + join_words(keys),
+        finished == static_cast<std::ptrdiff_t>(rows.size()) ? std::string("all") : std::to_string(finished)));
   }
   if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
   if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;

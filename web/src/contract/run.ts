@@ -73,7 +73,7 @@ export interface StudyShown {
   columns: (Column & { shown: string[] })[];
   /** Of the variants, in their order. */
   rows: VariantShown[];
-  /** Of a back-analysis. */
+  /** Present for a back-analysis. */
   goal?: StudyGoal;
 }
 
