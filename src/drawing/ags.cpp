@@ -2,13 +2,16 @@
 #include "drawing/ags.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "base/text.hpp"
 #include "base/user_file.hpp"
+#include "drawing/case_text.hpp"
 
 namespace talus::drawing {
 namespace {
@@ -68,7 +71,7 @@ std::string find_group(const Cells& cells) {
 }
 
 bool is_read(const std::string& group) {
-  return group == "LOCA" || group == "HOLE" || group == "GEOL" || group == "ABBR";
+  return group == "LOCA" || group == "HOLE" || group == "GEOL" || group == "ABBR" || group == "HORN";
 }
 
 /// Appends the cells of a line <CONT>, the first of which is that word, to those of the row before.
@@ -79,7 +82,7 @@ void continue_row(Cells& row, const Cells& more) {
 
 void add_line(Group& group, Cells cells, int line) {
   if (cells[0].starts_with('*')) {
-    // Headings of AGS 3 go on in further lines.
+    // Headings of AGS 3 continue on further lines.
     if (group.headings.cells.empty()) group.headings.line = line;
     for (std::string& cell : cells) {
       cell.erase(0, std::min(cell.find_first_not_of("*?"), cell.size()));
@@ -98,6 +101,9 @@ void add_line(Group& group, Cells cells, int line) {
   }
 }
 
+/// More than the boreholes and layers of any site.
+constexpr std::size_t most_cells = 4'000'000, most_groups = 100;
+
 std::vector<Group> read_groups(const std::string& path) {
   std::string text;
   if (const auto fault = try_user_file(path, largest_ags, text))
@@ -108,6 +114,7 @@ std::vector<Group> read_groups(const std::string& path) {
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   std::vector<Group> groups;
   bool is_wanted = false, has_any = false;
+  std::size_t cell_count = 0;
   for (int number = 1; !rest.empty(); ++number) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trim(rest.substr(0, end));
@@ -117,6 +124,8 @@ std::vector<Group> read_groups(const std::string& path) {
                            line.starts_with("**");
     if (!may_begin && !is_wanted) continue;
     Cells cells = split(line);
+    if ((cell_count += cells.size()) > most_cells || groups.size() > most_groups)
+      fail_input("'{}' has more than {} cells, or {} groups of boreholes and layers", path, most_cells, most_groups);
     if (const std::string name = find_group(cells); may_begin && !name.empty()) {
       has_any = true;
       is_wanted = is_read(name);
@@ -134,7 +143,8 @@ std::size_t find_column(const Group& group, std::string_view heading) {
   return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), heading) - cells.begin());
 }
 
-/// Returns the descriptions of codes by heading and code. Long ones, which list what a code comprises, are no names.
+/// Returns the descriptions of codes by heading and code. Long ones, which list what a code comprises, are no names,
+/// and those of several codes would merge them.
 std::map<std::pair<std::string, std::string>, std::string> read_codes(const std::vector<Group>& groups) {
   constexpr std::size_t longest = 40;
   std::map<std::pair<std::string, std::string>, std::string> codes;
@@ -147,7 +157,28 @@ std::map<std::pair<std::string, std::string>, std::string> read_codes(const std:
         if (const std::string& words = row.cells[description]; !words.empty() && words.size() <= longest)
           codes[{row.cells[heading], row.cells[code]}] = words;
   }
+  std::map<std::pair<std::string, std::string>, int> uses;
+  for (const auto& [code, words] : codes) ++uses[{code.first, words}];
+  std::erase_if(codes, [&](const auto& entry) { return uses.at({entry.first.first, entry.second}) > 1; });
   return codes;
+}
+
+/// Throws Error (wrong_input) for a borehole that is inclined, as its depths are taken as vertical.
+void check_vertical(const Group& group, const std::string& path) {
+  constexpr double upright = 90, tolerance = 5;  // [°] from the horizontal
+  for (const char* heading : {"HOLE_INCL", "HORN_INCL", "LOCA_INCL"}) {
+    const std::size_t column = find_column(group, heading);
+    for (const Row& row : group.rows) {
+      if (column >= row.cells.size()) continue;
+      const std::string& cell = row.cells[column];
+      double angle = 0;
+      if (parse_number(cell.data(), cell.data() + cell.size(), angle) != cell.data() + cell.size() || cell.empty())
+        continue;
+      if (std::abs(std::abs(angle) - upright) > tolerance)
+        fail_input("{}:{}: borehole {} is inclined, {} = {:g}°; only vertical boreholes are read", path, row.line,
+                   clean_text(row.cells[group.headings.cells.front() == "HEADING" ? 1 : 0]), heading, angle);
+    }
+  }
 }
 
 /// Appends a row of the table behind empty lines in place of those that have no row of their own.
@@ -174,7 +205,8 @@ std::vector<AgsGroup> read_ags(const std::string& path) {
   std::vector<AgsGroup> tables;
   bool has_places = false, has_layers = false;
   for (Group& group : groups) {
-    if (group.name == "ABBR") continue;
+    check_vertical(group, path);
+    if (group.name == "ABBR" || group.name == "HORN") continue;
     if (group.headings.cells.empty())
       fail_input("{}:{}: the group {} has no line of headings", path, group.line, group.name);
     for (const char* heading : {"GEOL_GEOL", "GEOL_LEG"}) {

@@ -77,7 +77,7 @@ const std::array known{
                           "geolgeol", "geology",  "lithology",   "lith",      "litho",    "geolleg", "lithodesc",
                           "rocktype", "rock",     "layer",       "layername", "material", "surface", "component",
                           "line",     "boundary", "description", "geoldesc",  "schicht",  "bodenart"}},
-    Headings{Role::order, {"pointorder", "order", "sequence", "pointnumber", "pointno"}},
+    Headings{Role::order, {"pointorder", "order", "sequence"}},
 };
 
 /// Returns the unit of length that a word names; empty if it names none: "ft" for "feet", "m" for "mAOD".
@@ -128,10 +128,12 @@ Heading read_heading(const input::TextTable::Heading& heading) {
 /// Returns true if headings have the names of a position and an elevation, or of a borehole and its depths.
 bool are_known(const std::vector<input::TextTable::Heading>& headings) {
   std::array<bool, static_cast<std::size_t>(Role::count)> has{};
-  for (const auto& heading : headings)
+  for (const auto& heading : headings) {
+    const std::string key = read_heading(heading).key;
     for (const Headings& of : known)
       for (const char* name : of.names)
-        if (read_heading(heading).key == name) has[static_cast<std::size_t>(of.role)] = true;
+        if (key == name) has[static_cast<std::size_t>(of.role)] = true;
+  }
   const auto knows = [&](Role role) { return has[static_cast<std::size_t>(role)]; };
   return (knows(Role::x) && (knows(Role::elevation) || knows(Role::northing))) ||
          (knows(Role::hole) && (knows(Role::x) || knows(Role::bottom) || knows(Role::top) || knows(Role::thickness)));
@@ -142,7 +144,7 @@ struct Start {
   std::size_t at = 0;        ///< in the text
   int line = 1;              ///< its number
   std::size_t preamble = 0;  ///< number of lines with text above it
-  std::string unit;          ///< of lengths, by the preamble
+  std::string unit;          ///< unit of length that the preamble names
 };
 
 /// Returns the unit of length that a line such as "Unit: ft" names; empty if it names none.
@@ -156,6 +158,15 @@ std::string find_preamble_unit(std::string_view line) {
   return find_length_unit(line.substr(begin, line.find_first_of(",;\t\r", begin) - begin));
 }
 
+/// Returns true for words between blanks above a line with another number of cells.
+bool is_sentence(std::string_view line, std::string_view below) {
+  if (line.find_first_of(",;\t") != std::string_view::npos) return false;
+  below = below.substr(std::min(below.find_first_not_of(" \t\r\n"), below.size()));
+  const std::string_view next = below.substr(0, below.find('\n'));
+  const auto count = [](std::string_view words) { return input::TextTable("", std::string(words), 1).header().size(); };
+  return !next.empty() && count(line) != count(next);
+}
+
 /// Searches the first lines for headings that are known. Without such a line, the table begins with the text.
 Start find_start(std::string_view text) {
   constexpr std::size_t most_preamble = 60, longest = 10'000;
@@ -166,7 +177,7 @@ Start find_start(std::string_view text) {
     const std::string_view line = text.substr(at, end - at);
     if (line.size() > longest) break;
     if (const input::TextTable candidate("", std::string(line), 1); !candidate.header().empty()) {
-      if (are_known(candidate.header())) {
+      if (are_known(candidate.header()) && !is_sentence(line, text.substr(std::min(end + 1, text.size())))) {
         start.at = at, start.line = number;
         return start;
       }
@@ -178,9 +189,9 @@ Start find_start(std::string_view text) {
   return {};
 }
 
-/// Converts text that is not UTF-8, as programs of Windows write it, from Latin-1.
-void make_utf8(std::string& text) {
-  if (!find_wrong_utf8(text)) return;
+/// Converts text that is not UTF-8, as programs of Windows write it, from Latin-1. Returns true if it was converted.
+bool make_utf8(std::string& text) {
+  if (!find_wrong_utf8(text)) return false;
   std::string converted;
   converted.reserve(text.size() + text.size() / 8);
   for (const char c : text) {
@@ -193,6 +204,7 @@ void make_utf8(std::string& text) {
     }
   }
   text = std::move(converted);
+  return true;
 }
 
 const char* name_form(TableForm form) {
@@ -223,7 +235,9 @@ input::TextTable SurveyTable::open(const std::string& path, double& unit) {
   std::string text;
   if (const auto fault = try_user_file(path, largest_table, text))
     fail_input("the table '{}' cannot be read: {}", path, fault->why);
-  make_utf8(text);
+  if (is_utf16(std::string_view(text).substr(0, text.find('\n'))))
+    fail_input("'{}' is in UTF-16; save it as UTF-8", path);
+  is_converted_ = make_utf8(text);
   const Start start = find_start(text);
   preamble_ = start.preamble;
   if (!start.unit.empty()) {
@@ -262,10 +276,9 @@ void SurveyTable::select_columns(double unit) {
     if (count > 3)
       fail_input("'{}' has {} columns without headings; name them in a first line, for example x, y, z", text_.file(),
                  count);
-    const bool has_own_unit = !preamble_unit_.empty();
-    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit, has_own_unit};
-    if (count == 3) columns_[static_cast<std::size_t>(Role::northing)] = Column{1, unit, has_own_unit};
-    columns_[static_cast<std::size_t>(Role::elevation)] = Column{count - 1, unit, has_own_unit};
+    columns_[static_cast<std::size_t>(Role::x)] = Column{0, unit, false};
+    if (count == 3) columns_[static_cast<std::size_t>(Role::northing)] = Column{1, unit, false};
+    columns_[static_cast<std::size_t>(Role::elevation)] = Column{count - 1, unit, false};
     return;
   }
   for (const Headings& of : known)
@@ -314,8 +327,9 @@ bool SurveyTable::is_headed(Role role, const std::vector<std::string>& keys) con
 void SurveyTable::find_form() {
   // A column "no" or "id" may number the points of a line, whose further columns are no depths.
   const bool has_holes =
-      has(Role::hole) && (!has(Role::elevation) || !is_headed(Role::hole, {"id", "no", "nr", "name", "pointid"}) ||
-                          !is_headed(Role::elevation, {"z", "y", "elevation", "elev", "height"}));
+      has(Role::hole) &&
+      (!has(Role::elevation) || !is_headed(Role::hole, {"id", "no", "nr", "name", "pointid", "punkt"}) ||
+       !is_headed(Role::elevation, {"z", "y", "elevation", "elev", "height", "höhe", "hoehe", "cote"}));
   const bool has_depth = has(Role::bottom) || has(Role::bottom_level) || has(Role::thickness) || has(Role::top);
   if (has(Role::soil) && has(Role::hole) && has_depth) {
     form_ = TableForm::layers;
@@ -459,6 +473,7 @@ std::string SurveyTable::describe() const {
   if (preamble_ > 0)
     sentence += fmt::format("; {} line{} above the headings{}", preamble_, preamble_ == 1 ? "" : "s",
                             preamble_unit_.empty() ? " not used" : ", of which the unit is used: " + preamble_unit_);
+  if (is_converted_) sentence += "; it is not UTF-8 and was read as Latin-1";
   return sentence + (has_units() ? "" : "; lengths without a unit");
 }
 

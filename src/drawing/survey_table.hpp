@@ -100,7 +100,8 @@ class SurveyTable {
   bool has_text(std::size_t column) const;
 
   std::size_t preamble_ = 0;   ///< number of lines above the headings
-  std::string preamble_unit_;  ///< that they name
+  std::string preamble_unit_;  ///< unit of length that they name
+  bool is_converted_ = false;  ///< the text was not UTF-8
   std::string part_;           ///< name of the part of the file
   input::TextTable text_;
   TableForm form_ = TableForm::lines;

@@ -120,8 +120,11 @@ class Reader {
       line.points.push_back({from.getX(i), from.getY(i)});
       heights.push_back(from.getZ(i));
     }
-    line.closed = closed || (line.points.size() > 3 && line.points.front() == line.points.back());
-    if (line.closed && line.points.size() > 1 && line.points.front() == line.points.back()) line.points.pop_back();
+    // In a section of x and z, ends at one place in plan may lie at different levels.
+    const bool meets =
+        line.points.size() > 1 && line.points.front() == line.points.back() && heights.front() == heights.back();
+    line.closed = closed || (line.points.size() > 3 && meets);
+    if (line.closed && meets) line.points.pop_back();
     points_ += line.points.size();
     if (drawing_.lines.size() >= most_lines || points_ > most_points)
       throw std::length_error(fmt::format("it has more than {} lines or {} points", most_lines, most_points));
@@ -155,8 +158,9 @@ std::string settle_heights(Drawing& drawing, const Heights& heights) {
     for (const double height : heights.of_lines[i]) z.add(height), of_line.add(height);
     if (of_line.length() > rise) rise = of_line.length(), rising = &drawing.lines[i];
   }
-  constexpr double level = 1e-6;   // of the size of the drawing
-  constexpr double scatter = 0.1;  // of its extent in y: profiles of point clouds keep what lies off their plane
+  // Relative to the size of the drawing, and to its extent in y: profiles of point clouds keep what lies off their
+  // plane.
+  constexpr double level = 1e-6, scatter = 0.1;
   const double size = std::max({x.length(), y.length(), z.length()});
   if (rising == nullptr || rise <= level * size) return "";
   if (rise <= scatter * y.length()) {

@@ -118,6 +118,11 @@ class Drawings(unittest.TestCase):
             case, *_, printed = self.read(self.write_dxf(raised))
             self.assertEqual(case["geometry"], flat[0]["geometry"])
             self.assertIn("the section is drawn in x and z", printed)
+        # Ends at one place in plan are not those of a closed line: the crest at (0, 10) remains.
+        outline = [("SOIL", [(0, 0, 0), (50, 0, 0), (50, 0, 4), (30, 0, 4), (10, 0, 10), (0, 0, 10)]), ("SIDE", [(0, 0, 0), (0, 0, 10)])]
+        result, case = self.run_import(self.write_dxf(outline))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(case["geometry"]["polygon"], [{"name": "SOIL", "points": [[0, 0], [0, 10], [10, 10], [30, 4], [50, 4], [50, 0]]}])
         level = [(layer, [(x, y, 3) for x, y in points]) for layer, points in (("GROUND", ground), ("BASE", base))]
         self.assertEqual(self.read(self.write_dxf(level))[0]["geometry"], flat[0]["geometry"])
         in_space = self.write_dxf([("BREAKLINE", [(0, 0, 10), (30, 5, 4), (50, 9, 4)]), ("BASE", [(0, 0, 0), (50, 9, 0)])])

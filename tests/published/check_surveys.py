@@ -243,6 +243,31 @@ class Surveys(unittest.TestCase):
             path.write_text(text)
             self.assertIn(said, self.find_fault([path]))
 
+    def test_boreholes_of_ags_that_are_easily_misread(self):
+        places = "**HOLE\n*HOLE_ID,*HOLE_NATE,*HOLE_NATN,*HOLE_GL,*HOLE_INCL\n{0},0,0,20,{1}\nB2,50,0,15,90\n"
+        layers = "**GEOL\n*HOLE_ID,*GEOL_TOP,*GEOL_BASE,*GEOL_GEOL\n" + "".join(
+            f"{{0}},0,2,QA\n{{0}},2,5,QB\n{hole},0,3,QA\n{hole},3,6,QB\n" if hole == "B2" else "" for hole in ("B2",))
+        codes = "**ABBR\n*ABBR_HDNG,*ABBR_CODE,*ABBR_DESC\nGEOL_GEOL,QA,Alluvium\nGEOL_GEOL,QB,Alluvium\n"
+        path = self.folder / "site.ags"
+        write = lambda name, angle: path.write_text(places.format(name, angle) + layers.format(name) + codes)
+        write('"#3"', 90)
+        case, _ = self.read([path])
+        self.assertEqual(case["geometry"]["ground"], [[0, 20], [50, 15]], "a name with # is no comment")
+        self.assertEqual([layer["name"] for layer in case["geometry"]["layer"]], ["QA", "QB"], "one description of two codes")
+        write("B1", 45)
+        self.assertIn("borehole B1 is inclined, HOLE_INCL = 45°", self.find_fault([path]))
+
+    def test_tables_that_are_easily_misread(self):
+        line = [[0, 10.5], [20, 9], [50, 4]]
+        for text in ("Punkt;Abstand;Höhe;Genauigkeit\n1;0;10,5;0,02\n2;20;9,0;0,02\n3;50;4,0;0,02\n",
+                     "PointNo,x,z\n101,0,10.5\n57,20,9\nTBM1,50,4\n",
+                     "Cross section 3: surface elevation vs distance\n\nDistance,Elevation\n0,10.5\n20,9\n50,4\n"):
+            case, _ = self.read(self.write(a=text), "--base=-5", "--units", "m")
+            self.assertEqual(case["geometry"]["ground"], line, text)
+        self.assertIn("a.csv' is in UTF-16", self.find_fault(self.write(a="x,z\n0,1\n5,1\n".encode("utf-16")), "--base=-5"))
+        _, printed = self.read(self.write(a="x [m],z [m],b\xe9\n0,1,2\n5,1,2\n".encode("latin-1")), "--base=-5")
+        self.assertIn("was read as Latin-1", printed)
+
     def test_faults_are_one_sentence(self):
         for text, options, fault in (
                 ("a,b\n1,2\n", (), "neither those of a line"), ("", (), "is empty"), ("x,y\n", (), "no rows"),

@@ -87,7 +87,10 @@ void TextTable::read_rows(int first_line) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (trim(line).empty() || is_comment(trim(line))) continue;
+    // A cell in quotation marks is no comment.
+    const bool is_quoted =
+        line.find_first_not_of(" \t") != std::string_view::npos && line[line.find_first_not_of(" \t")] == '"';
+    if (trim(line).empty() || (!is_quoted && is_comment(trim(line)))) continue;
     if (separator_ == 0) {
       read_header(line);
       if (!is_headless_) continue;
