@@ -153,9 +153,9 @@ void check_case(const CheckOptions& options, const std::vector<input::Override>&
                                                   count(loaded.data.materials.size(), "material", "materials"))));
 }
 
-/// Draws the case with its messages and prints the name of the picture. Where a fault of the case kept its warnings
-/// back, those of the keys without faults are added. Throws Error (wrong_input) for a case without a plane section, and
-/// as write_atomically() and draw_png().
+/// Draws the case with its messages and prints the name of the picture. A fault of the case suppresses
+/// its warnings; those of the keys without faults are then added. Throws Error (wrong_input) for a case without a plane
+/// section, and as write_atomically() and draw_png().
 void draw_case(const CheckOptions& options, const std::vector<input::Override>& overrides,
                std::vector<run::CaseMessage> messages) {
   const input::Sketch sketch = input::read_sketch(options.file, overrides, input::CaseScope::whole_or_tests);

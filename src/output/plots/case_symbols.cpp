@@ -260,7 +260,7 @@ std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit&
   std::string text = write_polygon(
       {{frame.left, frame.top}, {frame.right, frame.top}, {frame.right, frame.bottom}, {frame.left, frame.bottom}},
       fmt::format("class=\"frame\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"", "#d5dae1"));
-  double widest = 0;  // of the numbers at the y axis
+  double widest = 0;  // widest number at the y axis [px]
   const auto write_axis = [&](bool is_x) {
     const double from = (is_x ? (frame.left - view.x0) : (view.y0 - frame.bottom)) / view.scale / unit,
                  to = (is_x ? (frame.right - view.x0) : (view.y0 - frame.top)) / view.scale / unit;

@@ -146,7 +146,7 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
 void draw_png(const fs::path& picture, const std::string& svg) {
   run(picture, svg,
       {"rsvg-convert",
-       {"--zoom", "2", "--background-color", "white", "--output", begin_file(picture).string()},
+       {"--zoom", "2", "--background-color", "white", "--output=" + begin_file(picture).string()},
        "(Debian: apt install librsvg2-bin); a picture whose name ends with .svg needs no other program"});
   publish(picture);
 }
