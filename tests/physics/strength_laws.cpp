@@ -234,7 +234,7 @@ std::string write_search(const std::string& polygon, const std::string& material
                          const std::string& methods = R"("lem")") {
   return fmt::format(R"(
 analysis.methods = [{}]
-lem = {{ methods = ["spencer", "bishop"], referee = false }}
+lem = {{ methods = ["spencer", "bishop"], referee = false, noncircular = false }}
 geometry.polygon = [{{ name = "soil", points = {} }}]
 regions.soil = "soil"
 {}
@@ -278,7 +278,7 @@ std::string write_deforming(const std::string& methods, const std::string& soil)
 analysis.methods = [{}]
 mesh = {{ size = 1.2, points_per_element = 3 }}
 fem = {{ meshes = 1, flow = "as_given", resolution = 0.002 }}
-bounds = {{ gap = 0.05, size = 1.2 }}
+bounds.gap = 0.05
 lem = {{ methods = ["spencer"], referee = false }}
 geometry.box = [[0, 0], [36, 14]]
 geometry.polygon = [{{ name = "soil", points = [[0, 0], [36, 0], [36, 12], [24, 12], [12, 4], [0, 4]] }}]
@@ -323,7 +323,7 @@ TEST_F(StrengthLaws, FemReturnsToTheEnvelopeOfHammahsRock) {
                        "25\nyoung_modulus = 5e6\npoisson_ratio = 0.3\ndilatancy_ratio = 0",
                        R"(
 mesh.size = 1
-fem = { meshes = 1, flow = "as_given", resolution = 0.005 }
+fem = { meshes = 1, flow = "as_given", from = 1.1, to = 1.2, resolution = 0.005 }
 boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
 )",
                        R"("fem")"));
@@ -345,6 +345,27 @@ TEST_F(StrengthLaws, UndrainedStrengthsAgreeInAllMethods) {
     EXPECT_GT(fem, 0.98 * lower) << soil;
     EXPECT_LT(fem, 1.03 * upper) << soil;
   }
+}
+
+TEST_F(StrengthLaws, BoundsOfACurvedStrengthEncloseThoseOfFinerMeshes) {
+  // The strength bends below crest and toe and at the water table. Coarse triangles must not cut the bends off.
+  const auto find_bounds = [&](double size) {
+    std::string text =
+        write_deforming(R"("bounds")",
+                        "model = \"shansep\"\nstrength_ratio = 0.25\nstrength_exponent = 0.8\nadded_strength = "
+                        "4\nprofile_depths = [0, 12]\nprofile_preconsolidation = [40, 150]\n[initial]\npore_pressure = "
+                        "\"water_table\"\nwater_table = [[0, 2], [36, 8]]\n");
+    const std::string gap = "bounds.gap = 0.05\n";
+    text.replace(text.find(gap), gap.size(), gap + fmt::format("bounds.size = {}\n", size));
+    const nlohmann::json summary = run(text);
+    return std::pair{summary.at("bounds").at("lower").get<double>(), summary.at("bounds").at("upper").get<double>()};
+  };
+  const auto [lower, upper] = find_bounds(3);
+  const auto [finer_lower, finer_upper] = find_bounds(0.8);
+  EXPECT_LE(lower, finer_upper);
+  EXPECT_GE(upper, finer_lower);
+  EXPECT_LE(lower, finer_lower + 1e-3);
+  EXPECT_GE(upper, finer_upper - 1e-3);
 }
 
 TEST_F(StrengthLaws, AProfileOfAGradientIsThatGradient) {
