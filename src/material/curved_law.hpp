@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "material/mohr_coulomb.hpp"
+#include "material/point_law.hpp"
 
 namespace talus::material {
 
@@ -75,35 +76,20 @@ class CurvedLaw {
   template <int NS, class T>
   Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                      const Surroundings<T>& around = {}) const {
-    if constexpr (std::is_same_v<T, double>) {
-      return active ? update_point<NS>(sigma, d_epsilon, state, around.gaps) : Response<double>{false, 0.0, 0.0};
-    } else {
-      Response<T> response{false, T(0.0), T(0.0)};
-      for (int l = 0; l < LaneTraits<T>::width; ++l) {
-        if (!active[l]) continue;
-        double s[NS], d[NS], q[state_size];
-        for (int i = 0; i < NS; ++i) s[i] = sigma[i][l];
-        for (int i = 0; i < NS; ++i) d[i] = d_epsilon[i][l];
-        for (int i = 0; i < state_size; ++i) q[i] = state[i][l];
-        const Response<double> one = update_point<NS>(s, d, q, around.gaps);
-        response.any_plastic = response.any_plastic || one.any_plastic;
-        response.plastic_dilation.value[l] = one.plastic_dilation;
-        response.dissipation.value[l] = one.dissipation;
-        response.opened.value[l] = one.opened;
-        response.gap.value[l] = one.gap;
-        for (int i = 0; i < NS; ++i) sigma[i].value[l] = s[i];
-        for (int i = 0; i < state_size; ++i) state[i].value[l] = q[i];
-      }
-      return response;
-    }
+    return update_points<NS, state_size>(
+        sigma, d_epsilon, state, active, around,
+        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
+          return update_point<NS>(s, d, q, own.gaps);
+        });
   }
 
+  /// Performs update() for one point.
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
   /// Returns the strength, divided by the factor, at an effective normal stress [Pa].
   StrengthTangent find_tangent(double normal) const;
 
  private:
-  template <int NS>
-  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
   /// Returns true if the circle of the principal stresses s1 >= s3 lies within the envelope; else a normal stress near
   /// which it crosses it.
   bool is_within(double s1, double s3, double& normal) const;

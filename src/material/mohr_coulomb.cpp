@@ -41,39 +41,58 @@ MohrCoulomb MohrCoulomb::make(const Input& in, const StrengthChange& change) {
   return {LinearElastic::make(in), in.get<MohrCoulombStrength>().changed(change)};
 }
 
-void MohrCoulomb::check(const Input& in, const SoilFindings& findings) {
-  const MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
+void MohrCoulombStrength::check(const SoilFindings& findings) const {
   const double degree = units::get_si_factor("deg");
   const bool has_angle = findings.is_sound("friction_angle");
-  if (has_angle && findings.is_sound("dilatancy_angle") && s.dilatancy_angle > s.friction_angle)
+  if (has_angle && findings.is_sound("dilatancy_angle") && dilatancy_angle > friction_angle)
     findings.add(
         "dilatancy_angle",
         fmt::format("'dilatancy_angle' is {:.6g} deg; it must not be greater than the friction angle, {:.6g} deg",
-                    s.dilatancy_angle / degree, s.friction_angle / degree));
+                    dilatancy_angle / degree, friction_angle / degree));
   // For φ = 0 the yield surface has no apex, so the tensile strength is the only limit of tension.
-  if (!has_angle || !findings.is_sound("cohesion") || !findings.is_sound("tensile_strength") || s.friction_angle <= 0)
+  if (!has_angle || !findings.is_sound("cohesion") || !findings.is_sound("tensile_strength") || friction_angle <= 0)
     return;
-  const double apex = s.cohesion / std::tan(s.friction_angle);
-  if (s.tensile_strength > apex * (1 + 1e-12))
-    findings.add("tensile_strength",
-                 fmt::format("'tensile_strength' is {}; it must not be above the apex of the yield surface, "
-                             "cohesion/tan(friction_angle) = {}",
-                             format_value(s.tensile_strength, findings.units.stress),
-                             format_value(apex, findings.units.stress)));
+  const double apex = cohesion / std::tan(friction_angle);
+  if (tensile_strength > apex * (1 + 1e-12))
+    findings.add(
+        "tensile_strength",
+        fmt::format("'tensile_strength' is {}; it must not be above the apex of the yield surface, "
+                    "cohesion/tan(friction_angle) = {}",
+                    format_value(tensile_strength, findings.units.stress), format_value(apex, findings.units.stress)));
 }
 
-Properties MohrCoulomb::list_properties(const Input& in) {
-  const MohrCoulombStrength& given = in.get<MohrCoulombStrength>();
+Properties MohrCoulombStrength::list_properties() const {
   Properties list;
   const auto add = [&](const char* key, const char* title, const char* symbol, ShownAs shown_as,
                        double MohrCoulombStrength::*value) {
-    list.push_back({key, title, symbol, shown_as, given.*value,
-                    [given, value](double factor) { return given.reduced(factor).*value; }});
+    list.push_back({key, title, symbol, shown_as, this->*value,
+                    [given = *this, value](double factor) { return given.reduced(factor).*value; }});
   };
   add("cohesion", "cohesion", "c", ShownAs::stress, &MohrCoulombStrength::cohesion);
   add("friction_angle", "angle of internal friction", "φ", ShownAs::angle, &MohrCoulombStrength::friction_angle);
   add("dilatancy_angle", "angle of dilatancy", "ψ", ShownAs::angle, &MohrCoulombStrength::dilatancy_angle);
   add("tensile_strength", "tensile strength", "σ_t", ShownAs::stress, &MohrCoulombStrength::tensile_strength);
+  return list;
+}
+
+void MohrCoulombStrength::divide(PartialDivision& division) {
+  const bool undrained = friction_angle == 0;
+  division.divide(cohesion, undrained ? division.undrained : division.cohesion,
+                  undrained ? "undrained shear strength" : "cohesion", undrained ? "c_u" : "c'", "kPa", 1e3);
+  division.divide(tensile_strength, undrained ? division.undrained : division.cohesion, "tensile strength", "σ_t",
+                  "kPa", 1e3);
+  division.divide_angle(friction_angle, division.friction, "friction angle", "φ'");
+  if (dilatancy_angle > friction_angle)  // ψ <= φ must also hold after the division
+    division.divide_angle(dilatancy_angle, std::tan(dilatancy_angle) / std::tan(friction_angle), "dilatancy angle",
+                          "ψ");
+}
+
+void MohrCoulomb::check(const Input& in, const SoilFindings& findings) {
+  in.get<MohrCoulombStrength>().check(findings);
+}
+
+Properties MohrCoulomb::list_properties(const Input& in) {
+  Properties list = in.get<MohrCoulombStrength>().list_properties();
   if (const double gradient = in.get<CohesionGradient>().cohesion_gradient; gradient != 0)
     list.push_back(
         {"cohesion_gradient", "growth of the cohesion with depth", "dc/dz", ShownAs::stress_per_length, gradient, {}});
@@ -88,18 +107,10 @@ SliceStrength MohrCoulomb::find_slice_strength(const Input& in) {
 
 void MohrCoulomb::divide(const Input::Changeable& in, PartialDivision& division) {
   MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
-  constexpr double kilo = 1e3;
-  const bool undrained = s.friction_angle == 0;
-  const double factor = undrained ? division.undrained : division.cohesion;
-  division.divide(s.cohesion, factor, undrained ? "undrained shear strength" : "cohesion", undrained ? "c_u" : "c'",
-                  "kPa", kilo);
+  const double factor = s.friction_angle == 0 ? division.undrained : division.cohesion;
+  s.divide(division);
   division.divide(in.get<CohesionGradient>().cohesion_gradient, factor, "growth of the cohesion with depth", "dc/dz",
-                  "kPa/m", kilo);
-  division.divide(s.tensile_strength, factor, "tensile strength", "σ_t", "kPa", kilo);
-  division.divide_angle(s.friction_angle, division.friction, "friction angle", "φ'");
-  if (s.dilatancy_angle > s.friction_angle)  // ψ <= φ must also hold after the division
-    division.divide_angle(s.dilatancy_angle, std::tan(s.dilatancy_angle) / std::tan(s.friction_angle),
-                          "dilatancy angle", "ψ");
+                  "kPa/m", 1e3);
 }
 
 MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength)

@@ -34,6 +34,10 @@ struct MohrCoulombStrength {
   MohrCoulombStrength reduced(double factor) const;
   /// Replaces the cohesion by that of the stage, if given, and reduces the strength.
   MohrCoulombStrength changed(const StrengthChange& change) const;
+  /// Reports ψ > φ, and a tensile strength above the apex.
+  void check(const SoilFindings& findings) const;
+  Properties list_properties() const;
+  void divide(PartialDivision& division);
 };
 void describe(auto& v, MohrCoulombStrength& in, const Users& users) {
   const std::vector<input::Slip> angles{{"rad", 57.29578}};
