@@ -141,6 +141,7 @@ struct StateStart {
   double root_content = 0;                                 ///< [%]
   double root_cohesion = 0;                                ///< [Pa]
   double level = std::numeric_limits<double>::infinity();  ///< vertical coordinate [m]
+  double x = 0;                                            ///< horizontal coordinate [m]
   double depth = 0;                                        ///< under the ground [m]
   double vertical = 0;                                     ///< σ'_v of the weight and the loads above [Pa]
   std::optional<double> strength_growth = std::nullopt;    ///< of an earlier state, instead of that of the place [Pa]

@@ -8,13 +8,13 @@
 
 namespace talus::material {
 
-double compute_shansep_strength(const ShansepInput& in, const StrengthProfile& profile, double vertical, double level,
-                                double depth) {
+double compute_shansep_strength(const ShansepInput& in, const StrengthProfile& profile, double vertical,
+                                const std::array<double, 2>& at, double depth) {
   double ocr = in.ocr.value_or(1);
-  if (!in.profile_ocr.empty()) ocr = profile.interpolate(in.profile_ocr, level, depth);
+  if (!in.profile_ocr.empty()) ocr = profile.interpolate(in.profile_ocr, at[0], at[1], depth);
   // S σ'_v (σ'_p/σ'_v)^m vanishes with σ'_v for m < 1, and needs no division there.
   if (!in.profile_preconsolidation.empty()) {
-    const double most = profile.interpolate(in.profile_preconsolidation, level, depth);
+    const double most = profile.interpolate(in.profile_preconsolidation, at[0], at[1], depth);
     ocr = vertical > 0 ? std::max(1.0, most / vertical) : 1;
   }
   return in.added_strength + in.strength_ratio * std::max(0.0, vertical) * std::pow(ocr, in.strength_exponent);
@@ -52,7 +52,7 @@ SliceStrength Shansep::find_slice_strength(const Input& in) {
   SliceStrength strength;
   StrengthLaw law;
   law.find_tangent = [s = in.get<ShansepInput>(), profile = in.get<StrengthProfile>()](const StrengthPlane& plane) {
-    return StrengthTangent{compute_shansep_strength(s, profile, plane.vertical, plane.at[1], plane.depth), 0};
+    return StrengthTangent{compute_shansep_strength(s, profile, plane.vertical, plane.at, plane.depth), 0};
   };
   strength.law = std::make_shared<const StrengthLaw>(std::move(law));
   return strength;
@@ -69,8 +69,8 @@ void Shansep::set_initial_state(const Input& in, const StateStart& start, double
     state[1] = *start.strength_growth;
     return;
   }
-  state[1] = compute_shansep_strength(in.get<ShansepInput>(), in.get<StrengthProfile>(), start.vertical, start.level,
-                                      start.depth);
+  state[1] = compute_shansep_strength(in.get<ShansepInput>(), in.get<StrengthProfile>(), start.vertical,
+                                      {start.x, start.level}, start.depth);
 }
 
 }  // namespace talus::material

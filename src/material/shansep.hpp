@@ -65,8 +65,8 @@ class Shansep : public Tresca {
   Shansep(const LinearElastic& elastic, double factor) : Tresca(elastic, 0, factor) {}
 };
 
-/// Returns s_u [Pa] under σ'_v [Pa] at an elevation and a depth under the ground [m].
-double compute_shansep_strength(const ShansepInput& in, const StrengthProfile& profile, double vertical, double level,
-                                double depth);
+/// Returns s_u [Pa] under σ'_v [Pa] at a place (x, y) and a depth under the ground [m].
+double compute_shansep_strength(const ShansepInput& in, const StrengthProfile& profile, double vertical,
+                                const std::array<double, 2>& at, double depth);
 
 }  // namespace talus::material

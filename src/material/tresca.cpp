@@ -37,7 +37,7 @@ SliceStrength Tresca::find_slice_strength(const Input& in) {
   if (s.profile_strengths.empty()) return strength;
   StrengthLaw law;
   law.find_tangent = [values = s.profile_strengths, profile = in.get<StrengthProfile>()](const StrengthPlane& plane) {
-    return StrengthTangent{profile.interpolate(values, plane.at[1], plane.depth), 0};
+    return StrengthTangent{profile.interpolate(values, plane.at[0], plane.at[1], plane.depth), 0};
   };
   strength.law = std::make_shared<const StrengthLaw>(std::move(law));
   return strength;
@@ -58,10 +58,10 @@ void Tresca::set_initial_state(const Input& in, const StateStart& start, double*
     state[1] = *start.strength_growth;
     return;
   }
-  state[1] =
-      s.profile_strengths.empty()
-          ? s.find_growth(start.level)
-          : in.get<StrengthProfile>().interpolate(s.profile_strengths, start.level, start.depth) - s.undrained_strength;
+  state[1] = s.profile_strengths.empty()
+                 ? s.find_growth(start.level)
+                 : in.get<StrengthProfile>().interpolate(s.profile_strengths, start.x, start.level, start.depth) -
+                       s.undrained_strength;
 }
 
 }  // namespace talus::material

@@ -30,9 +30,10 @@ class SoilColumns {
   std::shared_ptr<const lem::Slope> slope_;
 };
 
-/// Writes depth and σ'_v at `x` into the start of a state, where they are needed.
+/// Writes x, and where they are needed depth and σ'_v at `x`, into the start of a state.
 template <int D>
 void add_column(const SoilColumns& columns, const Vec<D>& x, material::StateStart& start) {
+  start.x = x[0];
   if (!columns.is_needed()) return;
   const StrengthPlane plane = columns.find({x[0], x[1]});
   start.depth = plane.depth;
