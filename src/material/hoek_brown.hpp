@@ -6,6 +6,7 @@
 //   a = 1/2 + (exp(-GSI/15) - exp(-20/3))/6
 
 #include "material/curved_law.hpp"
+#include "material/softening.hpp"
 
 namespace talus::material {
 
@@ -48,6 +49,84 @@ struct HoekBrown : CurvedSoil<HoekBrown> {
   static Properties list_properties(const Input& in);
   static HoekBrownMass make_envelope(const Input& in) { return make_rock_mass(in.get<HoekBrownInput>()); }
   explicit HoekBrown(const CurvedLaw& law) : CurvedSoil(law) {}
+};
+
+struct ResidualIndex {
+  double residual_gsi = 0;  ///< [-]
+};
+void describe(auto& v, ResidualIndex& in, const Users& users) {
+  v.key("residual_gsi", in.residual_gsi, users.need(plain().above(0).at_most(100)).usual(5, 40).example("22"),
+        "Geological Strength Index after softening, at most `gsi` (Cai et al. 2007).");
+}
+
+/// Rock whose GSI falls from a peak to a residual value. State variables as SofteningMohrCoulomb's.
+class SofteningHoekBrown : public LinearElastic {
+ public:
+  static constexpr Traits traits{
+      .word = "softening_hoek_brown",
+      .meaning = "the same with a GSI that falls to a residual value with plastic shear strain",
+      .title = "Hoek–Brown with softening",
+      .serves_slices = true,
+      .serves_bounds = false,
+      .softens = true,
+      .is_opaque = true,
+      .paragraphs = {"mohr_coulomb", "softening"},
+      .assumption =
+          "{}: the GSI of the Hoek–Brown criterion falls linearly with plastic shear strain in MPM. LEM and FEM take "
+          "the "
+          "peak or the residual strength of all the rock at once, as `limit_strength` says."};
+  static constexpr int state_size = 3, gap_states = 1;
+  static constexpr bool is_plastic = true;
+
+  using Input = Needs<YoungInput, PoissonInput, HoekBrownInput, ResidualIndex, SofteningRange, FlowRatio>;
+  static SofteningHoekBrown make(const Input& in, const StrengthChange& change);
+  static void check(const Input& in, const SoilFindings& findings);
+  static Properties list_properties(const Input& in);
+  static SliceStrength find_slice_strength(const Input& in);
+  using Limit = HoekBrown;
+  static void stop_softening(const Input::Changeable& in);
+
+  static std::vector<StateField> fields() { return {{"softening_strain", "-", 0}, separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) {
+    values[0] = state[1];
+    values[1] = state[2];
+  }
+  static double find_gap(const double* state) { return state[2]; }
+
+  template <int NS, class T>
+  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                     const Surroundings<T>& around = {}) const {
+    return update_points<NS, state_size>(
+        sigma, d_epsilon, state, active, around,
+        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
+          return update_point<NS>(s, d, q, own);
+        });
+  }
+
+  /// Returns the rock after a softening strain [-].
+  HoekBrownMass find_mass(double strain) const;
+
+ private:
+  SofteningHoekBrown(const LinearElastic& elastic, const Input& in, double factor);
+
+  /// The strength of a step is that at its start.
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
+                                const Surroundings<double>& around) const {
+    if (around.softening) state[1] = std::max(0.0, state[1] + around.softening->nonlocal_correction);
+    double own[]{state[0], state[2]};
+    const CurvedLaw rock(*this, find_mass(state[1]), dilatancy_ratio_, factor_);
+    const Response<double> response = rock.update_point<NS>(sigma, d_epsilon, own, around.gaps);
+    const double strain = own[0] - state[0];
+    state[0] = own[0], state[1] += strain, state[2] = own[1];
+    if (around.softening) around.softening->softened = strain;
+    return response;
+  }
+
+  HoekBrownInput rock_;
+  double residual_gsi_;
+  SofteningRange range_;
+  double dilatancy_ratio_, factor_;
 };
 
 }  // namespace talus::material

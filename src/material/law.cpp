@@ -91,6 +91,15 @@ std::optional<Model> find_local_model(Model model, const SoilNumbers& in) {
   return local;
 }
 
+void stop_softening(Model& model, SoilNumbers& in) {
+  Laws::visit(Model(model), [&]<class L>() {
+    if constexpr (requires { typename L::Limit; }) {
+      L::stop_softening(typename L::Input::Changeable(in));
+      model = model_of<typename L::Limit>;
+    }
+  });
+}
+
 std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in) {
   std::optional<double> modulus;
   Laws::visit(model, [&]<class L>() {

@@ -11,19 +11,21 @@
 #include "material/cam_clay.hpp"
 #include "material/curved_envelopes.hpp"
 #include "material/directed_strength.hpp"
+#include "material/drucker_prager.hpp"
 #include "material/external.hpp"
 #include "material/hoek_brown.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/rooted_mohr_coulomb.hpp"
 #include "material/shansep.hpp"
+#include "material/softening.hpp"
 #include "material/tresca.hpp"
 
 namespace talus::material {
 
-using Law =
-    std::variant<MohrCoulomb, RootedMohrCoulomb, Tresca, Shansep, Adp, Anisotropic, Bedding, PowerCurve, StrengthTable,
-                 HoekBrown, BartonBandis, ModifiedCamClay, RootedCamClay, LinearElastic, NoStrength, External>;
+using Law = std::variant<MohrCoulomb, RootedMohrCoulomb, SofteningMohrCoulomb, DruckerPrager, Tresca, Shansep, Adp,
+                         Anisotropic, Bedding, PowerCurve, StrengthTable, HoekBrown, SofteningHoekBrown, BartonBandis,
+                         ModifiedCamClay, RootedCamClay, LinearElastic, NoStrength, External>;
 
 /// Returns the law as the class whose update a step calls: laws may share it.
 template <class L>
@@ -128,6 +130,8 @@ bool is_total_stress(Model model, const SoilNumbers& in);
 std::optional<Model> find_local_model(Model model, const SoilNumbers& in);
 /// Returns E_c of a soil with constant stiffness [Pa].
 std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in);
+/// Replaces a soil that softens by the one of limit states, without softening. Others are unchanged.
+void stop_softening(Model& model, SoilNumbers& in);
 /// Completes the input with what depends on the folder of the case.
 void complete_soil(SoilNumbers& in, const std::string& name, const auto& find_file) {
   [&]<class... L>(std::variant<L...>*) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A block of overconsolidated clay that is compressed until it softens in a shear band.
+// A block of soil, as of overconsolidated clay, that is compressed until it softens in a shear band.
 
 #include <cmath>
 
@@ -19,22 +19,20 @@ inline material::ModifiedCamClay make_block_clay() {
       {.compression = 0.15, .swelling = 0.03, .poisson_ratio = 0.3, .critical_state_slope = 1.0});
 }
 
-/// `cells` squares wide, under an all-round pressure, of clay that bore six times as much but for a softer spot at its
-/// side. Its upper end comes down with `squeezing`. `length`: 0 for none [m].
+/// `cells` squares wide, under an all-round pressure. `set_state(point, is_soft)` sets the state of a point, which may
+/// be in a softer spot at the side. The upper end comes down with `squeezing`. `length`: 0 for none [m].
 template <int D>
-mpm::Body<D> make_clay_block(int cells, double length) {
-  const material::ModifiedCamClay clay = make_block_clay();
+mpm::Body<D> make_block(int cells, double length, const material::Law& law, auto&& set_state) {
   std::array<int, D> counts;
   Vec<D> size;
   counts[0] = cells, size[0] = block_width;
   counts[1] = 2 * cells, size[1] = block_height;
   if constexpr (D == 3) counts[2] = cells / 2, size[2] = block_width / 2;
   mpm::Body<D> body = fill_body<D>(
-      make_mesh<D>(counts, size), {{clay, 1800}}, D == 2 ? 3 : 4, [](const Vec<D>&) { return 0; },
+      make_mesh<D>(counts, size), {{law, 1800}}, D == 2 ? 3 : 4, [](const Vec<D>&) { return 0; },
       [&](mpm::InitialPoint<D>& p, const Vec<D>& x) {
         for (std::size_t i = 0; i < 3; ++i) p.stress[i] = -cell_pressure;
-        const double softer = std::hypot(x[0], x[1] - 0.7) < 0.25 ? 0.9 : 1;
-        clay.set_initial_state(p.stress.data(), 0.8, 0, softer * 6 * cell_pressure, 1, p.state.data());
+        set_state(p, std::hypot(x[0], x[1] - 0.7) < 0.25);
       });
   fix_nodes<D>(body, 1, [](const Vec<D>& x) { return x[1] < 1e-9; });
   fix_nodes<D>(body, 0, [](const Vec<D>& x) { return std::hypot(x[0], x[1]) < 1e-9; });
@@ -59,6 +57,15 @@ mpm::Body<D> make_clay_block(int cells, double length) {
   body.conditions.loads.push_back(load);
   if (length > 0) mpm::set_softening_length(body, length);
   return body;
+}
+
+/// Of clay that bore six times the cell pressure, but for the softer spot.
+template <int D>
+mpm::Body<D> make_clay_block(int cells, double length) {
+  const material::ModifiedCamClay clay = make_block_clay();
+  return make_block<D>(cells, length, clay, [&](mpm::InitialPoint<D>& p, bool is_soft) {
+    clay.set_initial_state(p.stress.data(), 0.8, 0, (is_soft ? 0.9 : 1) * 6 * cell_pressure, 1, p.state.data());
+  });
 }
 
 /// Frozen geometry, near rest.
