@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace talus::material {
@@ -33,7 +34,7 @@ StrengthLaw Adp::make_strength(const Input& in) {
                       soil = in.get<TrescaInput>()](const StrengthPlane& plane) {
     const double active = soil.profile_strengths.empty()
                               ? soil.undrained_strength + soil.find_growth(plane.at[1])
-                              : profile.interpolate(soil.profile_strengths, plane.at[1], plane.depth);
+                              : profile.interpolate(soil.profile_strengths, plane.at[0], plane.at[1], plane.depth);
     const double share = std::sin(2 * std::clamp(std::abs(plane.dip), 0.0, 45 * degree));
     return StrengthTangent{active * blend(s.direct_ratio, plane.dip >= 0 ? 1.0 : s.passive_ratio, share), 0};
   };
@@ -84,6 +85,13 @@ StrengthLaw Anisotropic::make_strength(const Input& in) {
 
 void Bedding::check(const Input& in, const SoilFindings& findings) {
   const BeddingInput& s = in.get<BeddingInput>();
+  in.get<MohrCoulombStrength>().check(findings);
+  if (findings.is_sound("bedding_dilatancy") && findings.is_sound("bedding_friction") &&
+      s.bedding_dilatancy > s.bedding_friction)
+    findings.add("bedding_dilatancy",
+                 fmt::format("'bedding_dilatancy' of material '{}' is {:g}°; it must not be above 'bedding_friction', "
+                             "{:g}°",
+                             findings.name, s.bedding_dilatancy / degree, s.bedding_friction / degree));
   if (!findings.is_sound("bedding_range") || !findings.is_sound("bedding_transition")) return;
   if (s.bedding_transition && *s.bedding_transition < s.bedding_range)
     findings.add(
@@ -124,5 +132,85 @@ StrengthLaw Bedding::make_strength(const Input& in) {
   };
   return law;
 }
+
+SliceStrength Bedding::find_slice_strength(const Input& in) {
+  SliceStrength strength;
+  strength.law = std::make_shared<const StrengthLaw>(make_strength(in));
+  return strength;
+}
+
+Bedding Bedding::make(const Input& in, const StrengthChange& change) {
+  const BeddingInput& s = in.get<BeddingInput>();
+  StrengthChange rest = change;
+  rest.cohesion.reset();  // the cohesion of a stage is that of the soil
+  const double apex = s.bedding_friction > 0 ? s.bedding_cohesion / std::tan(s.bedding_friction) : s.bedding_cohesion;
+  const double tension = std::min(in.get<MohrCoulombStrength>().tensile_strength, apex);
+  const MohrCoulombStrength planes{s.bedding_cohesion, s.bedding_friction, s.bedding_dilatancy, tension};
+  return {
+      {LinearElastic::make(in), in.get<MohrCoulombStrength>().changed(change)}, planes.changed(rest), s.bedding_angle};
+}
+
+Bedding::Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle)
+    : soil_(soil), planes_(planes), along_{std::cos(angle), std::sin(angle)} {}
+
+template <int NS>
+Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const {
+  constexpr int most_turns = 50;
+  Surroundings<double> around;
+  around.gaps = gaps;
+  Response<double> response = soil_.update<NS>(sigma, d_epsilon, state, true, around);
+  // Further returns to the soil's surface have no strain, and gaps are those of the first and of what opens here.
+  const double none[NS]{};
+  for (int i = 0; i < most_turns; ++i) {
+    if (!slide<NS>(sigma, state, response)) return response;
+    const Response<double> more = soil_.update<NS>(sigma, none, state, true, Surroundings<double>{});
+    if (!more.any_plastic) return response;
+    response.plastic_dilation += more.plastic_dilation;
+    response.dissipation += more.dissipation;
+    response.opened += more.opened;
+    if (gaps != Gaps::ignored && more.opened > 0) response.gap = state[1] += more.opened;
+  }
+  return response;
+}
+
+template <int NS>
+bool Bedding::slide(double* sigma, double* state, Response<double>& response) const {
+  const LinearElastic& elastic = soil_.elastic();
+  const double stiffness = elastic.lambda + 2 * elastic.mu, tolerance = 1e-12 * elastic.mu;
+  const double c = along_[0], s = along_[1];
+  // Components in the axes of the plane: along it, normal to it, and across the section.
+  const double normal = s * s * sigma[0] + c * c * sigma[1] - 2 * s * c * sigma[3];
+  const double along = s * c * (sigma[1] - sigma[0]) + (c * c - s * s) * sigma[3];
+  const double across = NS == 6 ? c * sigma[4] - s * sigma[5] : 0, shear = std::hypot(along, across);
+  const double friction = std::tan(planes_.friction_angle), dilation = std::tan(planes_.dilatancy_angle);
+  const double excess = shear + normal * friction - planes_.cohesion;
+  if (!(excess > tolerance || normal > planes_.tensile_strength + tolerance)) return false;
+  double slip = std::max(0.0, excess) / (elastic.mu + stiffness * friction * dilation), opening = slip * dilation;
+  if (normal - stiffness * opening > planes_.tensile_strength) {
+    opening = (normal - planes_.tensile_strength) / stiffness;
+    slip = std::max(0.0, shear - (planes_.cohesion - friction * planes_.tensile_strength)) / elastic.mu;
+  }
+  // Stress of the plastic strain: slip along the plane, and opening normal to it.
+  const double less = shear > 0 ? elastic.mu * slip / shear : 0;
+  const double t1 = less * along, t2 = less * across, lost = 2 * elastic.mu * opening,
+               pressure = elastic.lambda * opening;
+  const double now_shear = shear - elastic.mu * slip, now_normal = normal - stiffness * opening;
+  sigma[0] += 2 * s * c * t1 - s * s * lost - pressure;
+  sigma[1] -= 2 * s * c * t1 + c * c * lost + pressure;
+  sigma[2] -= pressure;
+  sigma[3] -= (c * c - s * s) * t1 - s * c * lost;
+  if constexpr (NS == 6) {
+    sigma[4] -= c * t2;
+    sigma[5] += s * t2;
+  }
+  state[0] += std::sqrt(slip * slip / 3 + 4.0 / 9 * opening * opening);
+  response.any_plastic = true;
+  response.plastic_dilation += opening;
+  response.dissipation += 0.5 * ((shear + now_shear) * slip + (normal + now_normal) * opening);
+  return true;
+}
+
+template Response<double> Bedding::update_point<4>(double*, const double*, double*, Gaps) const;
+template Response<double> Bedding::update_point<6>(double*, const double*, double*, Gaps) const;
 
 }  // namespace talus::material

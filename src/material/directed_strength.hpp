@@ -4,6 +4,7 @@
 // planes in soil or rock. `NoStrength` is a material without any.
 
 #include "material/mohr_coulomb.hpp"
+#include "material/point_law.hpp"
 #include "material/slice_law.hpp"
 #include "material/tresca.hpp"
 
@@ -81,6 +82,7 @@ struct BeddingInput {
   double bedding_friction = 0;               ///< [rad]
   double bedding_range = 0;                  ///< A [rad]
   std::optional<double> bedding_transition;  ///< B [rad]
+  double bedding_dilatancy = 0;              ///< [rad]
 };
 void describe(auto& v, BeddingInput& in, const Users& users) {
   v.key("bedding_angle", in.bedding_angle, users.need(quantity("deg").at_least(-90).at_most(90)).example("25"),
@@ -90,29 +92,79 @@ void describe(auto& v, BeddingInput& in, const Users& users) {
   v.key("bedding_friction", in.bedding_friction,
         users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50).example("20"),
         "Friction angle along the bedding.");
-  v.key("bedding_range", in.bedding_range, users.allow(quantity("deg").at_least(0).at_most(45)).example("5"),
-        "Planes within this angle of the bedding have its strength.");
+  v.key(
+      "bedding_range", in.bedding_range,
+      users.need(quantity("deg").at_least(0).at_most(45)).by_methods({"lem"}).example("5"),
+      "LEM: planes within this angle of the bedding have its strength. A search meets a range, but an exact direction "
+      "by chance only; with a wider range the factor is lower.");
   v.key("bedding_transition", in.bedding_transition, users.allow(quantity("deg").at_least(0).at_most(90)).example("15"),
         "Planes beyond this angle have the strength of the soil itself, and c and tan φ are linear between; if not "
         "given, `bedding_range`.");
+  v.key("bedding_dilatancy", in.bedding_dilatancy, users.allow(quantity("deg").at_least(0).below(90)).example("0"),
+        "Dilatancy angle of sliding along the bedding in FEM and MPM, at most `bedding_friction`.");
 }
 
-struct Bedding : SliceLaw<Bedding> {
+/// Mohr–Coulomb soil with one family of planes of another strength: the stress returns to the surface of the soil and
+/// to that of the planes in turn until neither is exceeded. State variables are Mohr–Coulomb's.
+class Bedding {
+ public:
   static constexpr Traits traits{
       .word = "bedding",
-      .meaning = "Mohr–Coulomb soil or rock with weaker bedding planes in one direction, for LEM",
+      .meaning = "Mohr–Coulomb soil or rock with weaker bedding planes in one direction",
       .title = "bedding planes in Mohr–Coulomb soil",
       .serves_slices = true,
-      .only_slices = true,
-      .paragraphs = {"linear_elastic"},
+      .serves_bounds = false,
+      .has_friction = true,
+      .is_opaque = true,
+      .paragraphs = {"mohr_coulomb", "bedding"},
       .assumption =
-          "{}: planes near the direction of the bedding have its cohesion and friction angle, others those of "
-          "the soil."};
+          "{}: bedding planes of one direction have a cohesion and friction angle of their own. In LEM slip surfaces "
+          "near that direction have them, in FEM and MPM the planes of that direction, which do not turn with the "
+          "soil."};
+  static constexpr int state_size = MohrCoulomb::state_size, gap_states = 1;
+  static constexpr bool is_plastic = true;
 
   using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, BeddingInput>;
+  static Bedding make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
   static Properties list_properties(const Input& in);
+  static SliceStrength find_slice_strength(const Input& in);
   static StrengthLaw make_strength(const Input& in);
+
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return soil_.constrained_modulus();
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
+  template <int NS>
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
+    return soil_.elastic_energy<NS>(sigma);
+  }
+  static std::vector<StateField> fields() { return {separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
+  static double find_gap(const double* state) { return state[1]; }
+
+  template <int NS, class T>
+  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                     const Surroundings<T>& around = {}) const {
+    return update_points<NS, state_size>(
+        sigma, d_epsilon, state, active, around,
+        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
+          return update_point<NS>(s, d, q, own.gaps);
+        });
+  }
+
+ private:
+  Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle);
+
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
+  /// Returns the stress to the strength of the planes; false if it was within.
+  template <int NS>
+  bool slide(double* sigma, double* state, Response<double>& response) const;
+
+  MohrCoulomb soil_;
+  MohrCoulombStrength planes_;
+  double along_[2];  ///< direction of the planes
 };
 
 struct NoStrength : SliceLaw<NoStrength> {

@@ -146,8 +146,9 @@ TEST(SamplingSlices, ALawHasTheNumbersOfEverySample) {
     std::string text = sampling_slope::write_case(sample + "samples = 8\n" + deviations);
     const std::string plain = "model = \"mohr_coulomb\"\n";
     if (has_law)
-      text.replace(text.find(plain), plain.size(),
-                   "model = \"bedding\"\nbedding_angle = -85\nbedding_cohesion = 0\nbedding_friction = 5\n");
+      text.replace(
+          text.find(plain), plain.size(),
+          "model = \"bedding\"\nbedding_range = 0\nbedding_angle = -85\nbedding_cohesion = 0\nbedding_friction = 5\n");
     StudyOptions options;
     options.folder = sampling_slope::make_folder(has_law ? "law" : "no_law");
     options.threads = 1;
