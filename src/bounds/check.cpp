@@ -118,6 +118,7 @@ class KinematicSum {
     /// bound.
     double cohesion = 0;
     std::optional<double> tension;
+    bool is_reduced = true;
   };
 
   const Vec<2>& get_node(int n) const { return problem_.nodes[static_cast<std::size_t>(n)]; }
@@ -139,7 +140,8 @@ class KinematicSum {
                     shear,
                     soil[i].tan_friction,
                     (2 * soil[i].cohesion + soil[j].cohesion + soil[k].cohesion) / 4,
-                    {}};
+                    {},
+                    soil[i].is_reduced};
       if (soil[i].tension) corner.tension = (2 * *soil[i].tension + *soil[j].tension + *soil[k].tension) / 4;
       corners_.push_back(corner);
       largest_ = std::max({largest_, std::abs(opening[i]), shear});
@@ -200,7 +202,7 @@ class KinematicSum {
   /// Returns true if the flow rule for this factor is satisfied at every corner.
   bool flows(double factor) const {
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
-      const double sine = c.tan_friction / std::hypot(factor, c.tan_friction);
+      const double sine = c.tan_friction / std::hypot(c.is_reduced ? factor : 1, c.tan_friction);
       if (c.tan_friction == 0 && !c.tension) return std::abs(c.opening) <= no_opening * largest_;
       return c.opening >= sine * c.shear;
     });
@@ -211,10 +213,11 @@ class KinematicSum {
   double find_dissipation(double factor) const {
     double sum = 0;
     for (const Corner& c : corners_) {
-      const double tangent = c.tan_friction / factor, sine = tangent / std::hypot(1.0, tangent);
+      const double divisor = c.is_reduced ? factor : 1;
+      const double tangent = c.tan_friction / divisor, sine = tangent / std::hypot(1.0, tangent);
       const double crack = c.tension ? std::min(c.opening, (c.opening - sine * c.shear) / (1 - sine)) : 0;
       const double flow = tangent > 0 ? (c.opening - crack) / tangent : c.shear - std::min(c.shear, crack);
-      sum += c.weight / factor * (c.cohesion * flow + c.tension.value_or(0) * crack);
+      sum += c.weight / divisor * (c.cohesion * flow + c.tension.value_or(0) * crack);
     }
     return sum;
   }

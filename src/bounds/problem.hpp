@@ -25,6 +25,10 @@ struct Strength {
   double cohesion = 0;            ///< c [Pa]
   double tan_friction = 0;        ///< tan φ
   std::optional<double> tension;  ///< largest effective tension, divided by F like c and tan φ [Pa]
+  bool is_reduced = true;         ///< false: F does not divide the strength
+
+  /// Returns what the strength is divided by.
+  double find_divisor(double factor) const { return is_reduced ? factor : 1; }
 };
 
 /// An edge of the border of the soil.
@@ -115,7 +119,8 @@ inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units)
 }
 
 /// Returns the largest F with R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ
-/// (T21.3), and R + σ'_m ≤ tension/F; 0 if no F is small enough, infinity without shear.
+/// (T21.3), and R + σ'_m ≤ tension/F; 0 if no F is small enough, infinity without shear. Soil that is not reduced
+/// allows any F or none.
 inline double find_factor(const Strength& soil, const Stress& effective) {
   const Circle circle = find_circle(effective);
   constexpr double any = std::numeric_limits<double>::infinity();
@@ -130,6 +135,7 @@ inline double find_factor(const Strength& soil, const Stress& effective) {
   }
   if (soil.tension && circle.radius + circle.mean > 0)
     factor = std::min(factor, *soil.tension / (circle.radius + circle.mean));
+  if (!soil.is_reduced) return factor >= 1 ? any : 0;
   return factor;
 }
 

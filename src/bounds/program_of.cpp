@@ -58,17 +58,18 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
              units.stress;
     };
     for (std::size_t i = 0; i < 3; ++i) {
-      const double given = find(i, [](const Strength&s) { return s.cohesion; }), cohesion = given / factor;
-      const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion / factor : 0;
-      const double tangent = own[i].tan_friction / factor, cosine = 1 / std::hypot(1.0, tangent),
+      const double divisor = own[i].find_divisor(factor), rate = own[i].is_reduced ? 1 / factor : 0;
+      const double given = find(i, [](const Strength&s) { return s.cohesion; }), cohesion = given / divisor;
+      const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion * rate : 0;
+      const double tangent = own[i].tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent),
                    cube = cosine * cosine * cosine;
-      const double tangent_rate = -tangent / factor, cosine_rate = -tangent * cube * tangent_rate;
+      const double tangent_rate = -tangent * rate, cosine_rate = -tangent * cube * tangent_rate;
       use(e, i,
           Cone{0.5 * tangent * cosine, cosine, taken * cosine, 0.5 * cube * tangent_rate, cosine_rate,
                taken * cosine_rate + cohesion_rate * cosine});
       if (!own[i].tension) continue;
-      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / factor;
-      use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension / factor : 0});
+      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / divisor;
+      use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension * rate : 0});
     }
   }
 }

@@ -244,7 +244,7 @@ std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh,
 }
 
 double find_sine(const Strength& soil, double factor) {
-  return soil.tan_friction / std::hypot(factor, soil.tan_friction);
+  return soil.tan_friction / std::hypot(soil.find_divisor(factor), soil.tan_friction);
 }
 
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length) {

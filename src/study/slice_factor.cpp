@@ -43,9 +43,10 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
   run::SectionOfCase made = make(middle_values_);
   middle_ = std::move(made.section);
   notes_ = std::move(made.notes);
-  // Laws take their numbers, weights and pore pressures from a section of their own.
+  // Laws take their numbers, weights and pore pressures from a section of their own. Without reduction of all soils the
+  // quick factors of the candidates are no guide.
   const bool has_law = std::any_of(middle_.soils.begin(), middle_.soils.end(),
-                                   [](const lem::Soil& soil) { return soil.law != nullptr; });
+                                   [](const lem::Soil& soil) { return soil.law != nullptr || !soil.reduced; });
   std::set<std::string>
       porous;  // materials with a varied porosity, in which weights are not linear in the grain density
   for (const results::UncertainNumber& n : sampled.numbers)

@@ -31,13 +31,14 @@ bool has_cohesion(const Material& m) {
 
 /// Returns true if the case has a strength that a factor can divide.
 bool has_strength(const Case& data) {
-  return some_material(data, [](const Material& m) { return m.traits().strength == material::Strength::known; });
+  return some_material(data,
+                       [](const Material& m) { return m.traits().strength == material::Strength::known && m.reduced; });
 }
 
 /// Reports external models, because the constants of a UMAT that are its strength are unknown.
 void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
   for (const auto& [name, material] : data.materials)
-    if (material.traits().strength == material::Strength::hidden)
+    if (material.traits().strength == material::Strength::hidden && material.reduced)
       return findings.add(path,
                           "{} is not possible with material '{}': which of the constants of an external model are its "
                           "strength is not known",

@@ -99,6 +99,7 @@ inline constexpr auto choices<MaterialModel> = [] {
 /// Parameters of all soils, and those of all laws, of which a case gives those of its model.
 struct Material : material::SoilNumbers {
   MaterialModel model = material::model_of<material::LinearElastic>;
+  bool reduced = true;                     ///< false: no factor of safety divides the strength
   double grain_density = 0;                ///< ρ_s [kg/m³]
   double porosity = 0;                     ///< n [-]
   std::optional<double> given_void_ratio;  ///< e_0 if given; the porosity follows from it [-]
@@ -112,14 +113,18 @@ struct Material : material::SoilNumbers {
   double density() const { return (1 - porosity) * grain_density; }
 };
 
-/// Returns the law of a material with another cohesion [Pa], reduced by `factor`. Throws as material::make_law().
+/// Returns the law of a material with another cohesion [Pa], reduced by `factor` if the material is to be reduced.
+/// Throws as material::make_law().
 inline material::Law make_law(const Material& m, std::optional<double> cohesion = {}, double factor = 1) {
-  return material::make_law(m.model, m, {factor, cohesion});
+  return material::make_law(m.model, m, {m.reduced ? factor : 1, cohesion});
 }
 
 void describe(auto& v, Material& m) {
   v.key("model", m.model, plain().required().by_methods({"lem", "fem", "bounds", "mpm"}).example(R"("mohr_coulomb")"),
         "How stress follows strain.");
+  v.key("reduced", m.reduced, plain(),
+        "false: the factor of safety does not divide the strength of this soil, as of a wall or of rock, in LEM, FEM, "
+        "limit analysis and MPM. Partial factors divide it all the same.");
   v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "
         "moves ([materials.NAME.water]) needs its porosity all the same, and with MPM both.");

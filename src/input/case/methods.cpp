@@ -67,7 +67,7 @@ void check_slices_need(const Case& data, Findings& findings) {
 void check_reduces(const Case& data, const std::string& who, const std::string& words, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
-    if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
+    if (material.traits().strength == material::Strength::hidden && material.reduced && findings.is_sound(path))
       findings.add(
           path,
           "strength reduction ({}) is not possible with material '{}': which of the constants of an external model "
@@ -106,6 +106,18 @@ void check_elements_need(const Case& data, Findings& findings) {
                  "'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to);
 }
 
+/// Reports materials without the angles of Davis's strength.
+void check_davis(const Case& data, Findings& findings) {
+  if (data.fem.davis == DavisRule::none || !findings.is_sound("fem.davis")) return;
+  for (const auto& [name, material] : data.materials)
+    if (material::needs<material::FlowRatio>(material.model))
+      findings.add("fem.davis",
+                   "'davis' needs the angles φ and ψ, and material '{}' ({}) has a curved envelope; leave 'davis' out",
+                   name, material.traits().title);
+  if (data.fem.flow == FlowRule::associated)
+    findings.add("fem.davis", "'davis' replaces the trials with ψ as given, and flow = \"associated\" has none");
+}
+
 void check_bounds_need(const Case& data, Findings& findings) {
   if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
     findings.add("geometry.dimension",
@@ -133,10 +145,11 @@ void check_only_slices(const Case& data, Findings& findings) {
   if (uses(data, Method::bounds))
     for (const auto& [name, material] : data.materials)
       if (!material.traits().serves_bounds && findings.is_sound("materials." + name + ".model"))
-        findings.add("materials." + name + ".model",
-                     "limit analysis takes straight envelopes, and that of material '{}' ({}) is curved; take "
-                     "\"bounds\" out of 'methods' in [analysis]",
-                     name, material.traits().title);
+        findings.add(
+            "materials." + name + ".model",
+            "limit analysis takes straight envelopes that are the same in all directions, and that of material "
+            "'{}' ({}) is not; take \"bounds\" out of 'methods' in [analysis]",
+            name, material.traits().title);
   for (const auto& [name, material] : data.materials)
     if (material.traits().only_slices && findings.is_sound("materials." + name + ".model"))
       findings.add(
@@ -144,6 +157,22 @@ void check_only_slices(const Case& data, Findings& findings) {
           "the strength of material '{}' ({}) serves LEM only; take {} out of 'methods' in [analysis], or give "
           "the material another model",
           name, material.traits().title, others);
+}
+
+/// Reports cones whose strength in plane strain a factor does not divide like c and tan φ, as those of LEM.
+void check_cones(const Case& data, Findings& findings) {
+  std::string users;
+  for (const Method method : {Method::lem, Method::bounds})
+    if (uses(data, method)) users += fmt::format("{}\"{}\"", users.empty() ? "" : ", ", get_word(method));
+  if (users.empty()) return;
+  for (const auto& [name, material] : data.materials)
+    if (material.model == material::model_of<material::DruckerPrager> &&
+        material.cone != material::ConeMatch::plane_strain && findings.is_sound("materials." + name + ".cone"))
+      findings.add("materials." + name + ".cone",
+                   "LEM and limit analysis take cone = \"plane_strain\" only, because a factor of safety changes the "
+                   "plane strength of another cone in another way; change it for material '{}', or take {} out of "
+                   "'methods' in [analysis]",
+                   name, users);
 }
 
 /// Reports strengths by depth or by σ'_v without a section, which gives the soil above a point.
@@ -160,9 +189,11 @@ void check_columns(const Case& data, Findings& findings) {
 
 void check_has_strength(const Case& data, Findings& findings) {
   if (!findings.is_sound("materials") || data.materials.empty()) return;
-  if (std::none_of(data.materials.begin(), data.materials.end(),
-                   [](const auto& entry) { return entry.second.traits().strength == material::Strength::known; }))
-    findings.add("analysis.methods", "a factor of safety needs a material with a strength");
+  if (std::none_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
+        return entry.second.traits().strength == material::Strength::known && entry.second.reduced;
+      }))
+    findings.add("analysis.methods",
+                 "a factor of safety needs a material with a strength, which is not excluded by reduced = false");
 }
 
 /// Reports a pore pressure ratio r_u together with a pore pressure field.
@@ -263,9 +294,11 @@ void check_methods(const Case& data, Findings& findings) {
   }
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
+  if (has_elements) check_davis(data, findings);
   if (has_bounds) check_bounds_need(data, findings);
   check_reduces(data, findings);
   check_only_slices(data, findings);
+  check_cones(data, findings);
   check_columns(data, findings);
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);

@@ -215,6 +215,7 @@ void build_strips(Slope::Strips& strips) {
     strips.tan_friction.push_back(std::tan(soil.friction_angle));
     strips.tan_phi_b.push_back(std::tan(soil.phi_b));
     strips.laws = strips.laws || soil.law;
+    strips.unreduced = strips.unreduced || !soil.reduced;
     strips.curved_laws = strips.curved_laws || (soil.law && soil.law->is_curved);
   }
   strips.loads = !section.surcharges.empty();

@@ -55,6 +55,7 @@ struct Slope::Strips {
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false;
   bool laws = false, curved_laws = false;  ///< of the soils
+  bool unreduced = false;                  ///< the factor does not divide the strength of some soil
 
   /// Returns the index of the strip over x; at a break that to the right.
   int find(double x) const;

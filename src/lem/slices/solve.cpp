@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lem/slices/mass.hpp"
 #include "lem/slices/slices.hpp"
@@ -24,12 +25,16 @@ constexpr double largest_residual = 1e-5;
 constexpr double tangent_tolerance = 1e-5;
 constexpr int most_tangents = 60;
 
+/// Largest relative difference between the factor of a solution and the one by which it multiplied the strengths that
+/// no factor divides [-].
+constexpr double scale_tolerance = 1e-9;
+constexpr int most_scales = 60;
+
 /// Memory of one thread, reused for all surfaces.
 struct Scratch {
   Mass mass;
   std::vector<Forces> forces;
   std::vector<double> level;
-  WedgeMechanism wedges;
 };
 
 /// Depth over length at which the chart of Janbu's correction ends (Janbu 1973; Abramson et al. 2002) [-].
@@ -77,12 +82,12 @@ void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
 }
 
 /// Rejects a polyline whose factor lies too far below the wedge mechanism of its base.
-void judge_wedges(const Slope& slope, const CutSurface& cut, const Checks& checks, double horizontal, Scratch& s,
+void judge_wedges(const Slope& slope, const CutSurface& cut, const Checks& checks, double horizontal,
                   Solution& solution) {
+  static thread_local WedgeMechanism wedges;
   if (!std::isfinite(checks.most_below_wedges) || !has_wedge_check(slope, cut, solution.method)) return;
-  s.wedges.set(slope, cut, horizontal);
-  if (s.wedges.compute_net_power(solution.factor / (1 - checks.most_below_wedges)) < 0)
-    solution.refusal = Refusal::kinks;
+  wedges.set(slope, cut, horizontal);
+  if (wedges.compute_net_power(solution.factor / (1 - checks.most_below_wedges)) < 0) solution.refusal = Refusal::kinks;
 }
 
 /// Applies Janbu's correction; rejects surfaces outside its chart.
@@ -192,7 +197,7 @@ Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const 
   if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
-  if (checks.reject && solution.refusal == Refusal::none) judge_wedges(slope, cut, checks, horizontal, s, solution);
+  if (checks.reject && solution.refusal == Refusal::none) judge_wedges(slope, cut, checks, horizontal, solution);
   if (method == Method::janbu_corrected) correct(cut, solution);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
   return solution;
@@ -207,11 +212,19 @@ bool is_curved(const Slope& slope, const CutSurface& cut) {
          });
 }
 
-}  // namespace
+/// Multiplies the strengths of the slices whose soil the factor does not divide.
+void scale_unreduced(const Slope& slope, CutSurface& cut, double by) {
+  if (by == 1) return;
+  for (Slice& slice : cut.slices)
+    if (!slope.section().soils[static_cast<std::size_t>(slice.soil)].reduced) {
+      slice.cohesion *= by;
+      slice.tan_friction *= by;
+    }
+}
 
-Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
-                    double horizontal) {
-  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
+/// Solves with the strengths of the laws. Those that the factor does not divide are multiplied by `scale`.
+Solution solve_laws(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                    double horizontal, double scale) {
   if (!is_curved(slope, cut)) return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
   // The tangents at the normal stresses of one solution give the next one: Newton's method for the envelopes.
   Checks lenient = checks;
@@ -219,13 +232,74 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   for (int i = 0; i < most_tangents; ++i) {
     Solution solution = solve_linear(slope, cut, method, lenient, true, horizontal);
     if (!(solution.factor > 0)) return solution;
-    if (set_law_strengths(slope.strips(), cut.slices, true) < tangent_tolerance)
-      return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
+    scale_unreduced(slope, cut, 1 / scale);
+    const double change = set_law_strengths(slope.strips(), cut.slices, true);
+    scale_unreduced(slope, cut, scale);
+    if (change < tangent_tolerance) return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
   }
   Solution none;
   none.method = method;
   none.refusal = Refusal::not_converged;
   return none;
+}
+
+/// Solves a surface in soil that the factor does not divide. The equations divide all strengths, so that such soil has
+/// its own strength where it was multiplied by the factor of the solution; the secant method finds that factor.
+Solution solve_unreduced(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                         double horizontal) {
+  const auto solve_scaled = [&](double scale, const Checks& judge, bool keep) {
+    scale_unreduced(slope, cut, scale);
+    Solution solution = solve_laws(slope, cut, method, judge, keep, horizontal, scale);
+    scale_unreduced(slope, cut, 1 / scale);
+    return solution;
+  };
+  Checks lenient = checks;
+  lenient.reject = false;
+  Solution solution;
+  double scale = 1, last_scale = 0, last_excess = 0;
+  for (int i = 0; i < most_scales; ++i) {
+    solution = solve_scaled(scale, lenient, false);
+    if (!(solution.factor > 0)) return solution;
+    const double excess = solution.factor / solution.correction - scale;
+    if (std::abs(excess) < scale_tolerance * scale) {
+      // The wedge mechanism takes the strengths as they are, and the factor with them.
+      Checks rest = checks;
+      rest.most_below_wedges = std::numeric_limits<double>::infinity();
+      solution = solve_scaled(scale, rest, keep_forces);
+      if (checks.reject && solution.refusal == Refusal::none) judge_wedges(slope, cut, checks, horizontal, solution);
+      if (solution.refusal != Refusal::none) solution.factor = 0;
+      return solution;
+    }
+    // A secant that rises has no root: with any factor the soil that is not reduced holds the mass.
+    const double slope_of_excess = i == 0 ? -1 : (excess - last_excess) / (scale - last_scale);
+    const double next = slope_of_excess < 0 ? scale - excess / slope_of_excess : largest_factor + 1;
+    last_scale = std::exchange(scale, next);
+    last_excess = excess;
+    if (!(scale > 0)) scale = 0.5 * last_scale;
+    if (scale > largest_factor) {
+      solution.refusal = Refusal::held;
+      solution.factor = 0;
+      return solution;
+    }
+  }
+  solution.refusal = Refusal::not_converged;
+  solution.factor = 0;
+  return solution;
+}
+
+bool has_unreduced(const Slope& slope, const CutSurface& cut) {
+  return slope.strips().unreduced && std::any_of(cut.slices.begin(), cut.slices.end(), [&](const Slice& slice) {
+           return !slope.section().soils[static_cast<std::size_t>(slice.soil)].reduced;
+         });
+}
+
+}  // namespace
+
+Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                    double horizontal) {
+  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
+  if (has_unreduced(slope, cut)) return solve_unreduced(slope, cut, method, checks, keep_forces, horizontal);
+  return solve_laws(slope, cut, method, checks, keep_forces, horizontal, 1);
 }
 
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {

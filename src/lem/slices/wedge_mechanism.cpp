@@ -41,13 +41,13 @@ double measure_to_ground(const std::vector<Point>& ground, const Point& from, do
 }  // namespace
 
 auto WedgeMechanism::Base::move(double q) const -> Motion {
-  const double t = tan_friction * q, cosine_of = 1 / std::sqrt(1 + t * t), sine_of = t * cosine_of;
+  const double t = tan_friction * (reduced ? q : 1), cosine_of = 1 / std::sqrt(1 + t * t), sine_of = t * cosine_of;
   return {sine * cosine_of - cosine * sine_of, cosine * cosine_of + sine * sine_of, cosine_of, sine_of};
 }
 
 double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& above, const Base::Motion& below,
                                                 double power_below) const {
-  const double t = tan_friction * q, cosine_of = 1 / std::sqrt(1 + t * t), away = t * cosine_of;
+  const double t = tan_friction * q + kept_friction, cosine_of = 1 / std::sqrt(1 + t * t), away = t * cosine_of;
   const double turn = above.fall * below.run - above.run * below.fall;
   // Jump of velocity, that of the upper wedge less that of the lower one (T18.10): along the interface, downwards where
   // the base flattens, and away from it by dilation.
@@ -58,7 +58,7 @@ double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& ab
   const double jump = turn / on_below, ratio = on_above / on_below;
   if (!(ratio > 0) || jump < 0) return none;
   return ratio * power_below + down * (ratio * below.fall - above.fall) + push * (ratio * below.run - above.run) -
-         (q * cohesion * cosine_of - uplift * away) * jump;
+         ((q * cohesion + kept_cohesion) * cosine_of - uplift * away) * jump;
 }
 
 void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double horizontal) {
@@ -70,13 +70,15 @@ void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
     // A rigid wedge has one direction of velocity on its base, so a base ends where φ changes as well.
     const double steepness = 1 + slice.slope * slice.slope;
+    const bool reduced = slope.section().soils[static_cast<std::size_t>(slice.soil)].reduced;
     const bool same = last != nullptr && std::abs(slice.slope - last->slope) < 1e-4 * steepness &&
-                      std::abs(slice.tan_friction - last->tan_friction) < 1e-9;
+                      std::abs(slice.tan_friction - last->tan_friction) < 1e-9 && reduced == bases_.back().reduced;
     if (!same) {
       bases_.emplace_back();
       bases_.back().cosine = 1 / std::sqrt(steepness);
       bases_.back().sine = slice.slope * bases_.back().cosine;
       bases_.back().tan_friction = slice.tan_friction;
+      bases_.back().reduced = reduced;
     }
     Base& base = bases_.back();
     base.down += vertical * slice.weight + slice.surface_load;
@@ -163,9 +165,10 @@ bool WedgeMechanism::measure_interface(const Slope& slope, const Base& base, dou
     if (strips.loads) load += strip.load.at(x), thrust += strip.thrust.at(x);
     if (section.soils[static_cast<std::size_t>(here.soil)].law)
       set_interface_strength(section, weight + load, ground, std::atan2(dy, dx), here);
-    interface.cohesion += here.cohesion * length / places;
+    const bool reduced = section.soils[static_cast<std::size_t>(here.soil)].reduced;
+    (reduced ? interface.cohesion : interface.kept_cohesion) += here.cohesion * length / places;
     interface.uplift += std::max(0.0, here.pore_pressure) * length / places;
-    interface.tan_friction += here.tan_friction / places;
+    (reduced ? interface.tan_friction : interface.kept_friction) += here.tan_friction / places;
     interface.down += sign * width * (vertical * weight + load);
     interface.push += sign * width * (horizontal * weight + way_ * thrust);
   }
@@ -204,8 +207,8 @@ double WedgeMechanism::compute_net_power(double factor) const {
   for (std::size_t i = bases_.size(); i-- > 0;) {
     const Base& base = bases_[i];
     const Base::Motion motion = base.move(q);
-    const double power = base.down * motion.fall + base.push * motion.run - q * base.cohesion * motion.cosine +
-                         base.uplift * motion.sine;
+    const double power = base.down * motion.fall + base.push * motion.run -
+                         (base.reduced ? q : 1) * base.cohesion * motion.cosine + base.uplift * motion.sine;
     for (std::size_t j = i + 1 < bases_.size() ? first_[i] : first_.back();
          j < first_[std::min(i + 1, first_.size() - 1)]; ++j) {
       const Interface& face = interfaces_[j];

@@ -41,6 +41,7 @@ class WedgeMechanism {
     double cohesion = 0;          ///< c l [N]
     double uplift = 0;            ///< u l [N]
     double tan_friction = 0;
+    bool reduced = true;          ///< false: the factor does not divide the strength
     double end_x = 0, end_y = 0;  ///< lower end of the base [m]
   };
   /// One trial interface at the lower end of a base.
@@ -50,7 +51,9 @@ class WedgeMechanism {
     double cohesion = 0;          ///< ∫ c dl [N]
     double uplift = 0;            ///< ∫ u dl [N]
     double tan_friction = 0;      ///< mean over the length of the interface
-    double down = 0, push = 0;    ///< forces that the tilt moves from the upper wedge to the lower one [N]
+    double kept_cohesion = 0;     ///< the same of soil that the factor does not divide [N]
+    double kept_friction = 0;
+    double down = 0, push = 0;  ///< forces that the tilt moves from the upper wedge to the lower one [N]
     /// Returns the power of everything below the upper wedge, per unit velocity of that wedge; `power_below` is per
     /// unit velocity of the lower one.
     double compute_power(double q, const Base::Motion& above, const Base::Motion& below, double power_below) const;

@@ -44,6 +44,8 @@ const char* name_refusal(Refusal refusal) {
       return "Bishop's method needs a circle";
     case Refusal::chart:
       return "depth over length outside the chart of Janbu's correction";
+    case Refusal::held:
+      return "soil that is not reduced holds the mass at any factor";
     case Refusal::count:
       break;
   }

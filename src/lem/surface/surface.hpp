@@ -41,6 +41,7 @@ enum class Refusal {
                   ///< strength
   moment_axis,    ///< a method of moments about the centre of a circle, on a surface that is not circular
   chart,          ///< outside the range of the chart of Janbu's correction
+  held,           ///< soil that is not reduced holds the mass at any factor
   count
 };
 

@@ -203,7 +203,9 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
                            ? "soil with flow of water only"
                            : material::describe_model(soil.model, soil)},
              {"regions", regions},
-             {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
+             {"properties", list_properties(folder, soil, soil.reduced ? stage_factor : std::nullopt,
+                                            soil.reduced ? factor_of_safety : std::nullopt)
+                                .list()}};
     if (json strength = sample_strength(data, soil); !strength.is_null()) row["strength"] = std::move(strength);
     if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);
     rows.push_back(std::move(row));

@@ -144,6 +144,7 @@ class ProblemBuilder {
         given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - x[1]);
     soil.tan_friction = std::tan(given.friction_angle);
     if (given.law) soil.cohesion = root_cohesion + find_law_strength(given, x);
+    soil.is_reduced = m.reduced;
     if (data_.bounds.flow == input::BoundsFlow::davis) {
       const double phi = given.friction_angle, psi = m.dilatancy_angle,
                    share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));

@@ -38,6 +38,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.cohesion_gradient = strength.cohesion_gradient;
   soil.cohesion_level = strength.cohesion_level;
   soil.law = strength.law;
+  soil.reduced = m.reduced;
   if (!strength.yields)
     notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
   soil.undrained = material::is_total_stress(m.model, m) || (!soil.law && soil.friction_angle == 0);
