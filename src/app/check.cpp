@@ -78,7 +78,11 @@ std::string describe_elements(const input::Case& data) {
   std::string sizes;
   if (data.mesh.file.empty()) sizes = " with elements of " + show_length(data, size);
   if (data.mesh.file.empty() && data.fem.meshes > 1) sizes += " and of " + show_length(data, 2 * size);
-  return fmt::format("  FEM: strength reduction{}, {}\n", sizes, flow);
+  const std::string davis =
+      data.fem.davis == input::DavisRule::none || data.fem.flow == input::FlowRule::associated
+          ? ""
+          : fmt::format(", with the strength of Davis {:c}", "ABC"[static_cast<int>(data.fem.davis) - 1]);
+  return fmt::format("  FEM: strength reduction{}, {}{}\n", sizes, flow, davis);
 }
 
 std::string describe_bounds(const input::ProvenBounds& bounds) {

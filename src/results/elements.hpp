@@ -17,6 +17,11 @@ enum class Flow { as_given, associated };
 template <>
 inline constexpr auto words<Flow> = std::array{"as_given", "associated"};
 
+/// Strengths of Davis (1968) that replace ψ < φ, by the angles that give their share.
+enum class Davis { a, b, c };
+template <>
+inline constexpr auto words<Davis> = std::array{"a", "b", "c"};
+
 struct ElementTrial {
   double factor = 0;
   bool converged = false;
@@ -61,6 +66,7 @@ void describe(auto& v, As<ElementInterval> auto& r) {
 /// Strength reduction with one flow rule.
 struct ElementRun {
   Flow flow = Flow::as_given;
+  std::optional<Davis> davis;   ///< replaces ψ < φ; nullopt: the flow rule is as it says
   std::array<double, 2> psi{};  ///< smallest and largest ψ [rad]
   double factor = 0, stable = 0, failed = 0;
   std::optional<double> by_displacement;  ///< factor at the sharp rise of displacement
@@ -76,6 +82,7 @@ struct ElementRun {
 };
 void describe(auto& v, As<ElementRun> auto& r) {
   v.key("flow", r.flow, {"", "flow rule"});
+  v.maybe("davis", r.davis, {"", "strength of Davis in place of ψ < φ"});
   v.key("psi", r.psi, {"rad", "least and greatest dilatancy angle"});
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
@@ -90,6 +97,12 @@ void describe(auto& v, As<ElementRun> auto& r) {
   v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
   v.key("seconds", r.seconds, {"s", "seconds"});
   v.key("warnings", r.warnings, {"", "warnings"});
+}
+
+/// Returns "ψ = φ", "ψ as given" or "Davis B".
+inline std::string name_flow(const ElementRun& run) {
+  if (run.davis) return std::string("Davis ") + "ABC"[static_cast<int>(*run.davis)];
+  return run.flow == Flow::associated ? "ψ = φ" : "ψ as given";
 }
 
 /// "fem" of summary.json.

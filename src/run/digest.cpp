@@ -244,8 +244,7 @@ std::string write_timeline(const results::Timeline& t, const Units& in) {
   for (const results::TimedReduction& e : t.elements)
     for (const results::ElementRun& r : e.runs)
       text += "  " + pad(results::format_moment(t, e.time), t.start ? 30 : 15) +
-              fmt::format("{:6.3f}   FEM, {}{}\n", r.factor,
-                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", write_interval(r.interval));
+              fmt::format("{:6.3f}   FEM, {}{}\n", r.factor, results::name_flow(r), write_interval(r.interval));
   text += results::format_failure(t) + "\n";
   if (const std::string releases = results::format_releases(t, in.all()); !releases.empty()) text += releases + "\n";
   return text;

@@ -13,11 +13,15 @@ namespace talus::input {
 /// Flow rule of the trials.
 enum class FlowRule { as_given, associated, both };
 
+/// Associated flow with the strength of Davis (1968) in place of ψ < φ, by the angles that give its share.
+enum class DavisRule { none, a, b, c };
+
 struct FiniteElements {
   std::optional<double> size;  ///< element size [m]; not given: that of [mesh]
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
   int meshes = 2;                        ///< 2: also a mesh of twice the size, with linear extrapolation
   FlowRule flow = FlowRule::as_given;    ///< both: ψ as given, and ψ = φ
+  DavisRule davis = DavisRule::none;     ///< of the trials with ψ as given
   double from = 1.0, to = 2.0;           ///< initial bracket [-]
   double resolution = 0.005;             ///< width of the final bracket [-]
   double force_tolerance = 1e-4;         ///< relative [-]
@@ -33,6 +37,14 @@ inline constexpr auto choices<FlowRule> = std::array{
     Choice{FlowRule::both, "both", "one after the other"},
 };
 
+template <>
+inline constexpr auto choices<DavisRule> = std::array{
+    Choice{DavisRule::none, "none", "the flow rule as given"},
+    Choice{DavisRule::a, "a", "φ and ψ as given"},
+    Choice{DavisRule::b, "b", "φ and ψ reduced, tan φ/F and tan ψ/F"},
+    Choice{DavisRule::c, "c", "φ reduced and ψ as given; no change where ψ exceeds the reduced φ"},
+};
+
 void describe(auto& v, FiniteElements& f) {
   v.key("size", f.size, quantity("m").above(0).example("1.0"),
         "Size of the quadratic elements; if not given, that of [mesh]. With two meshes it is that of the finer one.");
@@ -42,6 +54,10 @@ void describe(auto& v, FiniteElements& f) {
         "interval holds the error of the mesh. 1: one mesh, whose error is not known. If not given, it is 1 in 3D and "
         "for a ready mesh file.");
   v.key("flow", f.flow, plain(), "Plastic flow of the trials.");
+  v.key(
+      "davis", f.davis, plain(),
+      "Instead of ψ < φ, associated flow with c and tan φ times β = cos ψ cos φ/(1 − sin ψ sin φ) after Davis (1968), "
+      "by these angles. The factor varies less with the mesh. It replaces the trials with ψ as given.");
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");

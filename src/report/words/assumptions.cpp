@@ -177,7 +177,14 @@ class Assumptions {
     else if (!runs.empty())
       add("The factor by FEM is that of one mesh, and the mesh error is not known.");
     for (const results::ElementRun& run : runs)
-      if (run.flow == results::Flow::associated)
+      if (run.davis)
+        add("{} replaces soil with ψ < φ by a weaker one with associated flow, so that the factor depends less on the "
+            "mesh: c and tan φ times cos ψ cos φ/(1 − sin ψ sin φ), {}.",
+            results::name_flow(run),
+            run.davis == results::Davis::a   ? "by the angles as given"
+            : run.davis == results::Davis::b ? "by the angles reduced by the factor"
+                                             : "by the reduced φ and ψ as given");
+      else if (run.flow == results::Flow::associated)
         add("With associated flow (ψ = φ) the factor can be compared with LEM and limit analysis; with ψ as given it "
             "should agree with that of MPM.");
   }
@@ -228,11 +235,12 @@ class Assumptions {
   }
 
   void add_soils() {
-    std::vector<std::string> elastic, tensile;
+    std::vector<std::string> elastic, tensile, kept;
     std::size_t with_strength = 0;
     for (const auto& [name, soil] : data_.materials) {
       const material::Traits& traits = soil.traits();
       if (traits.strength == material::Strength::none) elastic.push_back(name);
+      if (!soil.reduced) kept.push_back(name);
       is_plastic_ = is_plastic_ || traits.strength == material::Strength::known;
       if (!soil.traits().has_friction) continue;
       ++with_strength;
@@ -251,6 +259,9 @@ class Assumptions {
     add_models();
     add_softening();
     for (std::string& sentence : list_root_assumptions(folder_)) sentences_.push_back(std::move(sentence));
+    if (!kept.empty())
+      add("No factor of safety divides the strength of {} (reduced = false): the factors refer to the other soils.",
+          join_words(kept));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 

@@ -324,7 +324,7 @@ const char* name_band(results::Flow flow) {
 }
 
 std::string describe_flow(const results::ElementRun& run) {
-  if (run.flow == results::Flow::associated) return "ψ = φ";
+  if (run.flow == results::Flow::associated || run.davis) return results::name_flow(run);
   const double low = run.psi[0], high = run.psi[1], degrees = 180 / std::numbers::pi;
   return std::abs(high - low) < 1e-9 ? fmt::format("ψ = {:.3g}°", low * degrees) : "ψ as given";
 }

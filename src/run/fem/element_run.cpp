@@ -141,6 +141,20 @@ std::vector<results::Flow> list_flows(input::FlowRule rule) {
   return {results::Flow::as_given, results::Flow::associated};
 }
 
+std::optional<results::Davis> find_davis(input::DavisRule rule) {
+  switch (rule) {
+    case input::DavisRule::none:
+      break;
+    case input::DavisRule::a:
+      return results::Davis::a;
+    case input::DavisRule::b:
+      return results::Davis::b;
+    case input::DavisRule::c:
+      return results::Davis::c;
+  }
+  return std::nullopt;
+}
+
 fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads) {
   fem::ReductionOptions options;
   options.from = settings.from;
@@ -225,7 +239,7 @@ void ElementRun<D>::calculate() {
     if (!model_ || has_run(file_.summary, flow)) continue;
     attempt_part([&] {
       throw_if_interrupted();
-      if (flow == results::Flow::associated) set_associated_flow<D>(site_, model_->solid);
+      set_trial_laws<D>(site_, model_->solid, flow == results::Flow::associated);
       reduce(flow);
     });
     if (!model_) return;
@@ -250,7 +264,7 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
 template <int D>
 LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const {
   LeastMeshError least;
-  if (run.flow != results::Flow::associated && has_less_dilatancy(data())) least.above = known_scatter;
+  if (run.flow != results::Flow::associated && !run.davis && has_less_dilatancy(data())) least.above = known_scatter;
   if constexpr (D == 2) {
     const auto thin = list_thin_layers(*model_->solid.mesh, model_->mesh, found.mechanism);
     if (thin.empty()) return least;
@@ -268,7 +282,7 @@ template <int D>
 void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
                                 results::ElementRun& run) const {
   const std::unique_ptr<Model> model = make_model(coarse_ratio);
-  if (run.flow == results::Flow::associated) set_associated_flow<D>(site_, model->solid);
+  set_trial_laws<D>(site_, model->solid, run.flow == results::Flow::associated);
   const auto found = search(*model, words + ", coarse mesh");
   const results::ElementMeshFactor fine = make_mesh_factor_result(fine_search, file_.summary.size),
                                    coarse = make_mesh_factor_result(
@@ -310,7 +324,7 @@ results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, co
   };
   point(!pushes_left);
   std::unique_ptr<Model> other = make_model(1);
-  if (flow == results::Flow::associated) set_associated_flow<D>(site_, other->solid);
+  set_trial_laws<D>(site_, other->solid, flow == results::Flow::associated);
   const fem::ReductionOptions options = make_options(data().fem, options_.threads);
   show(fmt::format("{}, earthquake towards the other side", words));
   results::EarthquakeSide side{pushes_left ? -1 : 1, found.failed};
@@ -332,11 +346,12 @@ results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, co
 template <int D>
 void ElementRun<D>::reduce(results::Flow flow) {
   const bool associated = flow == results::Flow::associated;
-  const char* words = associated ? "ψ = φ" : "ψ as given";
-  auto found = search(*model_, words);
   results::ElementRun run;
-  if (tries_both_directions_) run.earthquake = compare_directions(flow, words, found);
   run.flow = flow;
+  if (!associated) run.davis = find_davis(data().fem.davis);
+  const std::string words = results::name_flow(run);
+  auto found = search(*model_, words);
+  if (tries_both_directions_) run.earthquake = compare_directions(flow, words, found);
   run.psi = find_dilatancy(data(), associated);
   run.factor = found.factor;
   run.stable = found.stable;
@@ -387,8 +402,7 @@ void ElementRun<D>::write_result(results::RunResult& run) const {
   add_warnings(run);
   for (const results::ElementRun& r : result.runs)
     for (const std::string& warning : r.warnings)
-      run.warnings.push_back(
-          fmt::format("{}, {}: {}", title_, r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
+      run.warnings.push_back(fmt::format("{}, {}: {}", title_, results::name_flow(r), warning));
   site::give(water_, run);
 }
 

@@ -38,6 +38,7 @@ RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
                             site.data().regions.at(region),
                             material::list_words(
                                 [](const material::Traits& t) { return t.serves_slices && !t.only_slices; }, " and ")));
+  material::stop_softening(soil.material.model, soil.material);
   if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
     soil.varies = true;
     soil.material.model = *local;
@@ -176,20 +177,38 @@ class SolidBuilder {
   std::vector<std::array<double, D + 1>> pore_;
 };
 
+void set_associated(input::Material& material) {
+  material.dilatancy_angle = material.friction_angle;
+  material.dilatancy_ratio = 1;
+}
+
 template <int D>
-void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated) {
+void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated, input::DavisRule davis) {
   std::vector<RegionSoil> soils = list_soils<D>(site, *solid.mesh);
-  if (associated)
-    for (RegionSoil& soil : soils) {
-      soil.material.dilatancy_angle = soil.material.friction_angle;
-      soil.material.dilatancy_ratio = 1;
-    }
-  solid.model.make_law = [soils = std::move(soils)](int region, double factor) {
-    return input::make_law(soils[static_cast<std::size_t>(region)].material, {}, factor);
+  std::vector<double> dilatancy;  // of the soils as given [rad]
+  for (RegionSoil& soil : soils) {
+    dilatancy.push_back(soil.material.dilatancy_angle);
+    if (associated || davis != input::DavisRule::none) set_associated(soil.material);
+  }
+  solid.model.make_law = [soils = std::move(soils), dilatancy = std::move(dilatancy), davis](int region,
+                                                                                             double factor) {
+    const auto r = static_cast<std::size_t>(region);
+    const input::Material& soil = soils[r].material;
+    // Strengths times β that are divided by F are those divided by F/β.
+    return input::make_law(soil, {}, factor / compute_davis_share(davis, soil.friction_angle, dilatancy[r], factor));
   };
 }
 
 }  // namespace
+
+double compute_davis_share(input::DavisRule rule, double friction_angle, double dilatancy_angle, double factor) {
+  if (rule == input::DavisRule::none) return 1;
+  double phi = friction_angle, psi = dilatancy_angle;
+  if (rule != input::DavisRule::a) phi = std::atan(std::tan(phi) / factor);
+  if (rule == input::DavisRule::b) psi = std::atan(std::tan(psi) / factor);
+  if (psi >= phi) return 1;
+  return std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
+}
 
 mesh::Plan make_fem_plan(const site::Site& site, double share) {
   const input::Case& data = site.data();
@@ -215,20 +234,20 @@ template <int D>
 SolidOfCase<D> make_solid_on(const site::Site& site, std::shared_ptr<const mesh::Mesh<D>> mesh) {
   SolidOfCase<D> solid;
   solid.mesh = std::move(mesh);
-  set_laws<D>(site, solid, false);
+  set_laws<D>(site, solid, false, input::DavisRule::none);
   SolidBuilder<D>(site, solid).build();
   return solid;
 }
 
 template <int D>
-void set_associated_flow(const site::Site& site, SolidOfCase<D>& solid) {
-  set_laws<D>(site, solid, true);
+void set_trial_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated) {
+  set_laws<D>(site, solid, associated, associated ? input::DavisRule::none : site.data().fem.davis);
 }
 
 #define TALUS_INSTANTIATE(D)                                                                         \
   template SolidOfCase<D> make_solid<D>(const site::Site&, double);                                  \
   template SolidOfCase<D> make_solid_on<D>(const site::Site&, std::shared_ptr<const mesh::Mesh<D>>); \
-  template void set_associated_flow<D>(const site::Site&, SolidOfCase<D>&);
+  template void set_trial_laws<D>(const site::Site&, SolidOfCase<D>&, bool);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -31,9 +31,15 @@ SolidOfCase<D> make_solid(const site::Site& site, double share = 1);
 template <int D>
 SolidOfCase<D> make_solid_on(const site::Site& site, std::shared_ptr<const mesh::Mesh<D>> mesh);
 
-/// Replaces the laws of the case by those with ψ = φ.
+/// Replaces the laws of the case by those of the trials of a strength reduction: with ψ = φ, else with the strength of
+/// [fem] davis, if that is asked for.
 template <int D>
-void set_associated_flow(const site::Site& site, SolidOfCase<D>& solid);
+void set_trial_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated);
+
+/// Returns β, by which c and tan φ of soil with ψ < φ are multiplied before its flow is taken as associated: Davis
+/// (1968) for `rule` a, Tschuchnigg, Schweiger and Sloan (2015), Comput. Geotech. 70, 169 and 178, for b and c.
+/// Angles [rad] are those of the case, `factor` is that of the trial.
+double compute_davis_share(input::DavisRule rule, double friction_angle, double dilatancy_angle, double factor);
 
 /// Throws Error (wrong_input) for materials and boundaries that make_solid() does not support, without a mesh.
 void check_solid(const site::Site& site);

@@ -11,7 +11,8 @@ export const flowRuns = computed(() => {
   const { result, finite_elements: drawn } = report.value;
   return (result.fem?.runs ?? []).map((run, i) => ({
     ...run,
-    title: run.flow === "associated" ? "associated flow, ψ = φ" : "ψ as given",
+    title:
+      run.davis ? `Davis ${run.davis.toUpperCase()}` : run.flow === "associated" ? "associated flow, ψ = φ" : "ψ as given",
     trials: [...run.trials].sort((a, b) => a.factor - b.factor),
     /** One, or one of each side where the soil moves to both [m]. */
     slip_lines: run.sides?.map((side) => side.points) ?? (run.slip_line.length > 0 ? [run.slip_line] : []),

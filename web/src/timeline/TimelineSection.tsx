@@ -90,7 +90,7 @@ export function TimelineSection() {
             <td class="number">{e.runs.length > 0 ? e.runs.map((r) => formatFactor(r.factor)).join("; ") : "none"}</td>
             <td>
               FEM
-              {e.runs.length > 0 && `, ${e.runs.map((r) => (r.flow === "associated" ? "ψ = φ" : "ψ as given")).join("; ")}`}
+              {e.runs.length > 0 && `, ${e.runs.map((r) => (r.davis ? `Davis ${r.davis.toUpperCase()}` : r.flow === "associated" ? "ψ = φ" : "ψ as given")).join("; ")}`}
               {e.error && `: ${e.error}`} ({e.folder})
             </td>
           </tr>
