@@ -46,26 +46,37 @@ json sample_strength(const input::Case& data, const input::Material& soil) {
   const double digits = std::pow(10, std::floor(std::log10(most))), end = std::ceil(most / digits) * digits;
   json normal = json::array(), lines = json::array();
   for (int i = 0; i <= samples; ++i) normal.push_back(end * i / samples);
-  const auto add = [&](const std::string& name, StrengthPlane plane) {
+  const auto add_strength = [&](const std::string& name, const material::SliceStrength& own, StrengthPlane plane) {
     json shear = json::array();
     for (int i = 0; i <= samples; ++i) {
       plane.normal = plane.vertical = end * i / samples;
       const StrengthTangent t =
-          strength->law
-              ? strength->law->find_tangent(plane)
-              : StrengthTangent{strength->cohesion +
-                                    strength->cohesion_gradient * std::max(0.0, strength->cohesion_level - plane.at[1]),
-                                std::tan(strength->friction_angle)};
+          own.law
+              ? own.law->find_tangent(plane)
+              : StrengthTangent{own.cohesion + own.cohesion_gradient * std::max(0.0, own.cohesion_level - plane.at[1]),
+                                std::tan(own.friction_angle)};
       shear.push_back(round_to_digits(t.cohesion + plane.normal * t.tan_friction, 6));
     }
     lines.push_back({{"name", name}, {"shear", std::move(shear)}});
   };
+  const auto add = [&](const std::string& name, const StrengthPlane& plane) { add_strength(name, *strength, plane); };
+  const auto add_direction = [&](const std::string& name, double angle) {
+    add(name, {{0, extent.high}, 0, 0, angle, angle, 0});
+  };
   const bool by_depth =
       strength->cohesion_gradient != 0 || (material::needs<material::StrengthProfile>(soil.model) && soil.is_given());
-  if (strength->law && strength->law->is_directed) {
-    for (const double angle : {45.0, 0.0, -45.0}) {
-      const double turned = angle * std::numbers::pi / 180;
-      add(fmt::format("plane at {:g}°", angle), {{0, extent.high}, 0, 0, turned, turned, 0});
+  if (material::needs<material::BeddingInput>(soil.model)) {
+    add_direction("along the bedding", soil.bedding_angle);
+    add_direction("across the bedding", soil.bedding_angle + 0.5 * std::numbers::pi);
+  } else if (strength->law && strength->law->is_directed) {
+    for (const double angle : {45.0, 0.0, -45.0})
+      add_direction(fmt::format("plane at {:g}°", angle), angle * std::numbers::pi / 180);
+  } else if (material::needs<material::SofteningRange>(soil.model)) {
+    input::Material either = soil;
+    for (const material::LimitStrength limit : {material::LimitStrength::peak, material::LimitStrength::residual}) {
+      either.limit_strength = limit;
+      add_strength(limit == material::LimitStrength::peak ? "peak" : "residual",
+                   *material::find_slice_strength(either.model, either), {{0, extent.high}, 0, 0, 0, 0, 0});
     }
   } else if (by_depth && height > 0) {
     add("at the highest point", {{0, extent.high}, 0, 0, 0, 0, 0});

@@ -75,6 +75,21 @@ export const soils = {
     with cohesion $c$, friction angle $\varphi$, dilatancy angle $\psi$ and tensile strength $\sigma_t$, which is at
     most $c/\tan\,\varphi$. The elastic trial stress is returned in principal stresses to the plane, edge or apex that
     is active [@clausen2007]; the flow of the cut-off is associated.`],
+  drucker_prager: ["Drucker–Prager model", () => prose`
+    The soil is linear elastic and perfectly plastic with the cone of Drucker and Prager and a cut-off of the mean
+    tension. With the mean stress $p$, positive in tension,
+    $$f=\sqrt{J_2}+\eta\,p-\xi c,\quad g=\sqrt{J_2}+\eta_\psi\,p,\qquad f_t=p-\sigma_t$$
+    f = √J_2 + η p − ξ c,  g = √J_2 + η_ψ p,  f_t = p − σ_t $$
+    where $\eta$, $\xi$ and $\eta_\psi$ give the cone the strength and dilatancy of Mohr–Coulomb’s pyramid on the
+    meridian, or in the plane strain, that the input names.`],
+  softening: ["Softening", () => prose`
+    In soil that softens, $c$ and $\tan\,\varphi$ fall linearly from their peak to their residual values with the
+    deviatoric plastic strain $\varepsilon_q^p=\int\sqrt{\tfrac23\dot{\mathbf e}^p:\dot{\mathbf e}^p}\,dt$, and $\psi$
+    falls to zero. The strength of a step is that of the strain at its start.`],
+  bedding: ["Bedding planes", () => prose`
+    On planes in the direction of the bedding $|\tau|\le c_b-\sigma_n'\tan\,\varphi_b$ holds besides the strength of the
+    soil. The stress is returned to both surfaces in turn until neither is exceeded; sliding along the planes dilates
+    by their own angle.`],
   root_cohesion: ["Cohesion of roots", ({ result: { input } }) => {
     const bundles = findWords(input, "roots", "bundle.model");
     return prose`
