@@ -64,6 +64,9 @@ TEST(StrengthLaws, TablesThatAreNoEnvelope) {
                              "20\nbedding_cohesion = 1\nbedding_friction = 10\nbedding_range = 9\nbedding_transition = "
                              "4\n"),
                    "it must not be below 'bedding_range'");
+  expect_one_fault(with_soil("model = \"bedding\"\ncohesion = 8\nfriction_angle = 30\nbedding_angle = "
+                             "20\nbedding_cohesion = 1\nbedding_friction = 10\n"),
+                   "bedding_range");
 }
 
 TEST(StrengthLaws, MethodsThatCannotCarryThem) {
@@ -71,7 +74,7 @@ TEST(StrengthLaws, MethodsThatCannotCarryThem) {
   const auto with_boundary = [](const std::string& text) {
     return text + "[[boundary]]\non = \"bottom\"\nfix = \"full\"\n";
   };
-  expect_one_fault(with_boundary(change(with_soil(rock), "[\"lem\"]", with_bounds)), "is curved; take \"bounds\" out");
+  expect_one_fault(with_boundary(change(with_soil(rock), "[\"lem\"]", with_bounds)), "is not; take \"bounds\" out");
   expect_one_fault(with_boundary(change(
                        with_soil("model = \"adp\"\nundrained_strength = 40\ndirect_ratio = 0.7\npassive_ratio = 0.4\n"),
                        "[\"lem\"]", with_bounds)),
@@ -81,10 +84,61 @@ TEST(StrengthLaws, MethodsThatCannotCarryThem) {
 }
 
 TEST(StrengthLaws, AnUndrainedEnvelopeNeedsMohrCoulomb) {
-  expect_one_fault(with_soil("model = \"bedding\"\ncohesion = 8\nfriction_angle = 30\nbedding_angle = "
-                             "20\nbedding_cohesion = 1\nbedding_friction = 10\n[materials.soil.undrained_envelope]\n"
-                             "cohesion = 5\nfriction_angle = 15\n"),
-                   "no friction angle in effective stresses");
+  expect_one_fault(
+      with_soil("model = \"bedding\"\nbedding_range = 0\ncohesion = 8\nfriction_angle = 30\nbedding_angle = "
+                "20\nbedding_cohesion = 1\nbedding_friction = 10\n[materials.soil.undrained_envelope]\n"
+                "cohesion = 5\nfriction_angle = 15\n"),
+      "no friction angle in effective stresses");
+}
+
+const std::string soft =
+    "model = \"softening_mohr_coulomb\"\ncohesion = 20\nfriction_angle = 25\nresidual_cohesion = "
+    "2\nresidual_friction_angle = 14\nlimit_strength = \"residual\"\n";
+const std::string cone = "model = \"drucker_prager\"\ncohesion = 5\nfriction_angle = 30\ncone = \"plane_strain\"\n";
+
+TEST(StrengthLaws, SofteningConesAndSoundings) {
+  for (const std::string& soil :
+       {soft, cone,
+        "model = \"softening_hoek_brown\"\nresidual_gsi = 20\nlimit_strength = \"peak\"\n" +
+            rock.substr(rock.find("intact_strength")),
+        std::string("model = \"tresca\"\nprofile_x = [0, 40, 90]\nprofile_levels = [35, 20]\nprofile_strengths = "
+                    "[20, 50, 25, 60, 22, 55]\n")})
+    EXPECT_TRUE(find_faults(with_soil(soil)).empty()) << soil;
+  expect_one_fault(with_soil(change(soft, "residual_cohesion = 2", "residual_cohesion = 30")),
+                   "'residual_cohesion' is 30 kPa; it must not be above the cohesion, 20 kPa");
+  expect_one_fault(with_soil(change(soft, "angle = 14", "angle = 28")),
+                   "it must not be above the friction angle, 25 deg");
+  expect_one_fault(with_soil(soft + "softening_start = 0.3\nsoftening_end = 0.2\n"),
+                   "'softening_end' is 0.2; it must be above 'softening_start', 0.3");
+  expect_one_fault(with_soil(change(soft, "limit_strength = \"residual\"\n", "")), "limit_strength");
+  expect_one_fault(with_soil(change(soft, "\"residual\"", "\"mean\"")), "limit_strength");
+  expect_one_fault(with_soil(change(cone, "\"plane_strain\"", "\"outer\"")), "cone");
+  expect_one_fault(with_soil(change(cone, "\"plane_strain\"", "\"compression\"")),
+                   "LEM and limit analysis take cone = \"plane_strain\" only");
+  expect_one_fault(with_soil("model = \"softening_hoek_brown\"\nresidual_gsi = 60\nlimit_strength = \"peak\"\n" +
+                             rock.substr(rock.find("intact_strength"))),
+                   "'residual_gsi' is 60; it must not be above 'gsi', 40");
+  const std::string soundings = "model = \"tresca\"\nprofile_levels = [35, 20]\nprofile_strengths = [20, 50, 25, 60]\n";
+  expect_one_fault(with_soil(soundings + "profile_x = [40, 0]\n"), "'profile_x' of material 'soil' must rise");
+  expect_one_fault(with_soil(soundings + "profile_x = [0, 40, 90]\n"),
+                   "has 4 values and 'profile_levels' has 2 at each of 3 places in 'profile_x'");
+}
+
+TEST(StrengthLaws, SoilThatIsNotReduced) {
+  EXPECT_TRUE(find_faults(change(slices_alone, "cohesion = 3\n", "cohesion = 3\n") +
+                          "[materials.wall]\nmodel = \"mohr_coulomb\"\nunit_weight = "
+                          "24\ncohesion = 300\nfriction_angle = 40\nreduced = false\n")
+                  .empty());
+  expect_one_fault(with_soil("model = \"mohr_coulomb\"\ncohesion = 3\nfriction_angle = 19.6\nreduced = false\n"),
+                   "not excluded by reduced = false");
+}
+
+TEST(StrengthLaws, DavisNeedsAnglesAndTrials) {
+  const std::string boundary = "[[boundary]]\non = \"bottom\"\nfix = \"full\"\n";
+  EXPECT_TRUE(find_faults(with_elements + "davis = \"b\"\n" + boundary).empty());
+  expect_one_fault(with_elements + "davis = \"d\"\n" + boundary, "davis");
+  expect_one_fault(with_elements + "davis = \"b\"\nflow = \"associated\"\n" + boundary,
+                   "'davis' replaces the trials with ψ as given");
 }
 
 }  // namespace

@@ -149,6 +149,31 @@ TEST_F(BackAnalysisRuns, TheEarthquakeAtFactorOneIsTheYieldAcceleration) {
   }
 }
 
+TEST_F(BackAnalysisRuns, TheIntervalOfLimitAnalysisContainsTheValueByLimitEquilibrium) {
+  const std::vector<std::string> limits{"materials.clay.tensile_strength=0", "analysis.methods=['bounds']",
+                                        "bounds.gap=0.1"};
+  BackAnalysisRequest request = vary("materials.clay.cohesion", "bounds.lower=1", "10", "25");
+  request.tolerance = 0.02;
+  const BackAnalysisOutcome bounds = search(wedge, request, limits);
+  ASSERT_TRUE(bounds.finding.value && bounds.finding.low && bounds.finding.high) << bounds.tables;
+  EXPECT_EQ(bounds.finding.interval_of, "limit analysis");
+  const std::vector<std::string> slices{"lem.surface=", "lem.search=entry_exit", "lem.noncircular=false",
+                                        "lem.entry_exit={exits=12, entries=12, depths=8}"};
+  const BackAnalysisOutcome lem = search(wedge, vary("materials.clay.cohesion", "lem.factor=1", "10", "25"), slices);
+  ASSERT_TRUE(lem.finding.value) << lem.tables;
+  EXPECT_LT(*bounds.finding.low, *lem.finding.value);
+  EXPECT_GT(*bounds.finding.high, *lem.finding.value);
+  // The ends are values of runs whose interval excludes the target.
+  for (const BackAnalysisRun& run : bounds.finding.runs) {
+    if (run.value == *bounds.finding.low) {
+      EXPECT_LT(*run.upper, 1);
+    }
+    if (run.value == *bounds.finding.high) {
+      EXPECT_GT(*run.lower, 1);
+    }
+  }
+}
+
 TEST_F(BackAnalysisRuns, ATargetOutOfReachIsOneSentenceWithTheFactorsAtBothEnds) {
   const BackAnalysisOutcome outcome = search(wedge, vary("materials.clay.cohesion", "factor=1", "15 kPa", "0.03 MPa"));
   EXPECT_EQ(outcome.finding.end, BackAnalysisEnd::not_reached);
