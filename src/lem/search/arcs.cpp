@@ -8,6 +8,7 @@
 
 #include "lem/search/optimise.hpp"
 #include "lem/search/trial_circles.hpp"
+#include "lem/section/strips.hpp"
 
 namespace talus::lem {
 
@@ -75,10 +76,39 @@ std::optional<double> touch_segment(const Chord& chord, const Point& p, const Po
 
 }  // namespace
 
-Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite)
-    : slope_(&slope), smallest_depth_(smallest_depth), composite_(composite), regions_(slope.section().regions) {
+Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite, const std::optional<TangentLines>& tangent)
+    : slope_(&slope),
+      smallest_depth_(smallest_depth),
+      composite_(composite || slope.strips().firm),
+      regions_(slope.section().regions),
+      tangent_(tangent) {
   const double left = slope.left(), right = slope.right(), base = slope.section().base, far = base - (right - left);
   if (composite) regions_.push_back({-1, {{left, base}, {right, base}, {right, far}, {left, far}}});
+  if (!tangent) return;
+  // Each line as a polygon without area: there and back.
+  const auto close = [](const std::vector<Point>& line) {
+    Region region{-1, line};
+    for (std::size_t i = line.size() - 1; i-- > 1;) region.polygon.push_back(line[i]);
+    return region;
+  };
+  upper_ = close(tangent->upper);
+  lower_ = close(tangent->lower);
+}
+
+bool Arcs::restrict_to_tangents(double left, double right, double steepness, AngleRange& range) const {
+  constexpr double rounding = 1e-9;
+  const auto lower = find_touch(left, right, lower_);
+  if (!lower) return false;
+  if (!tangent_->is_level) {
+    if (*lower < range.from || *lower > range.to) return false;
+    range = {*lower * (1 - rounding), *lower, false};
+    return true;
+  }
+  // The deepest point of a circle lies between its ends if the half angle exceeds the inclination of the chord.
+  range.from = std::max(range.from, steepness * (1 + rounding));
+  if (const auto upper = find_touch(left, right, upper_)) range.from = std::max(range.from, *upper * (1 - rounding));
+  if (*lower < range.to) range.to = *lower, range.to_base = false;
+  return range.from < range.to;
 }
 
 double Arcs::measure_half_angle(const Surface& arc) {
@@ -144,6 +174,7 @@ std::optional<AngleRange> Arcs::find_range(double left, double right) const {
     range.from = high * (1 + 1e-9);
     if (!(range.from < range.to)) return {};
   }
+  if (tangent_ && !restrict_to_tangents(left, right, steepness, range)) return {};
   return range;
 }
 

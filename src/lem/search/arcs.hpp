@@ -21,7 +21,9 @@ struct AngleRange {
 class Arcs {
  public:
   /// `composite`: arcs may reach below the base and are cut off level there.
-  Arcs(const Slope& slope, double smallest_depth, bool composite);
+  /// `tangent`: arcs are restricted to those between the tangents to its lines.
+  Arcs(const Slope& slope, double smallest_depth, bool composite,
+       const std::optional<TangentLines>& tangent = std::nullopt);
 
   /// Returns the range for the ends left < right; none if no arc fits.
   std::optional<AngleRange> find_range(double left, double right) const;
@@ -35,11 +37,18 @@ class Arcs {
   /// Returns the half angle of a given arc.
   static double measure_half_angle(const Surface& arc);
 
+  bool has_tangent() const { return tangent_.has_value(); }
+
  private:
+  /// Restricts a range to the tangents; returns false if nothing remains.
+  bool restrict_to_tangents(double left, double right, double steepness, AngleRange& range) const;
+
   const Slope* slope_;
   double smallest_depth_;
   bool composite_;
   std::vector<Region> regions_;
+  std::optional<TangentLines> tangent_;
+  Region upper_, lower_;  ///< the lines of the tangents, closed
 };
 
 }  // namespace talus::lem

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "lem/search/block_search.hpp"
 #include "lem/search/optimise.hpp"
 #include "lem/search/search_findings.hpp"
 #include "lem/search/trial_circles.hpp"
@@ -49,10 +50,7 @@ bool Evaluator::passes_all_checks(const Surface& surface) {
   return solve(*slope_, cut_, method_, strict_, false).refusal == Refusal::none;
 }
 
-namespace {
-
-/// Computes the factors of all trial circles by all methods, in parallel pieces.
-void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles& circles, SearchResult& result) {
+void solve_trials(const Slope& slope, const SearchOptions& options, const TrialCircles& circles, SearchResult& result) {
   const std::size_t methods = options.methods.size(), count = circles.surfaces.size();
   constexpr std::size_t per_piece = 64;
   const int pieces = static_cast<int>((count + per_piece - 1) / per_piece);
@@ -87,6 +85,8 @@ void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles
         if (piece[m][r] > 0) result.refused[m][static_cast<Refusal>(r)] += piece[m][r];
   result.tried = static_cast<long>(count);
 }
+
+namespace {
 
 /// Returns distinct local minima of each method, the best first, optimised if the options say so.
 std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const SearchOptions& options,
@@ -154,6 +154,21 @@ SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
   return options;
 }
 
+[[noreturn]] void fail_without_surface(const SearchOptions& options, const SearchResult& result) {
+  const bool is_block = options.kind == SearchKind::block;
+  std::string reasons = is_block ? "no line through the windows meets the ground at both ends"
+                                 : "no circle enters and leaves the ground inside the model";
+  std::size_t m = 0;
+  while (is_block && m + 1 < options.methods.size() && !suits_polylines(options.methods[m])) ++m;
+  if (result.tried > 0)
+    reasons =
+        fmt::format("{} by {}", describe_refusals(result.refused[m], result.tried), get_title(options.methods[m]));
+  fail_input(
+      "no admissible slip surface was found: {}; check the ranges of the search, the bottom of the model and the "
+      "limits (smallest_depth, smallest_m_alpha, most_tension)",
+      reasons);
+}
+
 }  // namespace
 
 SearchResult search(const Slope& slope, const SearchOptions& asked) {
@@ -161,7 +176,13 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   const SearchOptions options = settle(slope, asked);
   SearchResult result;
   result.smallest_depth = options.checks.smallest_depth;
-  const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
+  if (options.kind == SearchKind::block) {
+    search_blocks(slope, options, result);
+    if (result.noncircular.empty()) fail_without_surface(options, result);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  }
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite, options.tangent);
   TrialCircles circles;
   if (options.kind == SearchKind::grid) {
     circles = make_grid_circles(slope, options, result.grid.emplace());
@@ -171,16 +192,8 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   solve_trials(slope, options, circles, result);
   std::vector<int> best_trials;
   const auto minima = find_minima(slope, options, arcs, circles, result, best_trials);
-  if (std::all_of(minima.begin(), minima.end(), [](auto& m) { return m.empty(); })) {
-    std::string reasons = "no circle enters and leaves the ground inside the model";
-    if (result.tried > 0)
-      reasons = fmt::format("{} by {}", describe_refusals(result.refused.front(), result.tried),
-                            get_title(options.methods.front()));
-    fail_input(
-        "no admissible slip surface was found: {}; check the ranges of the search, the bottom of the model and the "
-        "limits (smallest_depth, smallest_m_alpha, most_tension)",
-        reasons);
-  }
+  if (std::all_of(minima.begin(), minima.end(), [](auto& m) { return m.empty(); }))
+    fail_without_surface(options, result);
   result.minima.resize(options.methods.size());
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const Method method = options.methods[m];
@@ -196,7 +209,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
     result.circular.push_back(critical);
   }
-  if (options.optimise_surface) {
+  if (options.optimise_surface && !options.tangent) {
     const std::vector<OptimisedSurface> found = find_polylines(slope, options, circles, result, minima);
     for (std::size_t m = 0; m < found.size(); ++m) {
       if (found[m].surface.line.empty()) continue;
@@ -235,7 +248,7 @@ Critical optimise(const Slope& slope, const Surface& start, Method method, const
     const auto found = optimise_polyline(evaluate, start, {ground, ground, options.vertices});
     return make_critical(slope, options, found.surface, method);
   }
-  const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite, options.tangent);
   const double step = 0.05 * (start.to - start.from);
   return make_critical(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface,
                        method);

@@ -88,12 +88,24 @@ struct EntryExitSearch {
   int exits = 25, entries = 25, depths = 15;
 };
 
-enum class SearchKind { entry_exit, grid };
+/// Trial polylines with a vertex in each window, or along a path, between two straight ends.
+struct BlockSearch {
+  std::vector<Window> windows;
+  Path path;                                         ///< without points: the windows
+  std::array<double, 2> active{}, passive{};         ///< inclinations of the upper and the lower end [rad]
+  int angles = 5;                                    ///< inclinations in each range
+  int surfaces = 5000;                               ///< number of trial polylines, about
+  std::optional<std::array<double, 2>> exit, entry;  ///< ranges of x of the ends [m]
+};
+
+enum class SearchKind { entry_exit, grid, block };
 
 struct SearchOptions {
   SearchKind kind = SearchKind::entry_exit;
   std::optional<GridSearch> grid;             ///< chosen from the ground if not given
   std::optional<EntryExitSearch> entry_exit;  ///< if not given: the whole ground, both directions of sliding
+  std::optional<BlockSearch> block;           ///< of SearchKind::block
+  std::optional<TangentLines> tangent;        ///< restricts the circles; no polyline is searched then
   int slices = 50;
   std::vector<Method> methods{Method::bishop, Method::spencer};
   Checks checks;
@@ -117,7 +129,8 @@ struct SearchOptions {
   bool ends_at_signal = true;
 };
 
-/// A trial circle with its factors in the order of SearchOptions::methods (0: rejected).
+/// A trial circle, or polyline of a search for blocks, with its factors in the order of SearchOptions::methods (0:
+/// rejected).
 struct TriedCircle {
   Surface surface;
   std::vector<float> factors;
@@ -161,6 +174,7 @@ struct SearchResult {
   /// Ranges of the search as applied.
   std::optional<GridSearch> grid;
   std::optional<EntryExitSearch> entry_exit;
+  std::optional<BlockSearch> block;
 };
 
 /// Throws Error (wrong_input), with the numbers of rejected surfaces by reason, when no admissible surface is found.

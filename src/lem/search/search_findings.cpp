@@ -33,14 +33,14 @@ double find_elevation(const Slope& slope, const Surface& surface, double x) {
     const Circle& c = *surface.circle;
     const double off = std::min(std::abs(x - c.centre[0]), c.radius);
     const double y = c.centre[1] - std::sqrt(c.radius * c.radius - off * off);
-    return std::max(y, slope.section().base);  // a composite circle is level at the base
+    return std::max(y, slope.floor(x));  // a composite circle follows the base or impenetrable soil
   }
   const auto& line = surface.line;
   auto q = std::upper_bound(line.begin(), line.end(), x, [](double v, const Point& p) { return v < p[0]; });
   if (q == line.begin()) return line.front()[1];
   if (q == line.end()) return line.back()[1];
   const Point &a = *(q - 1), &b = *q;
-  return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+  return std::max(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]), slope.floor(x));
 }
 
 double measure_overlap(const Slope& slope, const Surface& a, const Surface& b) {
@@ -297,7 +297,7 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
   if (critical.surface.circle) {
     const Circle& c = *critical.surface.circle;
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
-    if (bottom < base + near && c.centre[0] > ends[0] && c.centre[0] < ends[1])
+    if (bottom < base + near && slope.floor(c.centre[0]) <= base && c.centre[0] > ends[0] && c.centre[0] < ends[1])
       add(
           fmt::format("the critical circle {} the base at {}; a deeper model may give a smaller factor unless firm "
                       "ground begins there",

@@ -66,6 +66,8 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
   used = options.entry_exit.value_or(EntryExitSearch{});
   circles.whole_ground = used.exit[0] == used.exit[1] && used.entry[0] == used.entry[1];
   if (circles.whole_ground) used.exit = used.entry = {slope.left(), slope.right()};
+  // One tangent leaves one circle between two ends.
+  if (options.tangent && options.tangent->upper == options.tangent->lower) used.depths = 1;
   for (auto* range : {&used.exit, &used.entry})
     *range = {std::clamp((*range)[0], slope.left(), slope.right()),
               std::clamp((*range)[1], slope.left(), slope.right())};
@@ -76,7 +78,8 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
     exits = place_points(slope, used.exit[0], used.exit[1], used.exits, options.seed);
     entries = place_points(slope, used.entry[0], used.entry[1], used.entries, options.seed);
   }
-  const bool exit_left = used.exit[0] + used.exit[1] <= used.entry[0] + used.entry[1];
+  const int direction = options.checks.limits ? options.checks.limits->direction : 0;
+  const bool exit_left = direction != 0 ? direction < 0 : used.exit[0] + used.exit[1] <= used.entry[0] + used.entry[1];
   circles.left = exit_left ? used.exit : used.entry;
   circles.right = exit_left ? used.entry : used.exit;
   circles.step = {find_step(exit_left ? exits : entries), find_step(exit_left ? entries : exits)};
@@ -122,8 +125,30 @@ GridSearch choose_grid(const std::vector<Point>& ground, double base, GridSearch
   return grid;
 }
 
+namespace {
+
+/// Returns the point of a polyline that is nearest to p.
+Point find_nearest(const Point& p, const std::vector<Point>& line) {
+  double least = std::numeric_limits<double>::infinity();
+  Point nearest = line.front();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point &a = line[i - 1], &b = line[i];
+    const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+    const double t = square > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0) : 0;
+    const Point foot{a[0] + t * dx, a[1] + t * dy};
+    const double distance = std::hypot(p[0] - foot[0], p[1] - foot[1]);
+    if (distance < least) least = distance, nearest = foot;
+  }
+  return nearest;
+}
+
+}  // namespace
+
 TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options, GridSearch& used) {
   used = choose_grid(slope.section().ground, slope.section().base, options.grid.value_or(GridSearch{}));
+  const std::optional<TangentLines>& tangent = options.tangent;
+  if (tangent && tangent->is_level) used.lowest = tangent->lower[0][1], used.highest = tangent->upper[0][1];
+  if (tangent && tangent->upper == tangent->lower) used.radii = 1;
   TrialCircles circles;
   circles.whole_ground = true;
   circles.left = circles.right = {slope.left(), slope.right()};
@@ -138,10 +163,14 @@ TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options,
                            between(used.from[1], used.to[1], j, used.rows)};
         // From deep to shallow, in the order of the depths of the other search; slightly above the base, which a circle
         // may touch.
-        const double bottom = between(*used.highest, *used.lowest, k, used.radii), radius = centre[1] - bottom;
+        const double bottom = between(*used.highest, *used.lowest, k, used.radii);
+        const Point touch =
+            tangent && !tangent->is_level ? find_nearest(centre, tangent->upper) : Point{centre[0], bottom};
+        const double radius = centre[1] > touch[1] ? std::hypot(centre[0] - touch[0], centre[1] - touch[1]) : 0;
         if (!(radius > 0)) continue;
         const Circle circle{centre, radius * (1 - 1e-9)};
         for (const auto& [left, right] : find_arcs(slope, circle)) {
+          if (tangent && (touch[0] <= left || touch[0] >= right)) continue;
           Surface s;
           s.circle = circle;
           s.from = left, s.to = right;

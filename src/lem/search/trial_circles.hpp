@@ -35,6 +35,9 @@ TrialCircles make_grid_circles(const Slope& slope, const SearchOptions& options,
 /// points down to 1.5 times the height below the toe, or to `base` [m].
 GridSearch choose_grid(const std::vector<Point>& ground, double base, GridSearch grid);
 
+/// Computes the factors of all trial surfaces by all methods, in parallel, with the reasons of rejection.
+void solve_trials(const Slope& slope, const SearchOptions& options, const TrialCircles& circles, SearchResult& result);
+
 // Circles that just touch a region. The factor jumps where a circle enters a strong layer, and its minimum often lies
 // at the jump, in a valley too narrow for a lattice of trial circles.
 

@@ -112,6 +112,8 @@ struct Section {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   double base = 0;  ///< elevation of the bottom of the model, which no surface crosses [m]
+  /// Indices of the soils that no surface enters: one that would cut below their top follows it.
+  std::vector<int> impenetrable;
   /// Piezometric line: u = γ_w times the vertical depth below it; level beyond its ends. Above the ground it is ponded
   /// water that loads the ground. Empty: no water.
   std::vector<Point> water_table;

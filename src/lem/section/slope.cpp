@@ -62,6 +62,12 @@ double Slope::water_table(double x) const {
   return strip.water.at(x - strip.left);
 }
 
+double Slope::floor(double x) const {
+  if (!strips_->firm) return section().base;
+  const Strip& strip = strips_->strip(strips_->find(x));
+  return strip.floor.at(x - strip.left);
+}
+
 int Slope::soil_at(const Point& p) const {
   const Strip& strip = strips_->strip(strips_->find(p[0]));
   const double dx = p[0] - strip.left;

@@ -24,7 +24,9 @@ class Slope {
   double right() const;                ///< x of its last point [m]
   double ground(double x) const;       ///< elevation of the ground [m]
   double water_table(double x) const;  ///< elevation; -infinity without a water table [m]
-  int soil_at(const Point& p) const;   ///< index of the soil; -1 outside all regions
+  /// Elevation of the top of impenetrable soil at x; that of the base of the section where there is none [m].
+  double floor(double x) const;
+  int soil_at(const Point& p) const;  ///< index of the soil; -1 outside all regions
   /// Returns u at a point, without r_u; suction is negative [Pa].
   double pore_pressure(const Point& p) const;
   /// Returns the weight of the soil between the ground and `bottom` [N/m²], and in `soil` the soil at `bottom`.

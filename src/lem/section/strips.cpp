@@ -209,6 +209,14 @@ void build_strips(Slope::Strips& strips) {
     const double half = 0.5 * (strip.right - strip.left);
     strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);
     stack_layers(strips, strip, edges, 1e-6 * (high - low));
+    strip.floor = {section.base, 0};
+    for (int k = strip.first; k < strip.last && !strip.is_firm; ++k) {
+      const Layer& layer = strips.layer(k);
+      if (std::find(section.impenetrable.begin(), section.impenetrable.end(), layer.soil) == section.impenetrable.end())
+        continue;
+      strip.floor = layer.top;
+      strip.is_firm = strips.firm = true;
+    }
     strips.strips.push_back(strip);
   }
   for (const Soil& soil : section.soils) {

@@ -32,6 +32,8 @@ struct Strip {
   StripLine ground, water;             ///< water: -infinity without a water table
   StripLine water_before;              ///< water table before drawdown; the same without one
   std::vector<StripLine> piezometric;  ///< the piezometric lines of the section
+  StripLine floor;                     ///< top of impenetrable soil; the base of the section where there is none
+  bool is_firm = false;                ///< it has impenetrable soil
   StripLine load, thrust;              ///< loads on the ground, down and towards larger x [Pa]
   int first = 0, last = 0;             ///< its layers, from the ground down: [first, last)
   bool ponded = false;                 ///< ponded water on the ground
@@ -53,7 +55,7 @@ struct Slope::Strips {
   std::unique_ptr<const Slope> before;  ///< the slope before drawdown
   std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
   double deepest_roots = 0;             ///< [m]
-  bool roots = false, loads = false;
+  bool roots = false, loads = false, firm = false;
   bool laws = false, curved_laws = false;  ///< of the soils
   bool unreduced = false;                  ///< the factor does not divide the strength of some soil
 

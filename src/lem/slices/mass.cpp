@@ -244,6 +244,24 @@ double find_janbu(const Slope& slope, const CutSurface& cut) {
   return factor > 0 ? factor : std::numeric_limits<double>::infinity();
 }
 
+Refusal check_limits(const CutSurface& cut, const SurfaceLimits& limits) {
+  if (limits.direction != 0 && cut.slides_left != (limits.direction < 0)) return Refusal::direction;
+  if (cut.area < limits.smallest_area) return Refusal::too_small;
+  if (limits.smallest_weight > 0) {
+    double weight = 0;
+    for (const Slice& slice : cut.slices) weight += slice.weight;
+    if (weight < limits.smallest_weight) return Refusal::too_small;
+  }
+  for (const std::vector<Point>& polygon : limits.excluded)
+    for (const Slice& slice : cut.slices)
+      if (enters_polygon(polygon, slice.base_left, slice.base_right)) return Refusal::excluded;
+  const auto meets = [&](const Window& window) {
+    return std::any_of(cut.slices.begin(), cut.slices.end(),
+                       [&](const Slice& s) { return meets_window(window, s.base_left, s.base_right); });
+  };
+  return std::all_of(limits.passages.begin(), limits.passages.end(), meets) ? Refusal::none : Refusal::passage;
+}
+
 Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
   static thread_local BaseLine base;
   const auto& strips = slope.strips();
@@ -279,6 +297,8 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     finish_mass(slope, base, count, given, {from, to}, cut);
     if (limited < find_janbu(slope, cut)) finish_mass(slope, base, count, end, {from, to}, cut);
   }
+  if (checks.limits)
+    if (const Refusal refusal = check_limits(cut, *checks.limits); refusal != Refusal::none) return refusal;
   keep_drained_strengths(cut);
   warn(slope, cut);
   return Refusal::none;

@@ -3,6 +3,7 @@
 // The factor of safety of one slip surface by the methods of slices: slices, checks, solution.
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "base/methods.hpp"
 #include "lem/section/slope.hpp"
+#include "lem/surface/limits.hpp"
 #include "lem/surface/surface.hpp"
 
 namespace talus::lem {
@@ -78,6 +80,7 @@ struct Checks {
   double steepest_toe = std::numbers::pi / 2;  ///< limit of the rise of the base at the lower end, e.g. 45° - φ/2 [rad]
   bool composite = true;  ///< circles that reach below the base are cut off level there; else they are rejected
   bool reject = true;     ///< false: the results of the checks are only reported
+  std::shared_ptr<const SurfaceLimits> limits{};  ///< of the user; nullptr: none
 };
 
 /// State of rapid drawdown at the base of a slice, by total stresses.

@@ -29,6 +29,10 @@ void add_meets(const BaseLine& base, const BasePiece& piece, const Strip& strip,
   }
 }
 
+bool is_impenetrable(const Section& section, int soil) {
+  return std::find(section.impenetrable.begin(), section.impenetrable.end(), soil) != section.impenetrable.end();
+}
+
 }  // namespace
 
 double BaseLine::at(const BasePiece& piece, double x) const {
@@ -77,7 +81,7 @@ Refusal BaseLine::lay(const Slope& slope, const Surface& surface, bool may_cut) 
       if (std::min(a[1], b[1]) < bottom - nearest) return Refusal::below_base;
       pieces.push_back({a[0], b[0], false, {a[1], (b[1] - a[1]) / (b[0] - a[0])}});
     }
-    return Refusal::none;
+    return clip(slope.strips(), true);
   }
   circle = *surface.circle;
   const double from = surface.from, to = surface.to, span = to - from, hair = 1e-6 * span;
@@ -87,7 +91,7 @@ Refusal BaseLine::lay(const Slope& slope, const Surface& surface, bool may_cut) 
   const double half = std::sqrt(std::max(0.0, (circle.radius - over) * (circle.radius + over)));
   const double a = std::max(from, xc - half), b = std::min(to, xc + half);
   if (over < 0 || (circle.radius > over && a < b && circle.radius - over > hair)) {
-    if (!may_cut || over < 0) return Refusal::below_base;
+    if (!(may_cut || slope.strips().firm) || over < 0) return Refusal::below_base;
     composite = true;
     if (a > from) pieces.push_back({from, a, true, {}});
     pieces.push_back({a, b, false, {bottom, 0}});
@@ -95,6 +99,50 @@ Refusal BaseLine::lay(const Slope& slope, const Surface& surface, bool may_cut) 
   } else {
     pieces.push_back({from, to, true, {}});
   }
+  return clip(slope.strips(), may_cut);
+}
+
+Refusal BaseLine::clip(const Slope::Strips& strips, bool may_cut) {
+  if (!strips.firm) return Refusal::none;
+  const std::vector<BasePiece> whole = std::move(pieces);
+  pieces.clear();
+  const double span = whole.back().to - whole.front().from, hair = 1e-10 * span, step = 1e-6 * span;
+  for (const BasePiece& piece : whole) {
+    for (int s = strips.find(piece.from); s < static_cast<int>(strips.strips.size()); ++s) {
+      const Strip& strip = strips.strip(s);
+      double a = std::max(piece.from, strip.left);
+      const double end = std::min(piece.to, strip.right);
+      if (end - a <= hair && a > piece.from) break;
+      meets.clear();
+      if (strip.is_firm) add_meets(*this, piece, strip, strip.floor, a, end, meets);
+      meets.push_back(end);
+      std::sort(meets.begin(), meets.end());
+      for (const double b : meets) {
+        if (b - a <= hair) continue;
+        const double middle = 0.5 * (a + b) - strip.left;
+        const bool follows = strip.is_firm && at(piece, 0.5 * (a + b)) < strip.floor.at(middle);
+        BasePiece part = piece;
+        part.from = a;
+        part.to = b;
+        if (!piece.arc) part.line.y = piece.line.at(a - piece.from);
+        if (follows) part = {a, b, false, {strip.floor.at(a - strip.left), strip.floor.slope}};
+        composite = composite || follows;
+        const bool is_cut_at_base = !piece.arc && whole.size() > 1 && !follows;
+        if (is_cut_at_base && !may_cut) return Refusal::below_base;
+        // A vertical face of impenetrable soil has no slices along it.
+        if (!pieces.empty() && std::abs(at(pieces.back(), a) - at(part, a)) > step) return Refusal::below_base;
+        if (!pieces.empty() && piece.arc && !follows && pieces.back().arc)
+          pieces.back().to = b;
+        else
+          pieces.push_back(part);
+        a = b;
+      }
+      if (strip.right >= piece.to) break;
+    }
+  }
+  if (pieces.empty()) return Refusal::outside;
+  pieces.front().from = whole.front().from;
+  pieces.back().to = whole.back().to;
   return Refusal::none;
 }
 
@@ -128,6 +176,7 @@ Refusal BaseLine::divide(const Slope& slope, double from, double to) {
         // Along a boundary of layers the upper layer counts, whatever the rounding.
         const int layer = strips.find_layer(strip, middle - strip.left, at(piece, middle) + near);
         if (layer < 0 || strips.layer(layer).soil < 0) return Refusal::below_base;
+        if (strips.firm && is_impenetrable(strips.section, strips.layer(layer).soil)) return Refusal::below_base;
         stretches.push_back({a, x, p, s, layer});
         a = x;
       }

@@ -37,6 +37,8 @@ struct BaseLine {
   bool ends_on_ground(const Slope::Strips& strips, const BasePiece& piece, double x, double tolerance) const;
   /// Makes the pieces. Arcs that reach below the base of the section are cut off level there, or rejected.
   Refusal lay(const Slope& slope, const Surface& surface, bool may_cut);
+  /// Lets the pieces follow the top of impenetrable soil where they would cut below it. `may_cut`: as in lay().
+  Refusal clip(const Slope::Strips& strips, bool may_cut);
   /// Divides the base between `from` and `to` at all lines of the section; rejects a base that rises above the ground.
   Refusal divide(const Slope& slope, double from, double to);
 };

@@ -46,6 +46,14 @@ const char* name_refusal(Refusal refusal) {
       return "depth over length outside the chart of Janbu's correction";
     case Refusal::held:
       return "soil that is not reduced holds the mass at any factor";
+    case Refusal::too_small:
+      return "sliding mass too small";
+    case Refusal::excluded:
+      return "enters an excluded area";
+    case Refusal::passage:
+      return "misses a window";
+    case Refusal::direction:
+      return "slides to the other side";
     case Refusal::count:
       break;
   }
@@ -178,9 +186,9 @@ double measure_turn(const Point& a, const Point& b, const Point& c) {
 
 Surface hang_polyline(const Slope& slope, double left, double right, const std::vector<Point>& points) {
   std::vector<Point> all{{left, slope.ground(left)}, {right, slope.ground(right)}};
-  const double base = slope.section().base, gap = 1e-9 * (right - left);
+  const double gap = 1e-9 * (right - left);
   auto add = [&](const Point& p) {
-    if (p[0] > left + gap && p[0] < right - gap) all.push_back({p[0], std::max(p[1], base)});
+    if (p[0] > left + gap && p[0] < right - gap) all.push_back({p[0], std::max(p[1], slope.floor(p[0]))});
   };
   for (const Point& p : points) add(p);
   for (const Point& p : slope.section().ground) add(p);

@@ -42,6 +42,10 @@ enum class Refusal {
   moment_axis,    ///< a method of moments about the centre of a circle, on a surface that is not circular
   chart,          ///< outside the range of the chart of Janbu's correction
   held,           ///< soil that is not reduced holds the mass at any factor
+  too_small,      ///< area or weight of the mass below the smallest
+  excluded,       ///< enters an excluded area
+  passage,        ///< misses a window that every surface passes
+  direction,      ///< slides to the other side than asked for
   count
 };
 
