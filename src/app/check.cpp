@@ -64,7 +64,9 @@ std::string describe_slices(const input::LimitEquilibrium& lem) {
   std::string surfaces;
   if (lem.search == input::SurfaceSearch::entry_exit) surfaces = "circles between entries and exits";
   if (lem.search == input::SurfaceSearch::grid) surfaces = "circles about a grid of centres";
-  if (!surfaces.empty() && lem.noncircular) surfaces += ", then polylines";
+  if (!surfaces.empty() && lem.noncircular && !lem.tangent) surfaces += ", then polylines";
+  if (lem.search == input::SurfaceSearch::block)
+    surfaces = lem.block.along.empty() ? "polylines through windows" : "polylines along '" + lem.block.along + "'";
   if (!lem.surfaces.empty())
     surfaces += (surfaces.empty() ? "" : ", and ") + count(lem.surfaces.size(), "given surface", "given surfaces");
   return fmt::format("  limit equilibrium: {}; {}\n", methods, surfaces);

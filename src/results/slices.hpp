@@ -159,9 +159,9 @@ void describe(auto& v, As<CriticalSurface> auto& r) {
   v.key("warnings", r.warnings, {"", "warnings"});
 }
 
-enum class SearchKind { entry_exit, grid };
+enum class SearchKind { entry_exit, grid, block };
 template <>
-inline constexpr auto words<SearchKind> = std::array{"entry_exit", "grid"};
+inline constexpr auto words<SearchKind> = std::array{"entry_exit", "grid", "block"};
 
 /// Grid of the centres of trial circles.
 struct GridRange {

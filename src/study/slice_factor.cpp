@@ -160,7 +160,7 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
       overrides_(overrides),
       sampled_(sampled),
       numbers_(base, overrides, sampled),
-      options_(run::make_search_options(base.data.lem, 1)) {
+      options_(run::make_search_options(base.data, 1)) {
   // The method that would govern a run.
   options_.methods = {
       *std::min_element(options_.methods.begin(), options_.methods.end(),

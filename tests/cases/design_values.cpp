@@ -29,7 +29,7 @@ input::Case read(const std::string& more, const std::vector<input::Override>& ch
 std::map<lem::Method, lem::Critical> search(const input::Case& data) {
   const run::PreparedSlope prepared = run::prepare_slope(data);
   std::map<lem::Method, lem::Critical> found;
-  for (lem::Critical& c : lem::search(*prepared.slope, run::make_search_options(data.lem, 1)).circular) {
+  for (lem::Critical& c : lem::search(*prepared.slope, run::make_search_options(data, 1)).circular) {
     const lem::Method method = c.method;
     found.emplace(method, std::move(c));
   }

@@ -197,7 +197,7 @@ TEST(MethodsGround, LoadsAreExactOnTheSidesOfAMeshThatConformsToThem) {
 TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {
   const input::Case data = read(write_case("\"lem\"", few_circles));
   const run::PreparedSlope prepared = run::prepare_slope(data);
-  lem::SearchOptions options = run::make_search_options(data.lem, 1);
+  lem::SearchOptions options = run::make_search_options(data, 1);
   lem::Surface circle;
   circle.circle = lem::Circle{{30, 35}, 30};
   const auto arcs = lem::find_arcs(*prepared.slope, *circle.circle);

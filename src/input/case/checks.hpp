@@ -41,6 +41,8 @@ class SoilOutline;
 /// Checks the [[lem.surface]] at `path`.
 void check_slip_surface(const SlipSurface& surface, const std::string& path, const SoilOutline& soil,
                         Findings& findings);
+/// Checks windows, layers, tangents, excluded areas and impenetrable soil of [lem].
+void check_slip_search(const Case& data, const SoilOutline& soil, Findings& findings);
 /// Returns true if a list is [from, to], increasing. Returns false for an empty list; false with a finding for any
 /// other list. `what` is the name of the numbers in the finding.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);

@@ -115,6 +115,7 @@ void check_slices(const Case& data, Findings& findings) {
   check_stretch(data.lem.entry_exit.exit, "lem.entry_exit.exit", soil, findings);
   check_stretch(data.lem.entry_exit.entry, "lem.entry_exit.entry", soil, findings);
   check_grid(data.lem.grid, soil, findings);
+  check_slip_search(data, soil, findings);
   for (std::size_t i = 0; i < data.lem.surfaces.size(); ++i)
     if (const std::string path = fmt::format("lem.surface.{}", i); findings.is_sound(path))
       check_slip_surface(data.lem.surfaces[i], path, soil, findings);

@@ -14,7 +14,9 @@ namespace talus::input {
 
 using talus::DrawdownMethod;
 using talus::SliceMethod;
-enum class SurfaceSearch { none, entry_exit, grid };
+enum class SurfaceSearch { none, entry_exit, grid, block };
+enum class SlidingDirection { both, left, right };
+enum class LayerSide { top, bottom };
 
 /// A slip surface given by the user: a circle or a polyline.
 struct SlipSurface {
@@ -39,6 +41,35 @@ struct CentreGrid {
       levels;  ///< [lowest, highest] deepest point of the circles [m]; empty: from the base to above the toe
 };
 
+/// A part of the section through which slip surfaces pass: a point, a polyline or a box.
+struct SurfaceWindow {
+  std::string name;
+  std::vector<std::array<double, 2>> points;  ///< one point, or a polyline [m]
+  std::vector<std::array<double, 2>> box;     ///< two opposite corners [m]
+};
+
+/// An area that no slip surface enters.
+struct ExcludedArea {
+  std::string name;
+  std::vector<std::array<double, 2>> points;  ///< corners of a polygon [m]
+};
+
+/// Search for polylines with a vertex in each of several windows, or along a layer or line.
+struct BlockSearch {
+  std::string along;  ///< region, material or line that the surfaces follow; empty: windows
+  /// Ranges of the inclination of the upper and the lower end of the surface [rad].
+  std::vector<double> active{0.785398163397448, 1.221730476396031}, passive{0.261799387799149, 0.785398163397448};
+  int angles = 5, surfaces = 5000;
+  std::vector<SurfaceWindow> windows;
+};
+
+/// Restriction of circles to those whose deepest point lies at a level, or that touch a layer.
+struct TangentCircles {
+  std::vector<double> levels;       ///< one level, or [lowest, highest] [m]
+  std::string layer;                ///< region, material or line that the circles touch
+  LayerSide side = LayerSide::top;  ///< side of the layer
+};
+
 struct TensionCrack {
   double depth = 0;   ///< [m]; 0: none
   double water = 0;   ///< height of water in it [m]
@@ -58,15 +89,23 @@ struct LimitEquilibrium {
   SurfaceSearch search = SurfaceSearch::entry_exit;
   EntryExit entry_exit;
   CentreGrid grid;
-  bool composite = false;                ///< composite surfaces: circles follow the bottom of the model
-  bool noncircular = true;               ///< also search a non-circular surface
-  int vertices = 12;                     ///< of the non-circular surface
-  int minima = 5;                        ///< number of reported local minima
-  int seed = 0;                          ///< of the random starts of the search
-  std::optional<double> smallest_depth;  ///< of the sliding mass [m]
-  double smallest_m_alpha = 0.2;         ///< [-]
-  double most_tension = 0.2;             ///< limit of the fraction of the base with tensile N' [-]
-  double most_thrust_outside = 0.3;      ///< limit of the fraction of E whose line of thrust is outside the mass [-]
+  BlockSearch block;
+  std::optional<TangentCircles> tangent;
+  std::vector<ExcludedArea> excluded;
+  std::vector<SurfaceWindow> passages;
+  std::vector<std::string> impenetrable;  ///< materials whose top surfaces follow
+  SlidingDirection slides = SlidingDirection::both;
+  std::optional<double> smallest_area;    ///< of the sliding mass [m²]
+  std::optional<double> smallest_weight;  ///< of the sliding mass [N/m]
+  bool composite = false;                 ///< composite surfaces: circles follow the bottom of the model
+  bool noncircular = true;                ///< also search a non-circular surface
+  int vertices = 12;                      ///< of the non-circular surface
+  int minima = 5;                         ///< number of reported local minima
+  int seed = 0;                           ///< of the random starts of the search
+  std::optional<double> smallest_depth;   ///< of the sliding mass [m]
+  double smallest_m_alpha = 0.2;          ///< [-]
+  double most_tension = 0.2;              ///< limit of the fraction of the base with tensile N' [-]
+  double most_thrust_outside = 0.3;       ///< limit of the fraction of E whose line of thrust is outside the mass [-]
   double smallest_lambda = -0.1, largest_lambda = 1.5;  ///< limits of λ in Spencer and Morgenstern–Price [-]
   bool reject = true;                                   ///< reject surfaces that fail these checks
   bool yield_acceleration = true;                       ///< compute k_y of the critical surfaces
@@ -97,7 +136,19 @@ inline constexpr auto choices<SurfaceSearch> = std::array{
     Choice{SurfaceSearch::entry_exit, "entry_exit",
            "circles through an entry and an exit on the ground, several deep each; [lem.entry_exit]"},
     Choice{SurfaceSearch::grid, "grid", "circles about the points of a grid, several radii each; [lem.grid]"},
+    Choice{SurfaceSearch::block, "block", "polylines through windows or along a layer; [lem.block]"},
     Choice{SurfaceSearch::none, "none", "the surfaces of [[lem.surface]] alone"},
+};
+template <>
+inline constexpr auto choices<SlidingDirection> = std::array{
+    Choice{SlidingDirection::both, "both", "to either side"},
+    Choice{SlidingDirection::left, "left", "towards smaller x: the slope faces left"},
+    Choice{SlidingDirection::right, "right", "towards larger x: the slope faces right"},
+};
+template <>
+inline constexpr auto choices<LayerSide> = std::array{
+    Choice{LayerSide::top, "top", "its upper side"},
+    Choice{LayerSide::bottom, "bottom", "its lower side"},
 };
 
 template <>
@@ -143,6 +194,46 @@ void describe(auto& v, CentreGrid& g) {
         "toe.");
 }
 
+void describe(auto& v, SurfaceWindow& w) {
+  v.key("name", w.name, plain().required().example(R"("A")"), "Name of the window in messages and pictures.");
+  v.key("points", w.points, quantity("m").example("[[10, 3], [18, 4]]"), "A point or a polyline.");
+  v.key("box", w.box, quantity("m").example("[[10, 2], [18, 4]]"), "Instead of points: two opposite corners of a box.");
+}
+
+void describe(auto& v, ExcludedArea& e) {
+  v.key("name", e.name, plain().required().example(R"("cellar")"), "Name of the area in messages and pictures.");
+  v.key("points", e.points, quantity("m").required().example("[[20, 2], [28, 2], [28, 8], [20, 8]]"),
+        "Corners of its polygon, in order. A surface may run along its sides.");
+}
+
+void describe(auto& v, BlockSearch& b) {
+  v.key(
+      "along", b.along, plain().example(R"("seam")"),
+      "Region, material or [[geometry.line]] that the surfaces follow, instead of windows: in a layer from its bottom "
+      "to its top, along a line in the soil above it.");
+  v.key("active", b.active, quantity("deg").at_least(1).at_most(89),
+        "From which to which inclination the surface rises at its upper end, measured from the horizontal. In "
+        "drawings of a slope that falls to the left this is the right projection angle.");
+  v.key("passive", b.passive, quantity("deg").at_least(-60).at_most(80),
+        "The same at the lower end, where it rises to the ground; negative: it falls. A vertex on the ground is an "
+        "end and has no such line.");
+  v.key("angles", b.angles, plain().at_least(1).at_most(100), "Inclinations in each of these ranges.");
+  v.key("surfaces", b.surfaces, plain().at_least(10).at_most(1000000),
+        "About so many surfaces are tried, evenly over windows and inclinations; the best are then optimised within "
+        "them.");
+  v.tables("window", b.windows, 0,
+           "Each surface has a vertex in each window, two windows at least and eight at most. The vertices are "
+           "ordered by x.");
+}
+
+void describe(auto& v, TangentCircles& t) {
+  v.key("levels", t.levels, quantity("m").example("[2, 4]"),
+        "Level of the deepest point of every circle: one number, or from where to where.");
+  v.key("layer", t.layer, plain().example(R"("clay")"),
+        "Instead of levels: region, material or [[geometry.line]] that every circle touches from above.");
+  v.key("side", t.side, plain(), "Which side of the layer.");
+}
+
 void describe(auto& v, TensionCrack& t) {
   v.key("depth", t.depth, quantity("m").at_least(0),
         "Depth of a vertical crack at the upper end of every surface; 0: none.");
@@ -176,6 +267,16 @@ void describe(auto& v, LimitEquilibrium& l) {
   v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0).example("1"),
         "Surfaces whose sliding mass is nowhere deeper than this are refused; if not given, the search refuses those "
         "below a fiftieth of the ground's relief, or below 0.5 m where that is less.");
+  v.key("smallest_area", l.smallest_area, quantity("m2").above(0).example("5"),
+        "Surfaces with a smaller area of the sliding mass are refused.");
+  v.key("smallest_weight", l.smallest_weight, quantity("N/m").above(0).example("100"),
+        "Surfaces with a lighter sliding mass, per length of the slope, are refused.");
+  v.key("slides", l.slides, plain(),
+        "Only surfaces that slide to this side; the exit lies there. It serves a section with two slopes, such as a "
+        "dam.");
+  v.key("impenetrable", l.impenetrable, plain().example(R"(["rock"])"),
+        "Materials that no surface enters: circles and polylines that would cut below their top follow it "
+        "in the soil above.");
   v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),
         "A surface with a smaller m_α at one of its slices fails the checks.");
   v.key("most_tension", l.most_tension, plain().at_least(0).at_most(1),
@@ -198,6 +299,11 @@ void describe(auto& v, LimitEquilibrium& l) {
         "or above the upper bound never governs.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
+  v.table("block", l.block, "Where search = \"block\" looks.");
+  v.optional_table("tangent", l.tangent,
+                   "Circles are only tried where they are tangent to a level or layer. No polyline is searched then.");
+  v.tables("exclude", l.excluded, 0, "An area that no surface enters.");
+  v.tables("through", l.passages, 0, "A window through which every surface passes: a polyline that it cuts, or a box.");
   v.table("tension_crack", l.crack, "A crack at the crest.");
   v.optional_table("drawdown", l.drawdown,
                    "Rapid drawdown: the water that [initial] names falls to another level, while soils with an "

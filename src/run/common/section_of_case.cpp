@@ -346,6 +346,9 @@ SectionOfCase make_section(const site::Site& site) {
   section.ground = site.ground();
   section.base = site::find_base(data.mesh);
   add_regions(site, section, result.notes);
+  for (std::size_t i = 0; i < section.soils.size(); ++i)
+    if (std::count(data.lem.impenetrable.begin(), data.lem.impenetrable.end(), section.soils[i].name) > 0)
+      section.impenetrable.push_back(static_cast<int>(i));
   add_water(site, section, result.water);
   for (std::string& note : site.list_open_ends()) result.notes.push_back(std::move(note));
   add_surcharges(data, section);

@@ -258,7 +258,7 @@ class Comparison {
 
   /// Evaluates the surfaces of the other methods by LEM.
   void exchange_surfaces() {
-    const lem::SearchOptions options = make_search_options(data_.lem, threads_);
+    const lem::SearchOptions options = make_search_options(data_, threads_);
     const std::vector<results::MethodSurface> given = results_.surfaces;
     for (const results::MethodSurface& s : given) {
       if (s.method == Method::lem || s.beside) continue;

@@ -161,6 +161,8 @@ MethodForecast forecast_slices(const input::Case& data, int threads) {
     f.surfaces = (e.exit.empty() && e.entry.empty() ? ends * (ends - 1) / 2 : 1.0 * e.exits * e.entries) * e.depths;
   } else if (lem.search == input::SurfaceSearch::grid) {
     f.surfaces = 1.0 * lem.grid.columns * lem.grid.rows * lem.grid.radii;
+  } else if (lem.search == input::SurfaceSearch::block) {
+    f.surfaces = lem.block.surfaces;
   }
   const double methods = static_cast<double>(lem.methods.size());
   f.seconds = f.surfaces * methods * circle_seconds * lem.slices / 50 / threads;

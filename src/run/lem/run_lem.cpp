@@ -21,11 +21,9 @@ constexpr double least_limit = 1e-3;
 
 bool is_check(lem::Refusal refusal) {
   return refusal == lem::Refusal::m_alpha || refusal == lem::Refusal::tension || refusal == lem::Refusal::thrust ||
-         refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow || refusal == lem::Refusal::kinks;
-}
-
-std::array<double, 2> get_range(const std::vector<double>& given, const std::array<double, 2>& otherwise) {
-  return given.size() == 2 ? std::array{given[0], given[1]} : otherwise;
+         refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow || refusal == lem::Refusal::kinks ||
+         refusal == lem::Refusal::too_small || refusal == lem::Refusal::excluded || refusal == lem::Refusal::passage ||
+         refusal == lem::Refusal::direction;
 }
 
 /// Moves the centre of a circle so that the arc of this radius meets the ground at both given ends, since published
@@ -111,53 +109,6 @@ std::string describe_uplift(const lem::Slope& slope) {
       format_value(uplift->stress, units.stress, 3), uplift->factor());
 }
 
-lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {
-  lem::SearchOptions options;
-  options.kind = settings.search == input::SurfaceSearch::grid ? lem::SearchKind::grid : lem::SearchKind::entry_exit;
-  lem::GridSearch grid;  // from == to: derived from the ground
-  grid.columns = settings.grid.columns;
-  grid.rows = settings.grid.rows;
-  grid.radii = settings.grid.radii;
-  if (settings.grid.corners.size() == 2) {
-    grid.from = settings.grid.corners[0];
-    grid.to = settings.grid.corners[1];
-  }
-  if (settings.grid.levels.size() == 2) {
-    grid.lowest = settings.grid.levels[0];
-    grid.highest = settings.grid.levels[1];
-  }
-  options.grid = grid;
-  lem::EntryExitSearch between;  // empty ranges: the whole ground
-  constexpr std::array<double, 2> everywhere{-1e9, 1e9};
-  const bool has_range = !settings.entry_exit.exit.empty() || !settings.entry_exit.entry.empty();
-  between.exit = get_range(settings.entry_exit.exit, has_range ? everywhere : std::array<double, 2>{});
-  between.entry = get_range(settings.entry_exit.entry, has_range ? everywhere : std::array<double, 2>{});
-  between.exits = settings.entry_exit.exits;
-  between.entries = settings.entry_exit.entries;
-  between.depths = settings.entry_exit.depths;
-  options.entry_exit = between;
-  options.slices = settings.slices;
-  options.methods = settings.methods;
-  options.checks.smallest_m_alpha = settings.smallest_m_alpha;
-  options.checks.most_tension = settings.most_tension;
-  options.checks.most_thrust_outside = settings.most_thrust_outside;
-  options.checks.smallest_lambda = settings.smallest_lambda;
-  options.checks.largest_lambda = settings.largest_lambda;
-  if (settings.smallest_depth) {
-    options.checks.smallest_depth = *settings.smallest_depth;
-    options.finds_skins = true;
-  }
-  options.checks.composite = settings.composite;
-  options.checks.reject = settings.reject;
-  options.composite = settings.composite;
-  options.optimise_surface = settings.noncircular;
-  options.vertices = settings.vertices;
-  options.kept_minima = settings.minima;
-  options.seed = settings.seed;
-  options.threads = threads;
-  return options;
-}
-
 lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given) {
   lem::Surface surface;
   surface.name = given.name;
@@ -207,6 +158,7 @@ lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface
   if (checks.reject && is_check(refusal)) {
     checks.reject = false;
     checks.smallest_depth = 0;
+    checks.limits = nullptr;
     result.cut = lem::cut_surface(slope, surface, options.slices, checks);
     if (result.cut.refusal == lem::Refusal::none) result.solution = lem::solve(slope, result.cut, method, checks, true);
   }
@@ -222,13 +174,15 @@ lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface
 SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int threads) {
   const auto start = std::chrono::steady_clock::now();
   const lem::Slope& slope = *prepared.slope;
-  const lem::SearchOptions options = make_search_options(data.lem, threads);
+  const lem::SearchOptions options = make_search_options(data, threads);
   SliceOutcome outcome;
   results::SliceResult& result = outcome.result;
   result.methods = options.methods;
   result.slices = options.slices;
   if (data.lem.drawdown) result.drawdown = data.lem.drawdown->method;
   result.warnings = prepared.notes;
+  if (std::string sentence = describe_restrictions(data.lem); !sentence.empty())
+    result.warnings.push_back(std::move(sentence));
   result.given = solve_given(data, slope, options);
   if (data.lem.search != input::SurfaceSearch::none) {
     lem::SearchResult found = lem::search(slope, options);

@@ -27,7 +27,12 @@ PreparedSlope prepare_slope(const site::Site& site);
 std::string describe_uplift(const lem::Slope& slope);
 
 /// Settings of the search from [lem].
-lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
+lem::SearchOptions make_search_options(const input::Case& data, int threads);
+/// Returns the path along a region, a material or a line of the case; without points if there is none of this name, or
+/// its parts have gaps.
+lem::Path find_path(const input::Case& data, const std::string& name);
+/// Returns the warning that a search is restricted to some surfaces; empty if it is not.
+std::string describe_restrictions(const input::LimitEquilibrium& settings);
 
 /// Makes a surface of [[lem.surface]]. Throws Error (wrong_input), with its name, if it does not cut the ground.
 lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given);

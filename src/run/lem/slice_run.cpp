@@ -98,7 +98,9 @@ results::CriticalSurface make_critical_result(const lem::Slope& slope, const lem
 
 results::SliceSearch make_search_result(const lem::SearchOptions& options, const lem::SearchResult& result) {
   results::SliceSearch out;
-  out.kind = options.kind == lem::SearchKind::grid ? results::SearchKind::grid : results::SearchKind::entry_exit;
+  out.kind = options.kind == lem::SearchKind::grid    ? results::SearchKind::grid
+             : options.kind == lem::SearchKind::block ? results::SearchKind::block
+                                                      : results::SearchKind::entry_exit;
   out.tried = result.tried;
   for (std::size_t m = 0; m < result.refused.size(); ++m) {
     auto& counts = out.refused[to_word(options.methods[m])];

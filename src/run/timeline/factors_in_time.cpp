@@ -26,7 +26,7 @@ FactorsInTime::FactorsInTime(const WaterInTime& water, const RunOptions& options
     : water_(water),
       options_(options),
       hash_(std::move(input_hash)),
-      search_(make_search_options(data_.lem, 1)),
+      search_(make_search_options(data_, 1)),
       summary_(summary) {}
 
 void FactorsInTime::search_curve(const results::SliceResult& first) {

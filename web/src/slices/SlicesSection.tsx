@@ -17,6 +17,7 @@ import "./slices.css";
 const kinds: Record<SliceSearch["kind"], string> = {
   entry_exit: "Circles through points of entry and exit on the ground, several depths each",
   grid: "Circles about a grid of centres, several radii each",
+  block: "Polylines through windows or along a layer, with ranges of inclination of their ends",
 };
 
 function describeRanges({ ranges: { exit, entry, grid } }: SliceSearch): string {

@@ -23,6 +23,7 @@ const inclinations: { [name: string]: string } = {
 const searches: { [kind: string]: string } = {
   entry_exit: "circles through points of exit and entry on the ground, several depths each",
   grid: "circles about a grid of centres, several radii each",
+  block: "polylines through windows or along a layer, with ranges of inclination of their ends",
 };
 
 export const slices = {
