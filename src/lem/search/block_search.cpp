@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/numbers.hpp"
@@ -14,6 +15,7 @@
 #include "lem/search/search_findings.hpp"
 #include "lem/search/trial_circles.hpp"
 #include "lem/section/strips.hpp"
+#include "lem/slices/wedge_mechanism.hpp"
 
 namespace talus::lem {
 
@@ -243,13 +245,16 @@ Found improve(const Slope& slope, const SearchOptions& options, Method method, c
   std::vector<double> at = start.parameters;
   double value = Evaluator::refused;
   const int most = 60 * static_cast<int>(family.size());
-  for (const double reach : {1.0, 0.5, 0.25, 0.1}) {
+  // A simplex that has collapsed against a limit of the checks continues from a new one on the other side.
+  int idle = 0;
+  for (const double reach : {1.0, -0.7, 0.5, -0.35, 0.25, -0.1}) {
     const std::vector<double> step(family.size(), reach * family.step());
     const Minimum m = minimise(function, at, step, lower, upper, {Minimiser::simplex, 1e-7, most});
     if (m.value < value) at = m.at;
     const double gain = value - m.value;
     value = std::min(value, m.value);
-    if (gain < 1e-6 * value) break;
+    idle = gain < 1e-6 * value ? idle + 1 : 0;
+    if (idle == 2) break;
   }
   const OptimisedSurface best = evaluate.passing();
   Found found{{at, start.falls_left}, {{}, Evaluator::refused, best.evaluations}};
@@ -275,19 +280,86 @@ std::vector<std::size_t> choose_trials(const Slope& slope, const SearchResult& r
   return chosen;
 }
 
-/// Adds the ends whose inclination lies at a limit of its range.
-void add_angle_hits(const BlockFamily& family, Method method, const Trial& trial, SearchResult& result) {
+/// Adds the ends whose inclination lies at a limit of its range. A window on the ground is an end without one.
+void add_angle_hits(const BlockFamily& family, Method method, const Found& found, SearchResult& result) {
   constexpr double near = 1e-3;
-  const auto check = [&](double t, const std::array<double, 2>& range, const char* end, const char* key) {
-    if (!(range[1] > range[0]) || (t > near && t < 1 - near)) return;
+  const std::vector<Point>& line = found.surface.surface.line;
+  const auto check = [&](const Point& end, const Point& inner, const std::array<double, 2>& range, const char* name,
+                         const char* key) {
+    const double width = range[1] - range[0];
+    const double t = (std::atan2(end[1] - inner[1], std::abs(end[0] - inner[0])) - range[0]) / width;
+    if (!(width > 0) || std::min(std::abs(t), std::abs(t - 1)) > near) return;
     result.limit_hits.push_back(
         {method,
          fmt::format("the {} end of the critical block rises at {:.4g}°, an end of the range searched ({:.4g}° "
                      "to {:.4g}°); widen [lem.block] {}",
-                     end, (t > 0.5 ? range[1] : range[0]) / degree, range[0] / degree, range[1] / degree, key)});
+                     name, (t > 0.5 ? range[1] : range[0]) / degree, range[0] / degree, range[1] / degree, key)});
   };
-  check(trial.parameters.front(), family.search().passive, "lower", "passive");
-  check(trial.parameters.back(), family.search().active, "upper", "active");
+  const bool is_left = found.trial.falls_left;
+  const std::size_t last = line.size() - 1;
+  check(line[is_left ? 0 : last], line[is_left ? 1 : last - 1], family.search().passive, "lower", "passive");
+  check(line[is_left ? last : 0], line[is_left ? last - 1 : 1], family.search().active, "upper", "active");
+}
+
+/// Solves the trials without the check of their wedges. Blocks with low factors often fail it, and the best blocks that
+/// pass it lie near them.
+SearchResult solve_without_wedges(const Slope& slope, SearchOptions options, Method method,
+                                  const TrialCircles& blocks) {
+  options.methods = {method};
+  options.checks.most_below_wedges = std::numeric_limits<double>::infinity();
+  SearchResult result;
+  solve_trials(slope, options, blocks, result);
+  return result;
+}
+
+/// Adds a warning if a block has a lower factor than the critical one but fails the check of its wedges: programs
+/// without this check have its factor as their result.
+void warn_of_kinks(const Slope& slope, const SearchOptions& options, const BlockFamily& family, const Trial& start,
+                   Method method, SearchResult& result) {
+  SearchOptions lenient = options;
+  lenient.checks.most_below_wedges = std::numeric_limits<double>::infinity();
+  const OptimisedSurface lowest = improve(slope, lenient, method, family, start).surface;
+  const auto own = std::find_if(result.noncircular.begin(), result.noncircular.end(),
+                                [&](const Critical& c) { return c.method == method; });
+  if (lowest.factor >= Evaluator::refused) return;
+  if (own != result.noncircular.end() && lowest.factor > (1 - options.checks.most_below_wedges) * own->solution.factor)
+    return;
+  const CutSurface cut = cut_surface(slope, lowest.surface, options.slices, lenient.checks);
+  const Section& section = slope.section();
+  WedgeMechanism wedges;
+  wedges.set(slope, cut, section.turn_to_sliding(section.horizontal_acceleration, cut.slides_left));
+  result.warnings.push_back(fmt::format(
+      "{} has a factor of {:.3f} on a block that is rejected, because its kinks would slide without strength: the "
+      "wedge "
+      "mechanism of this block, with strength on the interfaces of the wedges, has {:.3f}. Programs without this check "
+      "print the lower factor",
+      get_title(method), lowest.factor, wedges.search_factor(lowest.factor)));
+}
+
+/// Optimises the starts, and then perturbations of the best result. Returns all, the best first.
+std::vector<Found> improve_all(const Slope& slope, const SearchOptions& options, Method method,
+                               const BlockFamily& family, const std::vector<Trial>& starts) {
+  constexpr int perturbations = 6;
+  constexpr double reach = 0.15;
+  const auto run = [&](const std::vector<Trial>& from, std::vector<Found>& found) {
+    std::vector<Found> own(from.size());
+    parallel_tasks(static_cast<int>(from.size()), options.threads, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      own[k] = improve(slope, options, method, family, from[k]);
+    });
+    found.insert(found.end(), own.begin(), own.end());
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.surface.factor < b.surface.factor; });
+  };
+  std::vector<Found> found;
+  run(starts, found);
+  if (found.empty() || found.front().surface.factor >= Evaluator::refused) return found;
+  RandomParts parts(options.seed);
+  std::vector<Trial> near(perturbations, found.front().trial);
+  for (Trial& trial : near)
+    for (double& p : trial.parameters) p = std::clamp(p + reach * parts.draw(), 0.0, 1.0);
+  run(near, found);
+  return found;
 }
 
 }  // namespace
@@ -312,14 +384,17 @@ void search_blocks(const Slope& slope, const SearchOptions& options, SearchResul
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const Method method = options.methods[m];
     if (!suits_polylines(method)) continue;
-    const auto starts = choose_trials(slope, result, m, static_cast<std::size_t>(options.kept_minima) + 3);
-    std::vector<Found> found(starts.size());
-    parallel_tasks(static_cast<int>(starts.size()), options.threads, [&](int i) {
-      const auto k = static_cast<std::size_t>(i);
-      found[k] = improve(slope, options, method, family, trials[starts[k]]);
-    });
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Found& a, const Found& b) { return a.surface.factor < b.surface.factor; });
+    const auto count = static_cast<std::size_t>(options.kept_minima) + 3;
+    std::vector<Trial> starts;
+    for (const std::size_t i : choose_trials(slope, result, m, count)) starts.push_back(trials[i]);
+    std::optional<Trial> without_wedges;
+    if (result.refused[m].count(Refusal::kinks) > 0)
+      for (const std::size_t i :
+           choose_trials(slope, solve_without_wedges(slope, options, method, blocks), 0, count / 2)) {
+        starts.push_back(trials[i]);
+        if (!without_wedges) without_wedges = trials[i];
+      }
+    const std::vector<Found> found = improve_all(slope, options, method, family, starts);
     for (const Found& f : found) {
       auto& minima = result.minima[m];
       if (f.surface.factor >= Evaluator::refused || static_cast<int>(minima.size()) == options.kept_minima) break;
@@ -329,11 +404,12 @@ void search_blocks(const Slope& slope, const SearchOptions& options, SearchResul
       if (is_known) continue;
       minima.push_back(make_critical(slope, options, f.surface.surface, method));
       if (minima.size() > 1) continue;
-      add_angle_hits(family, method, f.trial, result);
+      add_angle_hits(family, method, f, result);
       const auto hits = find_limit_hits(slope, options, result, blocks, minima.front(), -1);
       result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
       result.noncircular.push_back(minima.front());
     }
+    if (without_wedges) warn_of_kinks(slope, options, family, *without_wedges, method, result);
     if (result.minima[m].empty())
       result.limit_hits.push_back(
           {method, fmt::format("no admissible block, {}", describe_refusals(result.refused[m], result.tried))});

@@ -242,6 +242,8 @@ Critical make_critical(const Slope& slope, const SearchOptions& options, const S
 
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& asked) {
   const SearchOptions options = settle(slope, asked);
+  // Free vertices would leave the windows.
+  if (options.kind == SearchKind::block && !start.circle) return make_critical(slope, options, start, method);
   Evaluator evaluate(slope, method, options.checks, options.slices);
   const std::array<double, 2> ground{slope.left(), slope.right()};
   if (!start.circle) {

@@ -183,7 +183,8 @@ SearchResult search(const Slope& slope, const SearchOptions& options);
 /// Returns the surface with its slices, forces, factor and warnings.
 Critical make_critical(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method);
 
-/// Optimises the vertices of a polyline, or the ends and the depth of a circle, from a start.
+/// Optimises the vertices of a polyline, or the ends and the depth of a circle, from a start. A polyline of a search
+/// for blocks stays as it is.
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& options);
 
 }  // namespace talus::lem

@@ -214,4 +214,17 @@ std::vector<Point> thin_points(std::vector<Point> line, int count) {
   return line;
 }
 
+std::vector<Point> drop_straight_points(const std::vector<Point>& line) {
+  constexpr double straight = 1e-6;  // sine of the turn, above the rounding of stored results
+  if (line.size() < 3) return line;
+  std::vector<Point> kept{line.front()};
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const Point &a = kept.back(), &b = line[i], &c = line[i + 1];
+    const double before = std::hypot(b[0] - a[0], b[1] - a[1]), after = std::hypot(c[0] - b[0], c[1] - b[1]);
+    if (std::abs(measure_turn(a, b, c)) > straight * before * after) kept.push_back(b);
+  }
+  kept.push_back(line.back());
+  return kept;
+}
+
 }  // namespace talus::lem

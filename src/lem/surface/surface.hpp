@@ -73,4 +73,7 @@ Surface hang_polyline(const Slope& slope, double left, double right, const std::
 /// first.
 std::vector<Point> thin_points(std::vector<Point> line, int count);
 
+/// Returns a polyline without the points on the straight lines between their neighbours. It may bend to both sides.
+std::vector<Point> drop_straight_points(const std::vector<Point>& line);
+
 }  // namespace talus::lem

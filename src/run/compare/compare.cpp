@@ -258,7 +258,8 @@ class Comparison {
 
   /// Evaluates the surfaces of the other methods by LEM.
   void exchange_surfaces() {
-    const lem::SearchOptions options = make_search_options(data_, threads_);
+    lem::SearchOptions options = make_search_options(data_, threads_);
+    options.kind = lem::SearchKind::entry_exit;  // these surfaces belong to no search for blocks
     const std::vector<results::MethodSurface> given = results_.surfaces;
     for (const results::MethodSurface& s : given) {
       if (s.method == Method::lem || s.beside) continue;

@@ -51,15 +51,17 @@ lem::Critical* find_by(std::vector<lem::Critical>& list, lem::Method method) {
 
 /// Converts a surface of the results, a polyline with a point at each side of a slice, and drops the points on
 /// straight lines.
-lem::Surface take_surface(const results::SlipSurface& result, int vertices) {
+lem::Surface take_surface(const results::SlipSurface& result, const lem::SearchOptions& options) {
   lem::Surface surface;
   surface.name = result.name.value_or("");
   surface.from = result.points.front()[0];
   surface.to = result.points.back()[0];
   if (result.circle)
     surface.circle = lem::Circle{result.circle->centre, result.circle->radius};
+  else if (options.kind == lem::SearchKind::block)
+    surface.line = lem::drop_straight_points({result.points.begin(), result.points.end()});
   else
-    surface.line = lem::thin_points({result.points.begin(), result.points.end()}, vertices);
+    surface.line = lem::thin_points({result.points.begin(), result.points.end()}, options.vertices);
   return surface;
 }
 
@@ -118,7 +120,7 @@ void take_known(const results::SliceResult& found, const lem::SearchOptions& opt
 void take_kept(const results::SearchedMoment& kept, const lem::SearchOptions& options, Moment& moment) {
   const auto take = [&](const std::vector<results::SlipSurface>& from, std::vector<lem::Critical>& to) {
     for (const results::SlipSurface& s : from)
-      to.push_back(solve_surface(*moment.slope, take_surface(s, options.vertices), s.method, options));
+      to.push_back(solve_surface(*moment.slope, take_surface(s, options), s.method, options));
   };
   take(kept.circular, moment.circular);
   take(kept.noncircular, moment.noncircular);
@@ -181,7 +183,7 @@ std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& know
   for (const results::TimedFactor& k : known) {
     if (!k.factor) continue;
     const lem::Solution solution =
-        solve_surface(slope, take_surface(k.surface, options.vertices), k.surface.method, options).solution;
+        solve_surface(slope, take_surface(k.surface, options), k.surface.method, options).solution;
     if (solution.refusal == lem::Refusal::none && solution.factor > 0 && !(least && *least <= solution.factor))
       least = solution.factor;
   }
