@@ -36,6 +36,9 @@ input::Case make_drawable(const input::Sketch& sketch) {
   drop_unsound(data.roots, "roots");
   drop_unsound(data.surcharges, "surcharge");
   drop_unsound(data.lem.surfaces, "lem.surface");
+  drop_unsound(data.lem.block.windows, "lem.block.window");
+  drop_unsound(data.lem.excluded, "lem.exclude");
+  drop_unsound(data.lem.passages, "lem.through");
   return data;
 }
 

@@ -297,6 +297,10 @@ class PlaceSearch {
     if (kind == "entry_exit" && key == "exit") return find_on_ground(data_.lem.entry_exit.exit);
     if (kind == "entry_exit" && key == "entry") return find_on_ground(data_.lem.entry_exit.entry);
     if (kind == "grid" && key == "corners") return find_on_line(data_.lem.grid.corners, 3, is_exact);
+    if (kind == "exclude")
+      if (const auto* area = find_item(data_.lem.excluded, steps_, 2)) return find_on_line(area->points, 4, is_exact);
+    if (kind == "through") return find_window(data_.lem.passages, 2, is_exact);
+    if (kind == "block") return find_window(data_.lem.block.windows, 3, is_exact);
     if (kind != "surface") return std::nullopt;
     const auto* surface = find_item(data_.lem.surfaces, steps_, 2);
     if (surface == nullptr) return std::nullopt;
@@ -305,6 +309,14 @@ class PlaceSearch {
     if (!surface->centre) return std::nullopt;
     if (step(3) == "centre" || !surface->radius) return *surface->centre;
     return Point{(*surface->centre)[0], (*surface->centre)[1] - *surface->radius};
+  }
+
+  /// Returns the place of the window with the index at a step of the path.
+  std::optional<Point> find_window(const std::vector<input::SurfaceWindow>& windows, std::size_t at,
+                                   bool& is_exact) const {
+    const auto* window = find_item(windows, steps_, at);
+    if (window == nullptr) return std::nullopt;
+    return find_on_line(window->points.empty() ? window->box : window->points, at + 2, is_exact);
   }
 
   const input::Sketch& sketch_;

@@ -48,6 +48,10 @@ CasePicture make_slope() {
   p.roots = {{"crest: roots to 1 m", {{0, 15}, {12, 15}}, 1}};
   p.ranges = {{"entries", {{0, 15}, {10, 15}}, true}, {"exits", {{30, 6}, {32, 5}, {40, 5}}, false}};
   p.centres = CasePicture::CentreGrid{"5 × 4 centres", {20, 16}, {30, 24}, 5, 4, {0, 6}};
+  p.zones = {{SearchZoneKind::window, "vertex", {{28, 6}}, false},
+             {SearchZoneKind::passage, "gap", {{14, 8}, {14, 13}}, false},
+             {SearchZoneKind::excluded, "cellar", {{4, 11}, {8, 11}, {8, 15}, {4, 15}}, true},
+             {SearchZoneKind::tangent, "tangent to lower", {{0, 5}, {44, 5}}, false}};
   p.surfaces = {{"A", {{8, 15}, {20, 6}, {32, 5}}}};
   p.notes = {"FEM: elements of 1 m, 700 of them with soil."};
   p.messages = {{true, "error: line 3: first", CasePicture::Point{12, 15}},
@@ -74,6 +78,12 @@ TEST(CasePicture, EveryElementIsDrawn) {
                            "class=\"range\"",
                            "class=\"centres\"",
                            "class=\"surface\"",
+                           "class=\"search-zone\"",
+                           ">cellar<",
+                           ">window with a vertex of each slip surface<",
+                           ">window that each slip surface passes<",
+                           ">area without slip surfaces<",
+                           ">tangent of each slip circle<",
                            ">crest: rain 20 mm/h<",
                            ">face: seepage face<",
                            ">road: 20 kPa<",

@@ -50,6 +50,7 @@ class Drawing {
   void draw_water();
   void draw_loads();
   void draw_search();
+  void draw_zones();
   void mark_messages();
   void name_soils();
   void add_label(const Label& label);
@@ -91,6 +92,7 @@ Rectangle Drawing::fit() {
   for (const auto& load : picture_.loads) include(load.line);
   for (const auto& surface : picture_.surfaces) include(surface.points);
   if (picture_.centres) include({picture_.centres->from, picture_.centres->to});
+  for (const auto& zone : picture_.zones) include(zone.points);
   const double width = box.x1 - box.x0, height = box.y1 - box.y0, frame_width = page_width - frame_left - frame_right;
   frame_ = {frame_left, heading, page_width - frame_right, heading + 60};
   if (!(width >= 0) || !(height >= 0) || !(std::max(width, height) > 0) || !std::isfinite(width + height))
@@ -260,6 +262,17 @@ void Drawing::draw_loads() {
     if (!support.text.empty()) name_line(support.text, view_(support.line), colour::ink, false);
 }
 
+/// Draws the windows, areas and tangents that restrict slip surfaces.
+void Drawing::draw_zones() {
+  std::set<SearchZoneKind> kinds;
+  for (const auto& zone : picture_.zones) {
+    if (zone.points.empty()) continue;
+    drawn_ += draw_zone(zone, view_);
+    name_line(zone.text, place_name(zone, view_), get_colour(zone.kind));
+    if (kinds.insert(zone.kind).second) legend_.push_back({draw_sample(zone), get_title(zone.kind)});
+  }
+}
+
 void Drawing::draw_search() {
   for (const auto& zone : picture_.roots) {
     drawn_ += draw_roots(zone, view_);
@@ -400,6 +413,7 @@ void Drawing::draw_section() {
   draw_loads();
   draw_water();
   draw_search();
+  draw_zones();
   name_soils();
 }
 

@@ -14,6 +14,7 @@
 namespace talus::output {
 
 enum class SupportKind { fixed, rollers, plane, wall, moving };
+enum class SearchZoneKind { window, passage, excluded, tangent };
 enum class WaterSideKind { head, pressure, seepage_face, rain, flux, no_flow };
 
 struct CasePicture {
@@ -67,6 +68,13 @@ struct CasePicture {
     int columns = 0, rows = 0;
     std::vector<double> levels;  ///< of the deepest points of the circles
   };
+  /// A window, an area that slip surfaces avoid, or a line to which circles are tangent.
+  struct SearchZone {
+    SearchZoneKind kind = SearchZoneKind::window;
+    std::string text;
+    Polyline points;         ///< one point: a window for a vertex
+    bool is_closed = false;  ///< a polygon
+  };
   struct RootZone {
     std::string text;
     Polyline ground;
@@ -96,6 +104,7 @@ struct CasePicture {
   std::vector<RootZone> roots;
   std::vector<GroundRange> ranges;
   std::optional<CentreGrid> centres;
+  std::vector<SearchZone> zones;
   std::vector<NamedLine> surfaces;  ///< given slip surfaces
   std::vector<std::string> notes;   ///< lines below the section, such as the number of elements
   std::vector<Message> messages;    ///< numbered from 1

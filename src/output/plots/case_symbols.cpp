@@ -241,6 +241,56 @@ std::string draw_range(const CasePicture::GroundRange& range, const View& view) 
   return group("range", text);
 }
 
+const char* get_colour(SearchZoneKind kind) {
+  return kind == SearchZoneKind::excluded  ? colour::load
+         : kind == SearchZoneKind::tangent ? colour::exit
+                                           : colour::entry;
+}
+
+const char* get_title(SearchZoneKind kind) {
+  switch (kind) {
+    case SearchZoneKind::window:
+      return "window with a vertex of each slip surface";
+    case SearchZoneKind::passage:
+      return "window that each slip surface passes";
+    case SearchZoneKind::excluded:
+      return "area without slip surfaces";
+    default:
+      return "tangent of each slip circle";
+  }
+}
+
+std::string draw_zone(const CasePicture::SearchZone& zone, const View& view) {
+  const std::string ink = stroke(get_colour(zone.kind), 1.4,
+                                 zone.kind == SearchZoneKind::window     ? ""
+                                 : zone.kind == SearchZoneKind::excluded ? "stroke-dasharray=\"2 2\""
+                                                                         : "stroke-dasharray=\"8 3\"");
+  const std::vector<Pixel> points = view(zone.points);
+  std::string text;
+  if (points.size() == 1)
+    text = write_circle(points.front(), 4, "fill=\"none\" " + ink);
+  else if (zone.is_closed)
+    text = write_polygon(points, fmt::format("fill=\"{}\" fill-opacity=\"{}\" ", get_colour(zone.kind),
+                                             zone.kind == SearchZoneKind::excluded ? 0.25 : 0.1) +
+                                     ink);
+  else
+    text = write_line(points, ink);
+  return group("search-zone", text);
+}
+
+std::string draw_sample(const CasePicture::SearchZone& zone) {
+  CasePicture::SearchZone sample{zone.kind, "", {{0, 0}, {28, 0}}, zone.is_closed};
+  if (zone.points.size() == 1) sample.points = {{14, 0}};
+  if (zone.is_closed) sample.points = {{2, -5}, {26, -5}, {26, 5}, {2, 5}};
+  return draw_zone(sample, View{1, 0, 0});
+}
+
+std::vector<Pixel> place_name(const CasePicture::SearchZone& zone, const View& view) {
+  const std::vector<Pixel> line = view(zone.points);
+  if (line.size() > 1) return line;
+  return {{line[0].x - 5, line[0].y}, {line[0].x + 5, line[0].y}};
+}
+
 std::string draw_centres(const CasePicture::CentreGrid& grid, const View& view) {
   constexpr int most = 30;  // centres that are drawn along a side
   const Pixel a = view(grid.from), b = view(grid.to);

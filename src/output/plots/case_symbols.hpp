@@ -38,6 +38,8 @@ std::vector<AlongLine> divide_line(const std::vector<Pixel>& line, double spacin
 const char* get_colour(WaterSideKind kind);
 const char* get_title(WaterSideKind kind);
 const char* get_title(SupportKind kind);
+const char* get_colour(SearchZoneKind kind);
+const char* get_title(SearchZoneKind kind);
 
 std::string draw_support(const CasePicture::Support& support, const View& view);
 std::string draw_water_side(const CasePicture::WaterSide& side, const View& view);
@@ -49,6 +51,11 @@ double find_largest_load(const std::vector<CasePicture::Load>& loads);
 inline constexpr double load_arrow = 40;
 std::string draw_roots(const CasePicture::RootZone& roots, const View& view);
 std::string draw_range(const CasePicture::GroundRange& range, const View& view);
+std::string draw_zone(const CasePicture::SearchZone& zone, const View& view);
+/// Returns the sample of a zone in a legend, around (0, 0).
+std::string draw_sample(const CasePicture::SearchZone& zone);
+/// Returns the line beside which the name of a zone stands.
+std::vector<Pixel> place_name(const CasePicture::SearchZone& zone, const View& view);
 std::string draw_centres(const CasePicture::CentreGrid& grid, const View& view);
 /// Frame, tics and names of the axes in units of length.
 std::string draw_axes(const View& view, const Rectangle& frame, const ShownUnit& length);
