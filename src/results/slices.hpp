@@ -193,6 +193,65 @@ void describe(auto& v, As<SearchRanges> auto& r) {
   v.maybe("grid", r.grid, {"", "grid of centres"});
 }
 
+/// A window, an excluded area, or the corners of a box.
+struct SearchShape {
+  std::string name;
+  std::vector<Point> points;  ///< [m]
+  bool is_box = false;        ///< `points` are its lower left and upper right corner
+};
+void describe(auto& v, As<SearchShape> auto& r) {
+  v.key("name", r.name, {"", "name in the case"});
+  v.key("points", r.points, {"m", "a point, a polyline, corners of a polygon, or two corners of a box"});
+  v.key("is_box", r.is_box, {"", "whether the points are two corners of a box"});
+}
+
+/// Blocks that were searched.
+struct BlockRange {
+  std::optional<std::string> along;  ///< layer or line that they follow; else windows
+  std::vector<SearchShape> windows;
+  Point active{}, passive{};  ///< ranges of the inclination of the upper and the lower end [rad]
+  int angles = 0;             ///< number of inclinations in each range
+};
+void describe(auto& v, As<BlockRange> auto& r) {
+  v.maybe("along", r.along, {"", "layer or line that the surfaces follow"});
+  v.key("windows", r.windows, {"", "windows, each with a vertex of every surface"});
+  v.key("active", r.active, {"rad", "least and greatest inclination of the upper end"});
+  v.key("passive", r.passive, {"rad", "least and greatest inclination of the lower end"});
+  v.key("angles", r.angles, {"", "inclinations in each range"});
+}
+
+/// What every circle of the search is tangent to.
+struct TangentRange {
+  std::optional<Point> levels;  ///< lowest and highest [m]
+  std::optional<std::string> layer;
+  bool is_top = true;  ///< side of the layer
+};
+void describe(auto& v, As<TangentRange> auto& r) {
+  v.maybe("levels", r.levels, {"m", "lowest and highest level of the deepest point of circles"});
+  v.maybe("layer", r.layer, {"", "layer or line that circles touch"});
+  v.key("is_top", r.is_top, {"", "whether they touch its top; else its bottom"});
+}
+
+/// Restrictions of the slip surfaces of a search.
+struct SearchRestrictions {
+  std::optional<BlockRange> block;
+  std::optional<TangentRange> tangent;
+  std::vector<SearchShape> excluded, through;
+  std::vector<std::string> impenetrable;
+  std::optional<bool> slides_left;
+  std::optional<double> smallest_area, smallest_weight;  ///< of the sliding mass [m²], [N/m]
+};
+void describe(auto& v, As<SearchRestrictions> auto& r) {
+  v.maybe("block", r.block, {"", "polylines of a search for blocks"});
+  v.maybe("tangent", r.tangent, {"", "what every circle is tangent to"});
+  v.key("excluded", r.excluded, {"", "areas that no surface enters"});
+  v.key("through", r.through, {"", "windows that every surface passes"});
+  v.key("impenetrable", r.impenetrable, {"", "materials whose top surfaces follow"});
+  v.maybe("slides_left", r.slides_left, {"", "whether only masses that slide towards smaller x count; else larger x"});
+  v.maybe("smallest_area", r.smallest_area, {"m2", "smallest area of a sliding mass"});
+  v.maybe("smallest_weight", r.smallest_weight, {"N/m", "smallest weight of a sliding mass"});
+}
+
 /// A critical surface at a limit of the search ranges.
 struct LimitHit {
   std::string method;  ///< title of the method of slices
@@ -209,7 +268,8 @@ struct SliceSearch {
   std::map<std::string, std::map<std::string, long>> refused;  ///< number of rejected circles by method and reason
   std::vector<LimitHit> limit_hits;
   SearchRanges ranges;
-  double smallest_depth = 0;  ///< smallest depth of a sliding mass that counts [m]
+  std::optional<SearchRestrictions> restrictions;  ///< by keys of the case; nullopt without them
+  double smallest_depth = 0;                       ///< smallest depth of a sliding mass that counts [m]
   double seconds = 0, circles_per_second = 0;
 };
 void describe(auto& v, As<SliceSearch> auto& r) {
@@ -218,6 +278,7 @@ void describe(auto& v, As<SliceSearch> auto& r) {
   v.key("refused", r.refused, {"", "refused surfaces by method and reason"});
   v.key("limits", r.limit_hits, {"", "critical surfaces at a limit of the search"});
   v.key("ranges", r.ranges, {"", "where it looked"});
+  v.maybe("restrictions", r.restrictions, {"", "which surfaces the case asked for"});
   v.key("smallest_depth", r.smallest_depth, {"m", "smallest depth of a mass that it took"});
   v.key("seconds", r.seconds, {"s", "seconds"});
   v.key("circles_per_second", r.circles_per_second, {"1/s", "circles per second"});

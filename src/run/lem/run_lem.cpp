@@ -199,6 +199,7 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
     }
     result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     result.search = make_search_result(options, found);
+    result.search->restrictions = make_restrictions(data);
     outcome.trials = make_trials_result(options, found);
     result.trials_file = "lem.json";
   }

@@ -31,6 +31,8 @@ lem::SearchOptions make_search_options(const input::Case& data, int threads);
 /// Returns the path along a region, a material or a line of the case; without points if there is none of this name, or
 /// its parts have gaps.
 lem::Path find_path(const input::Case& data, const std::string& name);
+/// Returns what restricts the slip surfaces of the search; nullopt if nothing does.
+std::optional<results::SearchRestrictions> make_restrictions(const input::Case& data);
 /// Returns the warning that a search is restricted to some surfaces; empty if it is not.
 std::string describe_restrictions(const input::LimitEquilibrium& settings);
 

@@ -83,6 +83,48 @@ lem::Path find_path(const input::Case& data, const std::string& name) {
   return lem::make_path(polygons);
 }
 
+namespace {
+
+std::vector<results::SearchShape> list_windows(const std::vector<input::SurfaceWindow>& given) {
+  std::vector<results::SearchShape> shapes;
+  for (const input::SurfaceWindow& w : given) {
+    const lem::Window window = make_window(w);
+    shapes.push_back({window.name, window.points, window.is_box});
+  }
+  return shapes;
+}
+
+}  // namespace
+
+std::optional<results::SearchRestrictions> make_restrictions(const input::Case& data) {
+  const input::LimitEquilibrium& given = data.lem;
+  results::SearchRestrictions out;
+  if (given.search == input::SurfaceSearch::block) {
+    const input::BlockSearch& block = given.block;
+    out.block = {
+        {}, list_windows(block.windows), get_range(block.active, {}), get_range(block.passive, {}), block.angles};
+    if (!block.along.empty()) out.block->along = block.along;
+  }
+  if (given.tangent) {
+    out.tangent.emplace();
+    if (given.tangent->layer.empty())
+      out.tangent->levels = {given.tangent->levels.front(), given.tangent->levels.back()};
+    else
+      out.tangent->layer = given.tangent->layer;
+    out.tangent->is_top = given.tangent->side == input::LayerSide::top;
+  }
+  for (const input::ExcludedArea& area : given.excluded)
+    out.excluded.push_back({area.name, {area.points.begin(), area.points.end()}, false});
+  out.through = list_windows(given.passages);
+  out.impenetrable = given.impenetrable;
+  if (given.slides != input::SlidingDirection::both) out.slides_left = given.slides == input::SlidingDirection::left;
+  out.smallest_area = given.smallest_area;
+  out.smallest_weight = given.smallest_weight;
+  const bool is_any = out.block || out.tangent || !out.excluded.empty() || !out.through.empty() ||
+                      !out.impenetrable.empty() || out.slides_left || out.smallest_area || out.smallest_weight;
+  return is_any ? std::optional(out) : std::nullopt;
+}
+
 std::string describe_restrictions(const input::LimitEquilibrium& settings) {
   std::string what;
   const auto add = [&](bool is_given, const char* name) {

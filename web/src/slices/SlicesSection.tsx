@@ -11,6 +11,7 @@ import { MapFigure } from "./MapFigure";
 import { SliceTable } from "./SliceTable";
 import { SurfaceTable } from "./SurfaceTable";
 import { TrialFigure } from "./TrialFigure";
+import { listRestrictions } from "./restrictions";
 import { hasSlices, listLimits, nameReason, type SlicedSurface, slicedSurfaces, titleMethod } from "./sliceData";
 import "./slices.css";
 
@@ -35,7 +36,7 @@ function describeRanges({ ranges: { exit, entry, grid } }: SliceSearch): string 
 
 function SearchSummary({ lem: { search, slices, seconds } }: { lem: SliceResult }) {
   if (!search) return null;
-  const rate = search.circles_per_second ? `, ${formatNumber(search.circles_per_second, 2)} circles per second` : "";
+  const rate = search.circles_per_second ? `, ${formatNumber(search.circles_per_second, 2)} surfaces per second` : "";
   return (
     <>
       <p>
@@ -44,6 +45,13 @@ function SearchSummary({ lem: { search, slices, seconds } }: { lem: SliceResult 
         {formatQuantity(seconds, "s", 3)}
         {rate}.
       </p>
+      {search.restrictions && (
+        <ul aria-label="Restrictions of the search">
+          {listRestrictions(search.restrictions).map((text) => (
+            <li key={text}>{text}</li>
+          ))}
+        </ul>
+      )}
       {search.limits.length > 0 && (
         <ul class="slice-hits">
           {listLimits().map((text) => (

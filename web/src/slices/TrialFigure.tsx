@@ -16,6 +16,7 @@ import { drawSurface, drawSurfaceLabels, type SurfaceLabel } from "../drawing/su
 import { report } from "../state";
 import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
+import { drawRestrictions } from "./restrictions";
 import {
   criticalLook, drawCritical, drawRanges, drawSlices, drawThrust, hasThrust, thrustLook,
 } from "./surfacePainter";
@@ -61,6 +62,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const most = show === "best" ? 0 : show === "below" ? below : Infinity;
   const others = slicedSurfaces.value.filter((s) => s !== selected && s.factor !== null);
   const { exit, entry } = report.value.result.lem?.search?.ranges ?? {};
+  const restrictions = report.value.result.lem?.search?.restrictions;
   const bar = useMemo<Bar | null>(
     () => bands && { title: "Factor of safety", ...bands, below: false, above: false },
     [bands],
@@ -99,7 +101,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
         {hasSlices(selected) && toggle("slices", "Slices")}
         {hasThrust(selected) && toggle("thrust", "Line of thrust")}
         {others.length > 0 && toggle("others", "Other critical surfaces")}
-        {(exit || entry) && toggle("ranges", "Searched ranges")}
+        {(exit || entry || restrictions) && toggle("ranges", "Searched ranges")}
       </div>
       {failure && <p class="chart-bad">The trial surfaces cannot be read: {failure}</p>}
       <SectionCanvas
@@ -126,6 +128,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
           if (on.thrust) drawThrust(pen, selected);
           if (lit) drawSurface(context, lit.points.map(place), minimumLook, 2.6);
           if (on.ranges) drawRanges(pen, exit, entry);
+          if (on.ranges && restrictions) drawRestrictions(pen, restrictions);
           drawSurfaceLabels(context, [
             ...label(selected.points.map(place), selected.factor, criticalLook.colour),
             ...(on.others ? others.flatMap((s) => label(s.points.map(place), s.factor, otherLook.colour)) : []),

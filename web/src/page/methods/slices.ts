@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Paragraphs on limit equilibrium: the methods of slices, the search, rapid drawdown, the yield acceleration. */
+import { listRestrictions } from "../../slices/restrictions";
 import { findSetting, quoteNumber } from "./settings";
 import { prose, type MethodTexts } from "./writer";
 
@@ -74,13 +75,18 @@ export const slices = {
     const polyline = (result.lem?.noncircular ?? []).length > 0;
     return prose`
       ${search ? search.tried.toLocaleString("en").replaceAll(",", "\u202f") : "Many"} surfaces were tried: ${kind}.
-      From the best separate minima the circle was improved by a local search over its ends and its
-      depth${
-        polyline
+      From the best separate minima ${
+        search?.kind === "block"
+          ? "each surface was improved by a local search within its windows and ranges; other surfaces can be weaker."
+          : "the circle was improved by a local search over its ends and its depth"
+      }${
+        search?.kind === "block"
+          ? ""
+          : polyline
           ? `, and from the critical circle a polyline of ${quoteNumber(input, "lem.vertices", "12")} vertices by ` +
             "moving them. A polyline can be weaker than every circle."
           : ". A surface that is no circle can be weaker."
-      }
+      }${search?.restrictions ? ` ${listRestrictions(search.restrictions).join(" ")}` : ""}
 
       ${findSetting(input, "lem.reject") === false ? prose`
       Surfaces with doubtful forces were kept, and are named in the remarks.` : prose`
