@@ -341,7 +341,7 @@ double find_sample_seconds(const input::LimitEquilibrium& lem) {
 std::string describe(const MethodForecast& f) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (f.surfaces > 0) add("about " + write_count(f.surfaces) + " circles");
+  if (f.surfaces > 0) add("about " + write_count(f.surfaces) + " slip surfaces");
   if (f.elements > 0)
     add((f.method == input::Method::bounds ? "up to " : "about ") + write_count(f.elements) + " elements");
   if (f.points > 0) add(write_count(f.points) + " points");

@@ -48,7 +48,7 @@ struct MethodForecast {
 /// run.
 std::vector<MethodForecast> forecast(const input::Case& data, bool with_time);
 
-/// "about 18,000 circles, a second".
+/// "about 18,000 slip surfaces, a second".
 std::string describe(const MethodForecast& forecast);
 
 /// "a second", "12 minutes".
