@@ -235,21 +235,22 @@ class Assumptions {
   }
 
   void add_soils() {
-    std::vector<std::string> elastic, tensile, kept;
-    std::size_t with_strength = 0;
+    std::vector<std::string> elastic, tensile;
+    std::size_t with_strength = 0, plain = 0;
     for (const auto& [name, soil] : data_.materials) {
       const material::Traits& traits = soil.traits();
       if (traits.strength == material::Strength::none) elastic.push_back(name);
-      if (!soil.reduced) kept.push_back(name);
       is_plastic_ = is_plastic_ || traits.strength == material::Strength::known;
       if (!soil.traits().has_friction) continue;
       ++with_strength;
+      if (!traits.softens && !material::needs<material::BeddingInput>(soil.model)) ++plain;
       if (soil.tensile_strength > 0) tensile.push_back(name);
       add_dilatancy(name, soil);
     }
-    if (with_strength > 0)
-      add("The strength is perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
-          "strength a slide stops too early, with residual strength it starts too early.");
+    if (plain > 0)
+      add("{} perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
+          "strength a slide stops too early, with residual strength it starts too early.",
+          plain == with_strength ? "The strength is" : "The strength of the other soils is");
     if (!tensile.empty())
       add("A tensile strength is kept in {}: ground may hang together in tension where real ground would crack.",
           join_words(tensile));
@@ -259,9 +260,6 @@ class Assumptions {
     add_models();
     add_softening();
     for (std::string& sentence : list_root_assumptions(folder_)) sentences_.push_back(std::move(sentence));
-    if (!kept.empty())
-      add("No factor of safety divides the strength of {} (reduced = false): the factors refer to the other soils.",
-          join_words(kept));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 
@@ -277,6 +275,12 @@ class Assumptions {
       sentences_.push_back(fmt::format(fmt::runtime(law.assumption), join_words(names)));
       if (choices_.is_reduction && law.reduction) sentences_.push_back(law.reduction);
     }
+    std::vector<std::string> kept;
+    for (const auto& [name, soil] : data_.materials)
+      if (!soil.reduced) kept.push_back(name);
+    if (!kept.empty())
+      add("No factor of safety divides the strength of {} (reduced = false): the factors refer to the other soils.",
+          join_words(kept));
   }
 
   void add_softening() {

@@ -94,9 +94,10 @@ export function describeStrength(material: string): string {
     const growth = properties.find((p) => p.key === gradient)?.characteristic ? write(gradient) : "";
     return value && growth ? `${value} + ${growth}` : value;
   };
+  const softening = (value: string, residual: string) => [value, write(residual)].filter(Boolean).join(" to ");
   const parts: [string, string][] = [
-    ["c", growing("cohesion", "cohesion_gradient")],
-    ["φ", write("friction_angle")],
+    ["c", softening(growing("cohesion", "cohesion_gradient"), "residual_cohesion")],
+    ["φ", softening(write("friction_angle"), "residual_friction_angle")],
     ["s_u", growing("undrained_strength", "undrained_gradient")],
   ];
   return parts.filter(([, value]) => value).map(([symbol, value]) => `${symbol} = ${value}`).join(", ");
