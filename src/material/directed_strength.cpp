@@ -159,17 +159,23 @@ Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, d
   Surroundings<double> around;
   around.gaps = gaps;
   Response<double> response = soil_.update<NS>(sigma, d_epsilon, state, true, around);
+  double first[NS];
+  std::copy_n(sigma, NS, first);
   // Further returns to the soil's surface have no strain, and gaps are those of the first and of what opens here.
   const double none[NS]{};
-  for (int i = 0; i < most_turns; ++i) {
-    if (!slide<NS>(sigma, state, response)) return response;
+  bool slides = false;
+  for (int i = 0; i < most_turns && slide<NS>(sigma, state, response); ++i) {
+    slides = true;
     const Response<double> more = soil_.update<NS>(sigma, none, state, true, Surroundings<double>{});
-    if (!more.any_plastic) return response;
+    if (!more.any_plastic) break;
     response.plastic_dilation += more.plastic_dilation;
     response.dissipation += more.dissipation;
     response.opened += more.opened;
     if (gaps != Gaps::ignored && more.opened > 0) response.gap = state[1] += more.opened;
   }
+  // The work of the step is that of the mean of its first and its last stress.
+  if (slides)
+    for (int i = 0; i < NS; ++i) response.dissipation += 0.5 * (sigma[i] - first[i]) * d_epsilon[i];
   return response;
 }
 

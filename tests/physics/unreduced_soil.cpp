@@ -39,9 +39,10 @@ TEST(UnreducedSoil, ResistsWithItsWholeStrengthOnACircle) {
   // φ = 0: moments about the centre give F = R Σ s l of the reduced soil over Σ W x - R Σ s l of the other.
   lem::Section section = make_two_soils(lem::make_soil(25, 0, 18), lem::make_soil(12, 0, 18));
   const lem::Surface circle = list_surfaces()[0];
-  section.soils[0].cohesion = 25, section.soils[1].cohesion = 0;
+  constexpr double none = 1e-9;
+  section.soils[0].cohesion = 25, section.soils[1].cohesion = none;
   const double foundation = find_factor(section, circle, lem::Method::bishop);  // R Σ s l / Σ W x of each soil
-  section.soils[0].cohesion = 0, section.soils[1].cohesion = 12;
+  section.soils[0].cohesion = none, section.soils[1].cohesion = 12;
   const double fill = find_factor(section, circle, lem::Method::bishop);
   section.soils[0].cohesion = 25;
   section.soils[1].reduced = false;

@@ -116,8 +116,8 @@ TEST(CurvedLaw, StraightPairsAreMohrCoulomb) {
 TEST(StrengthEnvelopes, ShansepFollowsItsFormula) {
   const StrengthProfile none;
   for (const auto& [ocr, ratio] : {std::pair{1.0, 0.22}, {2.0, 0.38304}, {4.0, 0.66692}})
-    EXPECT_NEAR(compute_shansep_strength({0.22, 0.8, 0, ocr, {}, {}}, none, 1e5, 0, 0), 1e5 * ratio, 1e5 * 1e-5);
-  EXPECT_NEAR(compute_shansep_strength({0.25, 0.85, 0, 3.0, {}, {}}, none, 1e5, 0, 0), 63605, 1);
+    EXPECT_NEAR(compute_shansep_strength({0.22, 0.8, 0, ocr, {}, {}}, none, 1e5, {}, 0), 1e5 * ratio, 1e5 * 1e-5);
+  EXPECT_NEAR(compute_shansep_strength({0.25, 0.85, 0, 3.0, {}, {}}, none, 1e5, {}, 0), 63605, 1);
 }
 
 }  // namespace
