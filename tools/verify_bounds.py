@@ -257,7 +257,7 @@ def main():
     parser.add_argument("--wet", action="store_true")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
-    slopes = [e for e in json.loads(options.file.read_text())["lem"] if not options.only or e["id"] in options.only]
+    slopes = [e for e in json.loads(options.file.read_text())["lem"] if (e["id"] in options.only if options.only else e.get("recomputed"))]
     forms = [f for f in list_closed_forms() if not options.only or f[0] in options.only]
     with tempfile.TemporaryDirectory() as scratch:
         runner = Runner(os.path.abspath(options.program), (options.out or pathlib.Path(scratch)) / "runs")

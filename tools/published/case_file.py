@@ -58,20 +58,23 @@ def write_materials(lines, problem, stiffness):
     units = problem.units
     for material in problem.materials:
         c, phi = material.get("c", 0), material.get("phi", 0)
-        lines += [f"[materials.{material['key']}]", 'model = "mohr_coulomb"',
+        strong = bool(c or phi or material.get("cu_rate_per_depth"))
+        lines += [f"[materials.{material['key']}]", f'model = "{"mohr_coulomb" if strong else "no_strength"}"',
                   f"unit_weight = {quantity(material['gamma'], units.weight_name)}"]
         if material.get("gamma_sat"):
             lines.append(f"saturated_unit_weight = {quantity(material['gamma_sat'], units.weight_name)}")
-        lines += [f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}"]
+        if strong:
+            lines += [f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}"]
         if material.get("cu_rate_per_depth"):
             lines += [f"cohesion_gradient = {quantity(material['cu_rate_per_depth'], units.gradient_name)}",
                       f"cohesion_level = {number(round(material['cu_ref_elev'] * units.length, 9))}"]
         if material.get("ru"):
             lines.append(f"pore_pressure_ratio = {number(material['ru'])}")
         if stiffness:
+            lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3"]
+        if stiffness and strong:
             apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c
-            lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3", "dilatancy_angle = 0",
-                      f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), units.stress_name)}"
+            lines += ["dilatancy_angle = 0", f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), units.stress_name)}"
                       + ("  # the apex: no tension cut-off" if phi > 0 else "  # far off: no tension cut-off")]
         lines.append("")
 
@@ -88,6 +91,14 @@ def write_loads(lines, problem):
     if entry.get("kh") or entry.get("kv"):
         lines.append("[earthquake]")
         lines += [f"{key} = {number(entry[k])}" for k, key in (("kh", "horizontal"), ("kv", "vertical")) if entry.get(k)]
+        lines.append("")
+
+
+def write_search_ranges(lines, problem):
+    ranges = find_search_ranges(problem)
+    if any(ranges):
+        lines.append("[lem.entry_exit]")
+        lines += [f"{key} = [{number(r[0])}, {number(r[1])}]" for key, r in zip(("exit", "entry"), ranges) if r]
         lines.append("")
 
 
@@ -125,11 +136,7 @@ def write_slices(lines, problem, slices, search, noncircular):
         lines.append(f"smallest_depth = {number(round(entry['mindepth'] * length, 9))}")
     lines.append("")
     if search:
-        ranges = find_search_ranges(problem)
-        if any(ranges):
-            lines.append("[lem.entry_exit]")
-            lines += [f"{key} = [{number(r[0])}, {number(r[1])}]" for key, r in zip(("exit", "entry"), ranges) if r]
-            lines.append("")
+        write_search_ranges(lines, problem)
     if entry.get("tension_crack"):
         crack = entry["tension_crack"]
         lines += ["[lem.tension_crack]", "limit = false  # as deep as published",
