@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from published import slices  # noqa: E402
+from published.coupled import make_coupled_case  # noqa: E402
 from published.case_file import make_case  # noqa: E402
 from published.elements import judge_run  # noqa: E402
 from published.layers import split_layers  # noqa: E402
@@ -147,6 +148,20 @@ class Reading(unittest.TestCase):
                      "smallest_depth = 0.9144", "water_table = [[0, 9.144], [76.2, 1.524]]", 'load = ["500 lbf/ft2", "700 lbf/ft2"]'):
             self.assertIn(line, text)
 
+    def test_soil_without_strength(self):
+        soils = [{"name": "cap", "c": 0, "phi": 0, "gamma": 120}, ENTRY["materials"][1] | {"c": 0}]
+        text = make_case(read_problem({**ENTRY, "materials": soils}))
+        self.assertEqual(text.count('model = "no_strength"'), 1)
+        self.assertEqual(text.count("friction_angle"), 1)
+
+    def test_water_on_faces(self):
+        entry = next(e for e in DATA["coupled_seepage_to_stability"] if e["id"] == "DW-72a")
+        text, heads = make_coupled_case(read_problem(entry), 2, 3)
+        self.assertEqual(heads, [92.0496, 69.1896])
+        for line in ("points = [[0, 69.1896], [48.768, 69.1896], [117.348, 92.0496]]", 'on = "water_0"', "head = 92.0496", 'search = "none"',
+                     'on = "ground"', "points = [[144.78, 96.6216], [227.076, 69.1896]]", 'conductivity = "5.09016e-09 m/s"'):
+            self.assertIn(line, text)
+
 
 class Verdicts(unittest.TestCase):
     def test_bands(self):
@@ -164,6 +179,12 @@ class Verdicts(unittest.TestCase):
         for again, verdict in (((0.9005, ""), PASS), ((0.95, ""), MISS), ((0.9, "tension"), MISS), ((None, "outside"), MISS)):
             row, = slices.check_search(problem, answers, {"circle.bishop": again}, "circle", entry["recomputed"]["circular_search"], 0.005)
             self.assertEqual(row.verdict, verdict, again)
+
+    def test_published_polylines(self):
+        problem = read_problem({**ENTRY, "recomputed": {}, "circles": [], "surfaces": [], "search": "polyline", "published": {"A": {"spencer": 1.0}}})
+        answers = {name: [{"method": "spencer", "factor": factor}] for name, factor in (("critical", 1.2), ("noncircular", 1.01))}
+        row, = slices.check_published_only(problem, answers)
+        self.assertEqual((row.what, row.computed, row.verdict), ("critical polyline", 1.01, PASS))
 
     def test_finite_elements(self):
         gentle = next(e for e in DATA["lem"] if e["id"] == "AT-1")
