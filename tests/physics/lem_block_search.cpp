@@ -154,6 +154,17 @@ TEST(LemBlock, KeepsItsWindowsAndAvoidsExcludedAreas) {
   }
 }
 
+/// A timeline takes surfaces of other times over: those of a search for blocks keep their vertices.
+TEST(LemBlock, KeepsItsVerticesWhereOtherSurfacesAreOptimised) {
+  const Slope slope(make_plain_section());
+  const Surface start = make_polyline({{24, 10}, {32, 7}, {46, 8}, {58, 20}});
+  SearchOptions options = make_block_options({Method::spencer}, {});
+  EXPECT_EQ(optimise(slope, start, Method::spencer, options).surface.line, start.line);
+  options.kind = SearchKind::entry_exit;
+  options.vertices = 6;
+  EXPECT_NE(optimise(slope, start, Method::spencer, options).surface.line, start.line);
+}
+
 /// The inclination of both ends stays within its range, and an end at its limit is reported.
 TEST(LemBlock, KeepsTheInclinationsOfItsEnds) {
   const Slope slope(make_inclined_seam_section());

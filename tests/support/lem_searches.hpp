@@ -68,6 +68,7 @@ inline SearchOptions make_block_options(std::vector<Method> methods, std::vector
   options.block->path = std::move(path);
   options.block->active = {45 * degree, 70 * degree};
   options.block->passive = {15 * degree, 45 * degree};
+  options.block->surfaces = 2000;
   return options;
 }
 

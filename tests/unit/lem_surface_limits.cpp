@@ -48,6 +48,22 @@ TEST(LemSurfaceLimits, APathFollowsALayerOfSeveralRegions) {
   EXPECT_TRUE(make_path({{{0, 0}, {4, 1}, {4, 2}, {0, 1}}, {{5, 1}, {9, 1}, {9, 3}}}).bottom.empty());
 }
 
+/// Corners that bend to either side stay; thin_points() would drop the concave one first.
+TEST(LemSurfaceLimits, PointsOnStraightLinesAreDropped) {
+  const std::vector<Point> corners{{0, 10}, {4, 6}, {10, 7}, {14, 6.5}, {20, 12}};
+  std::vector<Point> line{corners.front()};
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    for (int k = 1; k <= 7; ++k) {
+      const double t = k / 7.0;
+      line.push_back({corners[i - 1][0] + t * (corners[i][0] - corners[i - 1][0]),
+                      corners[i - 1][1] + t * (corners[i][1] - corners[i - 1][1])});
+    }
+  const std::vector<Point> kept = drop_straight_points(line);
+  ASSERT_EQ(kept.size(), corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_NEAR(kept[i][1], corners[i][1], 1e-12);
+  EXPECT_EQ(drop_straight_points({{0, 0}, {1, 1}}).size(), 2u);
+}
+
 /// A block under a slope of 1:2: its ends rise at the inclinations that were asked for, and meet the ground.
 TEST(LemBlockFamily, EndsRiseAtTheirInclinations) {
   const Slope slope(make_section({{0, 10}, {30, 10}, {50, 20}, {90, 20}}, make_soil(5, 25, 19), 0));

@@ -197,8 +197,10 @@ std::vector<std::vector<double>> BlockFamily::spread(int seed) const {
   }
   const int each = free > 0 ? static_cast<int>(std::floor(std::pow(std::max(rest, 1.0), 1 / free) + 1e-9)) : 1;
   std::vector<std::vector<double>> all;
+  // A lattice with fewer places on each axis misses too much between them.
+  constexpr int coarsest = 5;
   constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61};
-  if (free > 0 && each < 3) {  // too many windows for a lattice
+  if (free > 0 && each < coarsest) {
     for (int i = 1; i <= search_.surfaces; ++i) {
       std::vector<double>& p = all.emplace_back();
       for (std::size_t k = 0; k < size(); ++k) p.push_back(compute_halton(i + 7919 * seed, primes[k % primes.size()]));

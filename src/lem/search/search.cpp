@@ -156,7 +156,7 @@ SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
 
 [[noreturn]] void fail_without_surface(const SearchOptions& options, const SearchResult& result) {
   const bool is_block = options.kind == SearchKind::block;
-  std::string reasons = is_block ? "no line through the windows meets the ground at both ends"
+  std::string reasons = is_block ? "no line through the windows or along the layer meets the ground at both ends"
                                  : "no circle enters and leaves the ground inside the model";
   std::size_t m = 0;
   while (is_block && m + 1 < options.methods.size() && !suits_polylines(options.methods[m])) ++m;
