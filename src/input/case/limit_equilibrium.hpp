@@ -269,7 +269,7 @@ void describe(auto& v, LimitEquilibrium& l) {
         "below a fiftieth of the ground's relief, or below 0.5 m where that is less.");
   v.key("smallest_area", l.smallest_area, quantity("m2").above(0).example("5"),
         "Surfaces with a smaller area of the sliding mass are refused.");
-  v.key("smallest_weight", l.smallest_weight, quantity("N/m").above(0).example("100"),
+  v.key("smallest_weight", l.smallest_weight, quantity("kN/m").above(0).example("100"),
         "Surfaces with a lighter sliding mass, per length of the slope, are refused.");
   v.key("slides", l.slides, plain(),
         "Only surfaces that slide to this side; the exit lies there. It serves a section with two slopes, such as a "

@@ -29,6 +29,32 @@ bool meets_soil(const Points& points, const SoilOutline& soil) {
          low <= ground + soil.slack();
 }
 
+/// Returns the indices of two sides of a polygon that cross or touch; nullopt if it is simple and has an area.
+std::optional<std::array<std::size_t, 2>> find_crossing(const Points& p) {
+  const auto turn = [](const auto& a, const auto& b, const auto& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  };
+  const auto differ = [](double a, double b) { return (a >= 0 && b <= 0) || (a <= 0 && b >= 0); };
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const auto &a = p[i], &b = p[i + 1 == n ? 0 : i + 1], &c = p[j], &d = p[j + 1 == n ? 0 : j + 1];
+      const bool next = j == i + 1, last = i == 0 && j + 1 == n;
+      // Neighbours share a corner; they overlap where one turns back on the other.
+      if (next || last) {
+        const auto &corner = next ? b : a, &before = next ? a : c, &after = next ? d : b;
+        const double back =
+            (before[0] - corner[0]) * (after[0] - corner[0]) + (before[1] - corner[1]) * (after[1] - corner[1]);
+        if (a == b || c == d || (turn(before, corner, after) == 0 && back >= 0)) return std::array{i, j};
+      } else if (std::max(a[0], b[0]) >= std::min(c[0], d[0]) && std::max(c[0], d[0]) >= std::min(a[0], b[0]) &&
+                 std::max(a[1], b[1]) >= std::min(c[1], d[1]) && std::max(c[1], d[1]) >= std::min(a[1], b[1]) &&
+                 differ(turn(a, b, c), turn(a, b, d)) && differ(turn(c, d, a), turn(c, d, b))) {
+        return std::array{i, j};
+      }
+    }
+  return std::nullopt;
+}
+
 /// Checks a window. `least`: smallest number of its points.
 void check_window(const SurfaceWindow& w, const std::string& path, std::size_t least, const SoilOutline& soil,
                   Findings& findings) {
@@ -144,6 +170,14 @@ void check_tangent(const Case& data, const SoilOutline& soil, Findings& findings
 }
 
 void check_areas(const Case& data, const SoilOutline& soil, Findings& findings) {
+  // Every base of every surface is compared with every corner.
+  constexpr std::size_t most_corners = 1000;
+  std::size_t corners = 0;
+  for (const ExcludedArea& area : data.lem.excluded) corners += area.points.size();
+  for (const SurfaceWindow& window : data.lem.passages) corners += window.points.size();
+  if (corners > most_corners)
+    return findings.add("lem", "[[lem.exclude]] and [[lem.through]] have {} corners; expected at most {}", corners,
+                        most_corners);
   check_names(data.lem.excluded, "lem.exclude", "excluded areas", findings);
   check_names(data.lem.passages, "lem.through", "windows", findings);
   for (std::size_t i = 0; i < data.lem.excluded.size(); ++i) {
@@ -153,6 +187,9 @@ void check_areas(const Case& data, const SoilOutline& soil, Findings& findings) 
     if (area.points.size() < 3)
       findings.add(path + ".points", "the excluded area '{}' has {} corners; a polygon has at least 3", area.name,
                    area.points.size());
+    else if (const auto sides = find_crossing(area.points))
+      findings.add(path + ".points", "the excluded area '{}' is no polygon: its sides {} and {} cross", area.name,
+                   (*sides)[0] + 1, (*sides)[1] + 1);
     else if (!meets_soil(area.points, soil))
       findings.add(path + ".points", "the excluded area '{}' lies outside the soil of the section", area.name);
   }
