@@ -154,6 +154,12 @@ class Reading(unittest.TestCase):
         self.assertEqual(text.count('model = "no_strength"'), 1)
         self.assertEqual(text.count("friction_angle"), 1)
 
+    def test_rapid_drawdown(self):
+        text = make_case(read_problem(next(e for e in DATA["lem"] if e["id"] == "DWW-99")), search=False)
+        for line in ("[materials.silty_clay.undrained_envelope]", 'cohesion = "2017.775 lbf/ft2"', "[lem.drawdown]", 'method = "three_stage"',
+                     "water_table = [[0, 36.576], [265.176, 36.576], [396.24, 0], [548.64, -3.048]]"):
+            self.assertIn(line, text)
+
     def test_water_on_faces(self):
         entry = next(e for e in DATA["coupled_seepage_to_stability"] if e["id"] == "DW-72a")
         text, heads = make_coupled_case(read_problem(entry), 2, 3)

@@ -76,6 +76,10 @@ def write_materials(lines, problem, stiffness):
             apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c
             lines += ["dilatancy_angle = 0", f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), units.stress_name)}"
                       + ("  # the apex: no tension cut-off" if phi > 0 else "  # far off: no tension cut-off")]
+        if material.get("envelope"):
+            envelope = material["envelope"]
+            lines += ["", f"[materials.{material['key']}.undrained_envelope]", f"cohesion = {quantity(envelope['c'], units.stress_name)}",
+                      f"friction_angle = {number(envelope['phi'])}"]
         lines.append("")
 
 
@@ -137,6 +141,9 @@ def write_slices(lines, problem, slices, search, noncircular):
     lines.append("")
     if search:
         write_search_ranges(lines, problem)
+    if entry.get("drawdown"):
+        line = problem.scale(sorted(entry["drawdown"]["piezo"]))
+        lines += ["[lem.drawdown]", f'method = "{entry["drawdown"]["method"]}"', f"water_table = {points_text(line)}", ""]
     if entry.get("tension_crack"):
         crack = entry["tension_crack"]
         lines += ["[lem.tension_crack]", "limit = false  # as deep as published",
