@@ -99,7 +99,8 @@ TEST(StrengthReduction, DividesTheStrengthOfEveryBuiltInModel) {
   EXPECT_TRUE(find_faults(with_cohesion("cohesion = 5\n") + reduction).empty());
   EXPECT_TRUE(find_faults(change(rooted_slope, "duration = 560", "duration = 560\nstrength_factor = 1.2")).empty());
   expect_root_fault("duration = 560", "duration = 560\ncohesion = @@100",
-                    "'cohesion' needs a material with model = \"mohr_coulomb\" or \"rooted_mohr_coulomb\"");
+                    "'cohesion' needs a material with model = \"mohr_coulomb\", \"rooted_mohr_coulomb\", "
+                    "\"softening_mohr_coulomb\", \"drucker_prager\" or \"bedding\"");
 }
 
 /// A slope of an external model, whose library exists (it is not opened here).

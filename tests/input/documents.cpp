@@ -111,7 +111,8 @@ TEST(Schema, HasTypesRangesAndWords) {
     if (rule["then"]["required"] != json::array({"cohesion"})) continue;
     for (const json& one : rule["if"]["anyOf"]) models.push_back(one["properties"]["model"]["const"]);
   }
-  EXPECT_EQ(models, json::array({"mohr_coulomb", "rooted_mohr_coulomb", "bedding"}));
+  EXPECT_EQ(models, json::array({"mohr_coulomb", "rooted_mohr_coulomb", "softening_mohr_coulomb", "drucker_prager",
+                                 "bedding"}));
   for (const json& rule : material["allOf"])
     EXPECT_NE(rule["then"]["required"], json::array({"young_modulus"}))
         << "only with some methods, which it cannot see";

@@ -8,7 +8,8 @@ namespace {
 
 TEST(SofteningLength, NeedsASoilThatSoftens) {
   expect_fault("[mesh]\n", "[mesh]\nsoftening_length = @@0.3\n",
-               "no soil of the case softens; those of model \"modified_cam_clay\" or \"rooted_cam_clay\" do");
+               "no soil of the case softens; those of model \"softening_mohr_coulomb\", "
+               "\"softening_hoek_brown\", \"modified_cam_clay\" or \"rooted_cam_clay\" do");
   EXPECT_TRUE(find_faults(change(rooted_slope, "[mesh]\n", "[mesh]\nsoftening_length = 0.3\n")).empty());
   expect_root_fault("[mesh]\n", "[mesh]\nsoftening_length = @@0\n", "it must be above 0");
 }
