@@ -14,7 +14,9 @@ namespace {
 /// Resolution of the least strength factor with equilibrium, and the smallest factor tried.
 constexpr double resolution = 0.01, smallest_factor = 1.0 / 32;
 
-SolidOfCase<2> make_start_solid(const input::Case& data) {
+/// Soil that softens in MPM has not done so at the start.
+SolidOfCase<2> make_start_solid(input::Case data) {
+  for (auto& [name, soil] : data.materials) soil.limit_strength = material::LimitStrength::peak;
   return make_solid_on<2>(data, std::make_shared<const mesh::Mesh<2>>(mesh::generate<2>(data.mesh)));
 }
 
