@@ -286,7 +286,7 @@ std::string draw_sample(const CasePicture::SearchZone& zone) {
 }
 
 std::vector<Pixel> place_name(const CasePicture::SearchZone& zone, const View& view) {
-  const std::vector<Pixel> line = view(zone.points);
+  std::vector<Pixel> line = view(zone.points);
   if (line.size() > 1) return line;
   return {{line[0].x - 5, line[0].y}, {line[0].x + 5, line[0].y}};
 }
