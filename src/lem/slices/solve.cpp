@@ -27,7 +27,7 @@ constexpr int most_tangents = 60;
 
 /// Largest relative difference between the factor of a solution and the one by which it multiplied the strengths that
 /// no factor divides [-].
-constexpr double scale_tolerance = 1e-9;
+constexpr double scale_tolerance = 1e-9, rounding_of_scale = 1e-6;
 constexpr int most_scales = 60;
 
 /// Memory of one thread, reused for all surfaces.
@@ -261,7 +261,10 @@ Solution solve_unreduced(const Slope& slope, CutSurface& cut, Method method, con
     solution = solve_scaled(scale, lenient, false);
     if (!(solution.factor > 0)) return solution;
     const double excess = solution.factor / solution.correction - scale;
-    if (std::abs(excess) < scale_tolerance * scale) {
+    const double slope_of_excess = i == 0 ? -1 : (excess - last_excess) / (scale - last_scale);
+    // Near the root the secant may be that of rounding errors.
+    const bool is_rounded = i > 0 && !(slope_of_excess < 0) && std::abs(excess) < rounding_of_scale * scale;
+    if (std::abs(excess) < scale_tolerance * scale || is_rounded) {
       // The wedge mechanism takes the strengths as they are, and the factor with them.
       Checks rest = checks;
       rest.most_below_wedges = std::numeric_limits<double>::infinity();
@@ -270,9 +273,10 @@ Solution solve_unreduced(const Slope& slope, CutSurface& cut, Method method, con
       if (solution.refusal != Refusal::none) solution.factor = 0;
       return solution;
     }
-    // A secant that rises has no root: with any factor the soil that is not reduced holds the mass.
-    const double slope_of_excess = i == 0 ? -1 : (excess - last_excess) / (scale - last_scale);
-    const double next = slope_of_excess < 0 ? scale - excess / slope_of_excess : largest_factor + 1;
+    // Where a secant above zero rises there is no root: with any factor the soil that is not reduced holds the mass.
+    const double next = slope_of_excess < 0 ? scale - excess / slope_of_excess
+                        : excess < 0        ? 0.5 * scale
+                                            : largest_factor + 1;
     last_scale = std::exchange(scale, next);
     last_excess = excess;
     if (!(scale > 0)) scale = 0.5 * last_scale;
