@@ -46,7 +46,7 @@ struct DruckerPragerCone {
   double slope = 0, offset = 0, dilation = 0;  ///< η, ξ, η_ψ
 
   static DruckerPragerCone match(ConeMatch cone, double friction_angle, double dilatancy_angle);
-  /// Returns the c and φ of the same strength in plane strain; an angle of 90° or more is no number.
+  /// Returns the c and φ of the same strength in plane strain; NaN for an angle of 90° or more.
   StrengthTangent find_plane_strength(double cohesion) const;
 };
 
@@ -121,7 +121,7 @@ class DruckerPrager {
     for (int i = 0; i < 3; ++i) j2 += 0.5 * (sigma[i] - p) * (sigma[i] - p);
     TALUS_UNROLL
     for (int i = 3; i < NS; ++i) j2 += sigma[i] * sigma[i];
-    // Where there is no shear the root has no derivative.
+    // The root has no derivative at zero shear.
     const T root = lane_sqrt(lane_max(j2, T(smallest_ * smallest_)));
     const T excess = root + slope_ * p - T(strength_);
     const auto yields = active && (excess > T(tolerance_) || p > T(tension_ + tolerance_));

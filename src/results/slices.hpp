@@ -220,7 +220,7 @@ void describe(auto& v, As<BlockRange> auto& r) {
   v.key("angles", r.angles, {"", "inclinations in each range"});
 }
 
-/// What every circle of the search is tangent to.
+/// Levels or layer that every circle of the search touches.
 struct TangentRange {
   std::optional<Point> levels;  ///< lowest and highest [m]
   std::optional<std::string> layer;

@@ -59,7 +59,7 @@ mpm::Body<D> make_block(int cells, double length, const material::Law& law, auto
   return body;
 }
 
-/// Of clay that bore six times the cell pressure, but for the softer spot.
+/// Makes the block of clay that bore six times the cell pressure, except in the softer spot.
 template <int D>
 mpm::Body<D> make_clay_block(int cells, double length) {
   const material::ModifiedCamClay clay = make_block_clay();

@@ -273,7 +273,7 @@ Solution solve_unreduced(const Slope& slope, CutSurface& cut, Method method, con
       if (solution.refusal != Refusal::none) solution.factor = 0;
       return solution;
     }
-    // Where a secant above zero rises there is no root: with any factor the soil that is not reduced holds the mass.
+    // A secant that rises above zero has no root: with any factor the soil that is not reduced holds the mass.
     const double next = slope_of_excess < 0 ? scale - excess / slope_of_excess
                         : excess < 0        ? 0.5 * scale
                                             : largest_factor + 1;
