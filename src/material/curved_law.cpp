@@ -109,16 +109,17 @@ bool CurvedLaw::is_within(double s1, double s3, double& normal) const {
 }
 
 template <int NS>
-Response<double> CurvedLaw::update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const {
+Response<double> CurvedLaw::update_point(double* sigma, const double* d_epsilon, double* state,
+                                         const Surroundings<double>& given) const {
   double trial[NS];
   std::copy_n(sigma, NS, trial);
-  elastic_.add_elastic_increment<NS>(trial, d_epsilon);
+  add_elastic_increment<NS>(trial, d_epsilon);
   const Principal p = find_principal<NS>(trial);
   double normal = 0;
   Surroundings<double> around;
-  around.gaps = gaps;
+  around.gaps = given.gaps;
   // A gap must close first, which Mohr–Coulomb's update computes.
-  const bool has_gap = gaps == Gaps::kept && state[1] > 0;
+  const bool has_gap = given.gaps == Gaps::kept && state[1] > 0;
   if (is_within(p.s1, p.s3, normal) && !has_gap) {
     std::copy_n(trial, NS, sigma);
     return {false, 0.0, 0.0};
@@ -129,7 +130,7 @@ Response<double> CurvedLaw::update_point(double* sigma, const double* d_epsilon,
     const StrengthTangent t = find_tangent(normal);
     const double friction = std::atan(t.tan_friction);
     const MohrCoulomb soil(
-        elastic_, {std::max(0.0, t.cohesion), friction, std::atan(dilatancy_ratio_ * t.tan_friction), find_tension()});
+        *this, {std::max(0.0, t.cohesion), friction, std::atan(dilatancy_ratio_ * t.tan_friction), find_tension()});
     std::copy_n(sigma, NS, result);
     std::copy_n(state, state_size, updated);
     response = soil.update<NS>(result, d_epsilon, updated, true, around);
@@ -146,7 +147,9 @@ Response<double> CurvedLaw::update_point(double* sigma, const double* d_epsilon,
   return response;
 }
 
-template Response<double> CurvedLaw::update_point<4>(double*, const double*, double*, Gaps) const;
-template Response<double> CurvedLaw::update_point<6>(double*, const double*, double*, Gaps) const;
+template Response<double> CurvedLaw::update_point<4>(double*, const double*, double*,
+                                                     const Surroundings<double>&) const;
+template Response<double> CurvedLaw::update_point<6>(double*, const double*, double*,
+                                                     const Surroundings<double>&) const;
 
 }  // namespace talus::material

@@ -52,40 +52,22 @@ void describe(auto& v, FlowRatio& in, const Users& users) {
 }
 
 /// State variables as Mohr–Coulomb's.
-class CurvedLaw {
+class CurvedLaw : public PointLaw<CurvedLaw> {
  public:
   static constexpr Traits traits{.word = "curved", .meaning = "", .title = "curved envelope", .is_opaque = true};
   static constexpr int state_size = MohrCoulomb::state_size, gap_states = 1;
   static constexpr bool is_plastic = true;
 
   CurvedLaw(const LinearElastic& elastic, CurvedEnvelope envelope, double dilatancy_ratio, double factor)
-      : elastic_(elastic), envelope_(std::move(envelope)), dilatancy_ratio_(dilatancy_ratio), factor_(factor) {}
+      : PointLaw(elastic), envelope_(std::move(envelope)), dilatancy_ratio_(dilatancy_ratio), factor_(factor) {}
 
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
-    return elastic_.constrained_modulus();
-  }
-  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return elastic_; }
-  template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
-    return elastic_.elastic_energy<NS>(sigma);
-  }
   static std::vector<StateField> fields() { return {separation_field}; }
   static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
   static double find_gap(const double* state) { return state[1]; }
 
-  template <int NS, class T>
-  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                     const Surroundings<T>& around = {}) const {
-    return update_points<NS, state_size>(
-        sigma, d_epsilon, state, active, around,
-        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
-          return update_point<NS>(s, d, q, own.gaps);
-        });
-  }
-
-  /// Performs update() for one point.
   template <int NS>
-  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
+                                const Surroundings<double>& around) const;
   /// Returns the strength, divided by the factor, at an effective normal stress [Pa].
   StrengthTangent find_tangent(double normal) const;
 
@@ -95,7 +77,6 @@ class CurvedLaw {
   bool is_within(double s1, double s3, double& normal) const;
   double find_tension() const;
 
-  LinearElastic elastic_;
   CurvedEnvelope envelope_;
   double dilatancy_ratio_, factor_;
 };

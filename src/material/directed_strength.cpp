@@ -151,13 +151,14 @@ Bedding Bedding::make(const Input& in, const StrengthChange& change) {
 }
 
 Bedding::Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle)
-    : soil_(soil), planes_(planes), along_{std::cos(angle), std::sin(angle)} {}
+    : PointLaw(soil.elastic()), soil_(soil), planes_(planes), along_{std::cos(angle), std::sin(angle)} {}
 
 template <int NS>
-Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const {
+Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, double* state,
+                                       const Surroundings<double>& given) const {
   constexpr int most_turns = 50;
   Surroundings<double> around;
-  around.gaps = gaps;
+  around.gaps = given.gaps;
   Response<double> response = soil_.update<NS>(sigma, d_epsilon, state, true, around);
   double first[NS];
   std::copy_n(sigma, NS, first);
@@ -171,7 +172,7 @@ Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, d
     response.plastic_dilation += more.plastic_dilation;
     response.dissipation += more.dissipation;
     response.opened += more.opened;
-    if (gaps != Gaps::ignored && more.opened > 0) response.gap = state[1] += more.opened;
+    if (given.gaps != Gaps::ignored && more.opened > 0) response.gap = state[1] += more.opened;
   }
   // The work of the step is that of the mean of its first and its last stress.
   if (slides)
@@ -181,8 +182,7 @@ Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, d
 
 template <int NS>
 bool Bedding::slide(double* sigma, double* state, Response<double>& response) const {
-  const LinearElastic& elastic = soil_.elastic();
-  const double stiffness = elastic.lambda + 2 * elastic.mu, tolerance = 1e-12 * elastic.mu;
+  const double stiffness = lambda + 2 * mu, tolerance = 1e-12 * mu;
   const double c = along_[0], s = along_[1];
   // Components in the axes of the plane: along it, normal to it, and across the section.
   const double normal = s * s * sigma[0] + c * c * sigma[1] - 2 * s * c * sigma[3];
@@ -191,16 +191,15 @@ bool Bedding::slide(double* sigma, double* state, Response<double>& response) co
   const double friction = std::tan(planes_.friction_angle), dilation = std::tan(planes_.dilatancy_angle);
   const double excess = shear + normal * friction - planes_.cohesion;
   if (!(excess > tolerance || normal > planes_.tensile_strength + tolerance)) return false;
-  double slip = std::max(0.0, excess) / (elastic.mu + stiffness * friction * dilation), opening = slip * dilation;
+  double slip = std::max(0.0, excess) / (mu + stiffness * friction * dilation), opening = slip * dilation;
   if (normal - stiffness * opening > planes_.tensile_strength) {
     opening = (normal - planes_.tensile_strength) / stiffness;
-    slip = std::max(0.0, shear - (planes_.cohesion - friction * planes_.tensile_strength)) / elastic.mu;
+    slip = std::max(0.0, shear - (planes_.cohesion - friction * planes_.tensile_strength)) / mu;
   }
   // Stress of the plastic strain: slip along the plane, and opening normal to it.
-  const double less = shear > 0 ? elastic.mu * slip / shear : 0;
-  const double t1 = less * along, t2 = less * across, lost = 2 * elastic.mu * opening,
-               pressure = elastic.lambda * opening;
-  const double now_shear = shear - elastic.mu * slip, now_normal = normal - stiffness * opening;
+  const double less = shear > 0 ? mu * slip / shear : 0;
+  const double t1 = less * along, t2 = less * across, lost = 2 * mu * opening, pressure = lambda * opening;
+  const double now_shear = shear - mu * slip, now_normal = normal - stiffness * opening;
   sigma[0] += 2 * s * c * t1 - s * s * lost - pressure;
   sigma[1] -= 2 * s * c * t1 + c * c * lost + pressure;
   sigma[2] -= pressure;
@@ -216,7 +215,7 @@ bool Bedding::slide(double* sigma, double* state, Response<double>& response) co
   return true;
 }
 
-template Response<double> Bedding::update_point<4>(double*, const double*, double*, Gaps) const;
-template Response<double> Bedding::update_point<6>(double*, const double*, double*, Gaps) const;
+template Response<double> Bedding::update_point<4>(double*, const double*, double*, const Surroundings<double>&) const;
+template Response<double> Bedding::update_point<6>(double*, const double*, double*, const Surroundings<double>&) const;
 
 }  // namespace talus::material

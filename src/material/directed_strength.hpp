@@ -106,7 +106,7 @@ void describe(auto& v, BeddingInput& in, const Users& users) {
 
 /// Mohr–Coulomb soil with one family of planes of another strength: the stress returns to the surface of the soil and
 /// to that of the planes in turn until neither is exceeded. State variables are Mohr–Coulomb's.
-class Bedding {
+class Bedding : public PointLaw<Bedding> {
  public:
   static constexpr Traits traits{
       .word = "bedding",
@@ -131,33 +131,17 @@ class Bedding {
   static SliceStrength find_slice_strength(const Input& in);
   static StrengthLaw make_strength(const Input& in);
 
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
-    return soil_.constrained_modulus();
-  }
-  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
-  template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
-    return soil_.elastic_energy<NS>(sigma);
-  }
   static std::vector<StateField> fields() { return {separation_field}; }
   static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
   static double find_gap(const double* state) { return state[1]; }
 
-  template <int NS, class T>
-  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                     const Surroundings<T>& around = {}) const {
-    return update_points<NS, state_size>(
-        sigma, d_epsilon, state, active, around,
-        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
-          return update_point<NS>(s, d, q, own.gaps);
-        });
-  }
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
+                                const Surroundings<double>& given) const;
 
  private:
   Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle);
 
-  template <int NS>
-  Response<double> update_point(double* sigma, const double* d_epsilon, double* state, Gaps gaps) const;
   /// Returns the stress to the strength of the planes; false if it was within.
   template <int NS>
   bool slide(double* sigma, double* state, Response<double>& response) const;

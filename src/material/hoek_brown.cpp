@@ -28,7 +28,7 @@ Properties HoekBrown::list_properties(const Input& in) {
 }
 
 SofteningHoekBrown::SofteningHoekBrown(const LinearElastic& elastic, const Input& in, double factor)
-    : LinearElastic(elastic),
+    : SofteningLaw(elastic),
       rock_(in.get<HoekBrownInput>()),
       residual_gsi_(in.get<ResidualIndex>().residual_gsi),
       range_(in.get<SofteningRange>()),

@@ -59,8 +59,8 @@ void describe(auto& v, ResidualIndex& in, const Users& users) {
         "Geological Strength Index after softening, at most `gsi` (Cai et al. 2007).");
 }
 
-/// Rock whose GSI falls from a peak to a residual value. State variables as SofteningMohrCoulomb's.
-class SofteningHoekBrown : public LinearElastic {
+/// Rock whose GSI falls from a peak to a residual value.
+class SofteningHoekBrown : public SofteningLaw<SofteningHoekBrown> {
  public:
   static constexpr Traits traits{
       .word = "softening_hoek_brown",
@@ -75,9 +75,6 @@ class SofteningHoekBrown : public LinearElastic {
           "{}: the GSI of the Hoek–Brown criterion falls linearly with plastic shear strain in MPM. LEM and FEM take "
           "the "
           "peak or the residual strength of all the rock at once, as `limit_strength` says."};
-  static constexpr int state_size = 3, gap_states = 1;
-  static constexpr bool is_plastic = true;
-
   using Input = Needs<YoungInput, PoissonInput, HoekBrownInput, ResidualIndex, SofteningRange, FlowRatio>;
   static SofteningHoekBrown make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
@@ -86,42 +83,17 @@ class SofteningHoekBrown : public LinearElastic {
   using Limit = HoekBrown;
   static void stop_softening(const Input::Changeable& in);
 
-  static std::vector<StateField> fields() { return {{"softening_strain", "-", 0}, separation_field}; }
-  static void show(const double* state, double /*saturation*/, double* values) {
-    values[0] = state[1];
-    values[1] = state[2];
+  template <int NS>
+  Response<double> update_softened(double strain, double* sigma, const double* d_epsilon, double* state,
+                                   const Surroundings<double>& around) const {
+    return CurvedLaw(*this, find_mass(strain), dilatancy_ratio_, factor_)
+        .update_point<NS>(sigma, d_epsilon, state, around);
   }
-  static double find_gap(const double* state) { return state[2]; }
-
-  template <int NS, class T>
-  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                     const Surroundings<T>& around = {}) const {
-    return update_points<NS, state_size>(
-        sigma, d_epsilon, state, active, around,
-        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
-          return update_point<NS>(s, d, q, own);
-        });
-  }
-
   /// Returns the rock after a softening strain [-].
   HoekBrownMass find_mass(double strain) const;
 
  private:
   SofteningHoekBrown(const LinearElastic& elastic, const Input& in, double factor);
-
-  /// The strength of a step is that at its start.
-  template <int NS>
-  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
-                                const Surroundings<double>& around) const {
-    if (around.softening) state[1] = std::max(0.0, state[1] + around.softening->nonlocal_correction);
-    double own[]{state[0], state[2]};
-    const CurvedLaw rock(*this, find_mass(state[1]), dilatancy_ratio_, factor_);
-    const Response<double> response = rock.update_point<NS>(sigma, d_epsilon, own, around.gaps);
-    const double strain = own[0] - state[0];
-    state[0] = own[0], state[1] += strain, state[2] = own[1];
-    if (around.softening) around.softening->softened = strain;
-    return response;
-  }
 
   HoekBrownInput rock_;
   double residual_gsi_;

@@ -64,9 +64,38 @@ void describe(auto& v, ResidualStrength& in, const Users& users) {
         "Friction angle after softening, at most `friction_angle`; tan φ falls linearly, and ψ to zero.");
 }
 
-/// State variables: 0 as Mohr–Coulomb's; 1 the strain that softens, which neighbours share over the nonlocal length
-/// [-]; 2 gap.
-class SofteningMohrCoulomb {
+/// Base of laws that soften. `L` is the law, with update_softened<NS>(strain, sigma, d_epsilon, state, around) for the
+/// strength after a softening strain, whose state is Mohr–Coulomb's. State variables: 0 as Mohr–Coulomb's; 1 the strain
+/// that softens, which neighbours share over the nonlocal length [-]; 2 gap.
+template <class L>
+struct SofteningLaw : PointLaw<L> {
+  using PointLaw<L>::PointLaw;
+  static constexpr int state_size = 3, gap_states = 1;
+  static constexpr bool is_plastic = true;
+
+  static std::vector<StateField> fields() { return {{"softening_strain", "-", 0}, separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) {
+    values[0] = state[1];
+    values[1] = state[2];
+  }
+  static double find_gap(const double* state) { return state[2]; }
+
+  /// The strength of a step is that at its start.
+  template <int NS>
+  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
+                                const Surroundings<double>& around) const {
+    if (around.softening) state[1] = std::max(0.0, state[1] + around.softening->nonlocal_correction);
+    double own[]{state[0], state[2]};
+    const Response<double> response =
+        static_cast<const L&>(*this).template update_softened<NS>(state[1], sigma, d_epsilon, own, around);
+    const double strain = own[0] - state[0];
+    state[0] = own[0], state[1] += strain, state[2] = own[1];
+    if (around.softening) around.softening->softened = strain;
+    return response;
+  }
+};
+
+class SofteningMohrCoulomb : public SofteningLaw<SofteningMohrCoulomb> {
  public:
   static constexpr Traits traits{
       .word = "softening_mohr_coulomb",
@@ -82,9 +111,6 @@ class SofteningMohrCoulomb {
           "or "
           "the residual strength of all the soil at once, as `limit_strength` says, and know no progressive failure.",
       .reduction = "In soil that softens the factor divides c and tan φ at every strain."};
-  static constexpr int state_size = 3, gap_states = 1;
-  static constexpr bool is_plastic = true;
-
   using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, ResidualStrength, SofteningRange>;
   static SofteningMohrCoulomb make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
@@ -96,63 +122,21 @@ class SofteningMohrCoulomb {
   static void divide(const Input::Changeable& in, PartialDivision& division);
   static bool is_total_stress(const Input& in) { return in.get<MohrCoulombStrength>().friction_angle == 0; }
 
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
-    return peak_.constrained_modulus();
-  }
-  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return peak_.elastic(); }
   template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
-    return peak_.elastic_energy<NS>(sigma);
+  Response<double> update_softened(double strain, double* sigma, const double* d_epsilon, double* state,
+                                   const Surroundings<double>& around) const {
+    const double share = range_.find_share(strain);
+    if (share == 0) return peak_.update<NS>(sigma, d_epsilon, state, true, around);
+    if (share == 1) return residual_.update<NS>(sigma, d_epsilon, state, true, around);
+    return MohrCoulomb(*this, find_strength(strain)).update<NS>(sigma, d_epsilon, state, true, around);
   }
-  static std::vector<StateField> fields() { return {{"softening_strain", "-", 0}, separation_field}; }
-  static void show(const double* state, double /*saturation*/, double* values) {
-    values[0] = state[1];
-    values[1] = state[2];
-  }
-  static double find_gap(const double* state) { return state[2]; }
-
-  template <int NS, class T>
-  Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                     const Surroundings<T>& around = {}) const {
-    return update_points<NS, state_size>(
-        sigma, d_epsilon, state, active, around,
-        [this](double* s, const double* d, double* q, const Surroundings<double>& own) {
-          return update_point<NS>(s, d, q, own);
-        });
-  }
-
   /// Returns the strength after a softening strain [-].
   MohrCoulombStrength find_strength(double strain) const;
 
  private:
   SofteningMohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& peak,
                        const MohrCoulombStrength& residual, const SofteningRange& range)
-      : peak_(elastic, peak), residual_(elastic, residual), range_(range) {}
-
-  /// The strength of a step is that at its start.
-  template <int NS>
-  Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
-                                const Surroundings<double>& around) const {
-    if (around.softening) state[1] = std::max(0.0, state[1] + around.softening->nonlocal_correction);
-    const double before = state[0];
-    Response<double> response{};
-    const double share = range_.find_share(state[1]);
-    if (share == 0)
-      response = update_with<NS>(peak_, sigma, d_epsilon, state, around);
-    else if (share == 1)
-      response = update_with<NS>(residual_, sigma, d_epsilon, state, around);
-    else
-      response =
-          update_with<NS>(MohrCoulomb(peak_.elastic(), find_strength(state[1])), sigma, d_epsilon, state, around);
-    state[1] += state[0] - before;
-    if (around.softening) around.softening->softened = state[0] - before;
-    return response;
-  }
-  template <int NS>
-  static Response<double> update_with(const MohrCoulomb& soil, double* sigma, const double* d_epsilon, double* state,
-                                      const Surroundings<double>& around) {
-    return soil.update_within<NS>(sigma, d_epsilon, state, state + 2, true, soil.widen_bounds<double>(0), around);
-  }
+      : SofteningLaw(elastic), peak_(elastic, peak), residual_(elastic, residual), range_(range) {}
 
   MohrCoulomb peak_, residual_;
   SofteningRange range_;
