@@ -119,6 +119,12 @@ inline material::Law make_law(const Material& m, std::optional<double> cohesion 
   return material::make_law(m.model, m, {m.reduced ? factor : 1, cohesion});
 }
 
+/// Returns the soil of limit states: without softening, with the strength that the case names for them.
+inline Material find_limit_soil(Material m) {
+  material::stop_softening(m.model, m);
+  return m;
+}
+
 void describe(auto& v, Material& m) {
   v.key("model", m.model, plain().required().by_methods({"lem", "fem", "bounds", "mpm"}).example(R"("mohr_coulomb")"),
         "How stress follows strain.");

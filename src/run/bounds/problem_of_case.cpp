@@ -40,6 +40,8 @@ class ProblemBuilder {
         supports_(supports),
         mesh_(
             mesh::generate<2>(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_))))) {
+    for (const std::string& region : mesh_.region_names)
+      soils_.push_back(input::find_limit_soil(site_.get_soil(region)));
   }
 
   ProblemOfCase build() {
@@ -53,7 +55,7 @@ class ProblemBuilder {
 
  private:
   const input::Material& get_soil(std::size_t e) const {
-    return site_.get_soil(mesh_.region_names[static_cast<std::size_t>(made_.problem.region[e])]);
+    return soils_[static_cast<std::size_t>(made_.problem.region[e])];
   }
 
   /// Adds the triangles with soil, with nodes numbered anew.
@@ -246,7 +248,8 @@ class ProblemBuilder {
   const SoilColumns columns_;
   Supports supports_;
   const mesh::Mesh<2> mesh_;
-  std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
+  std::vector<input::Material> soils_;  ///< of the regions of the mesh
+  std::vector<int> number_;             ///< of the nodes of the mesh; -1: not in soil
   ProblemOfCase made_;
 };
 

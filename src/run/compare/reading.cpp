@@ -463,7 +463,7 @@ class Reading {
 
 bool is_nonassociated(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
-    const input::Material& m = data.materials.at(region.second);
+    const input::Material m = input::find_limit_soil(data.materials.at(region.second));
     return m.friction_angle > 0 && m.dilatancy_angle < m.friction_angle - 1e-9;
   });
 }

@@ -39,7 +39,7 @@ double find_shear_strain(const std::array<double, 6>& e) {
 std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   double low = 1e9, high = -1e9;
   for (const auto& [region, name] : data.regions) {
-    const input::Material& m = data.materials.at(name);
+    const input::Material m = input::find_limit_soil(data.materials.at(name));
     if (m.traits().strength == material::Strength::none) continue;
     // The angles of a curved envelope vary with the stress.
     if (material::needs<material::FlowRatio>(m.model)) continue;
@@ -167,7 +167,7 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
 /// Returns true if a soil of the case has ψ < φ.
 bool has_less_dilatancy(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
-    const input::Material& m = data.materials.at(region.second);
+    const input::Material m = input::find_limit_soil(data.materials.at(region.second));
     if (material::needs<material::FlowRatio>(m.model)) return m.dilatancy_ratio < 1;
     return m.traits().strength != material::Strength::none && m.dilatancy_angle < m.friction_angle;
   });

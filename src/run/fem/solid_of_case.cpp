@@ -31,14 +31,13 @@ struct RegionSoil {
 };
 
 RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
-  RegionSoil soil{site.get_soil(region)};
+  RegionSoil soil{input::find_limit_soil(site.get_soil(region))};
   if (!soil.material.traits().serves_slices || soil.material.traits().only_slices)
     throw Error(ExitCode::wrong_input,
                 fmt::format("FEM cannot reduce the strength of material '{}': it takes the models {}",
                             site.data().regions.at(region),
                             material::list_words(
                                 [](const material::Traits& t) { return t.serves_slices && !t.only_slices; }, " and ")));
-  material::stop_softening(soil.material.model, soil.material);
   if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
     soil.varies = true;
     soil.material.model = *local;
@@ -180,6 +179,7 @@ class SolidBuilder {
 void set_associated(input::Material& material) {
   material.dilatancy_angle = material.friction_angle;
   material.dilatancy_ratio = 1;
+  material.bedding_dilatancy = material.bedding_friction;
 }
 
 template <int D>
