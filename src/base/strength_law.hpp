@@ -28,6 +28,8 @@ struct StrengthLaw {
   std::function<StrengthTangent(const StrengthPlane&)> find_tangent;
   bool is_curved = false;    ///< the tangent depends on σ'_n, so that a factor of safety needs iterations
   bool is_directed = false;  ///< the strength depends on the inclination
+  // Of a curved envelope: σ'_n below which it is straight, and its largest tension [Pa].
+  double straight_below = 0, tensile_strength = 0;
 };
 
 }  // namespace talus

@@ -112,13 +112,10 @@ class KinematicSum {
     double weight = 0;   ///< a third of the area [m²]
     double opening = 0;  ///< ε_v
     double shear = 0;    ///< √((ε_x − ε_y)² + γ²)
-    double tan_friction = 0;
-    /// Three times the mean over the triangle of the cohesion times the shape function of this corner [Pa]. The
-    /// dissipation per unit of strength is convex and the strength linear, so that the sum over corners is an upper
-    /// bound.
-    double cohesion = 0;
-    std::optional<double> tension;
-    bool is_reduced = true;
+    /// Its cohesion and tension are three times the mean over the triangle of theirs times the shape function of this
+    /// corner. The dissipation per unit of strength is convex and the strength linear, so that the sum over corners is
+    /// an upper bound.
+    Strength strength;
   };
 
   const Vec<2>& get_node(int n) const { return problem_.nodes[static_cast<std::size_t>(n)]; }
@@ -135,14 +132,9 @@ class KinematicSum {
       opening[i] = u[0][0] + u[1][1];
       const double shear = std::hypot(u[0][0] - u[1][1], u[0][1] + u[1][0]);
       const auto& soil = problem_.strength[e];
-      Corner corner{area / 3,
-                    opening[i],
-                    shear,
-                    soil[i].tan_friction,
-                    (2 * soil[i].cohesion + soil[j].cohesion + soil[k].cohesion) / 4,
-                    {},
-                    soil[i].is_reduced};
-      if (soil[i].tension) corner.tension = (2 * *soil[i].tension + *soil[j].tension + *soil[k].tension) / 4;
+      Corner corner{area / 3, opening[i], shear, soil[i]};
+      corner.strength.cohesion = (2 * soil[i].cohesion + soil[j].cohesion + soil[k].cohesion) / 4;
+      if (soil[i].tension) corner.strength.tension = (2 * *soil[i].tension + *soil[j].tension + *soil[k].tension) / 4;
       corners_.push_back(corner);
       largest_ = std::max({largest_, std::abs(opening[i]), shear});
     }
@@ -202,24 +194,43 @@ class KinematicSum {
   /// Returns true if the flow rule for this factor is satisfied at every corner.
   bool flows(double factor) const {
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
-      const double sine = c.tan_friction / std::hypot(c.is_reduced ? factor : 1, c.tan_friction);
-      if (c.tan_friction == 0 && !c.tension) return std::abs(c.opening) <= no_opening * largest_;
-      return c.opening >= sine * c.shear;
+      if (c.strength.tan_friction == 0 && !c.strength.tension) return std::abs(c.opening) <= no_opening * largest_;
+      return c.opening >= find_sine(c.strength, factor) * c.shear;
     });
   }
 
-  /// Returns the dissipation with the strengths divided by the factor. In soil with a tension cut-off, as much of the
-  /// strain rate as possible opens a crack at that tension; the rest follows Mohr–Coulomb's flow rule.
   double find_dissipation(double factor) const {
     double sum = 0;
-    for (const Corner& c : corners_) {
-      const double divisor = c.is_reduced ? factor : 1;
-      const double tangent = c.tan_friction / divisor, sine = tangent / std::hypot(1.0, tangent);
-      const double crack = c.tension ? std::min(c.opening, (c.opening - sine * c.shear) / (1 - sine)) : 0;
-      const double flow = tangent > 0 ? (c.opening - crack) / tangent : c.shear - std::min(c.shear, crack);
-      sum += c.weight / divisor * (c.cohesion * flow + c.tension.value_or(0) * crack);
-    }
+    for (const Corner& c : corners_) sum += c.weight * find_dissipation(c, factor);
     return sum;
+  }
+
+  /// Returns the dissipation of a corner [W/m³] with the strengths divided by the factor: the least of all divisions of
+  /// the strain rate between two lines R ≤ a − b σ_m of the criterion (the tension cut-off has b = 1).
+  static double find_dissipation(const Corner& c, double factor) {
+    struct Line {
+      double a, b;
+    };
+    std::vector<Line> lines;
+    const double divisor = c.strength.find_divisor(factor);
+    if (c.strength.tension) lines.push_back({*c.strength.tension / divisor, 1});
+    c.strength.visit_lines([&](double more_cohesion, double tan_friction) {
+      const double tangent = tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent);
+      lines.push_back({(c.strength.cohesion + more_cohesion) / divisor * cosine, tangent * cosine});
+    });
+    if (lines.size() == 1 && lines[0].b == 0) return lines[0].a * c.shear;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto [a, b] = lines[i];
+      // Above the apex the shear is less than the flow rule of the line allows.
+      if (b > 0 && c.opening >= b * c.shear) least = std::min(least, a * c.opening / b);
+      for (std::size_t j = i + 1; j < lines.size(); ++j) {
+        const double rest = c.opening - lines[j].b * c.shear, share = rest / (b - lines[j].b);
+        if (rest >= 0 && b > lines[j].b && share <= c.shear)
+          least = std::min(least, a * share + lines[j].a * (c.shear - share));
+      }
+    }
+    return least;
   }
 
   /// Bisects for the smallest factor at which the flow rule holds and the work exceeds the dissipation (both are

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,15 +21,31 @@ using Triangle = std::array<int, 3>;
 /// Components xx, yy, xy [Pa].
 using Stress = std::array<double, 3>;
 
-/// Strength at a corner of a triangle: |τ| ≤ c − σ' tan φ on every plane, and no effective tension above `tension`.
+/// A line of a concave envelope beside its first, steepest one.
+struct FurtherLine {
+  double more_cohesion = 0;  ///< over that of the first line [Pa]
+  double tan_friction = 0;
+};
+
+/// Strength at a corner of a triangle: |τ| ≤ c − σ' tan φ on every plane, for every line of the envelope, and no
+/// effective tension above `tension`.
 struct Strength {
   double cohesion = 0;            ///< c [Pa]
   double tan_friction = 0;        ///< tan φ
   std::optional<double> tension;  ///< largest effective tension, divided by F like c and tan φ [Pa]
   bool is_reduced = true;         ///< false: F does not divide the strength
+  std::shared_ptr<const std::vector<FurtherLine>> further{};  ///< by falling tan φ; null: the envelope is straight
 
   /// Returns what the strength is divided by.
   double find_divisor(double factor) const { return is_reduced ? factor : 1; }
+  double find_least_friction() const { return further ? further->back().tan_friction : tan_friction; }
+  std::size_t count_cones() const { return 1 + (further ? further->size() : 0) + (tension ? 1 : 0); }
+  /// Calls use(more cohesion, tan φ) for every line.
+  void visit_lines(auto use) const {
+    use(0.0, tan_friction);
+    if (further)
+      for (const FurtherLine& line : *further) use(line.more_cohesion, line.tan_friction);
+  }
 };
 
 /// An edge of the border of the soil.
@@ -125,14 +142,16 @@ inline double find_factor(const Strength& soil, const Stress& effective) {
   const Circle circle = find_circle(effective);
   constexpr double any = std::numeric_limits<double>::infinity();
   if (!std::isfinite(circle.radius) || !std::isfinite(circle.mean)) return 0;
-  const double available = soil.cohesion - circle.mean * soil.tan_friction;
   double factor = any;
-  if (circle.radius > 0) {
-    const double ratio = available / circle.radius;
-    factor = ratio > soil.tan_friction ? std::sqrt((ratio - soil.tan_friction) * (ratio + soil.tan_friction)) : 0;
-  } else if (available < 0) {
-    factor = 0;
-  }
+  soil.visit_lines([&](double more_cohesion, double tangent) {
+    const double available = soil.cohesion + more_cohesion - circle.mean * tangent;
+    if (circle.radius > 0) {
+      const double ratio = available / circle.radius;
+      factor = std::min(factor, ratio > tangent ? std::sqrt((ratio - tangent) * (ratio + tangent)) : 0);
+    } else if (available < 0) {
+      factor = 0;
+    }
+  });
   if (soil.tension && circle.radius + circle.mean > 0)
     factor = std::min(factor, *soil.tension / (circle.radius + circle.mean));
   if (!soil.is_reduced) return factor >= 1 ? any : 0;

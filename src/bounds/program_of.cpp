@@ -40,7 +40,8 @@ struct Cone {
   double mean_rate = 0, lacking_rate = 0, available_rate = 0;
 };
 
-/// Calls use(triangle, corner, cone) for Mohr–Coulomb's cone and then for that of the tension cut-off, if there is one.
+/// Calls use(triangle, corner, cone) for the cone of every line of the envelope and then for that of the tension
+/// cut-off, if there is one.
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, auto use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
@@ -48,7 +49,7 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
     // which the cost of leave_room() would otherwise drive to infinity.
     if (strengths == Strengths::weighted && is_rigid(own, units)) {
       for (std::size_t i = 0; i < 3; ++i)
-        for (int cone = own[i].tension ? 2 : 1; cone > 0; --cone) use(e, i, Cone{0, 1, 1, 0, 0, 0});
+        for (std::size_t cone = own[i].count_cones(); cone > 0; --cone) use(e, i, Cone{0, 1, 1, 0, 0, 0});
       continue;
     }
     const double most = strengths == Strengths::own ? most_strength : std::numeric_limits<double>::infinity();
@@ -59,14 +60,17 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
     };
     for (std::size_t i = 0; i < 3; ++i) {
       const double divisor = own[i].find_divisor(factor), rate = own[i].is_reduced ? 1 / factor : 0;
-      const double given = find(i, [](const Strength&s) { return s.cohesion; }), cohesion = given / divisor;
-      const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion * rate : 0;
-      const double tangent = own[i].tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent),
-                   cube = cosine * cosine * cosine;
-      const double tangent_rate = -tangent * rate, cosine_rate = -tangent * cube * tangent_rate;
-      use(e, i,
-          Cone{0.5 * tangent * cosine, cosine, taken * cosine, 0.5 * cube * tangent_rate, cosine_rate,
-               taken * cosine_rate + cohesion_rate * cosine});
+      const double given = find(i, [](const Strength& s) { return s.cohesion; });
+      own[i].visit_lines([&](double more_cohesion, double tan_friction) {
+        const double cohesion = (given + more_cohesion / units.stress) / divisor;
+        const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion * rate : 0;
+        const double tangent = tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent),
+                     cube = cosine * cosine * cosine;
+        const double tangent_rate = -tangent * rate, cosine_rate = -tangent * cube * tangent_rate;
+        use(e, i,
+            Cone{0.5 * tangent * cosine, cosine, taken * cosine, 0.5 * cube * tangent_rate, cosine_rate,
+                 taken * cosine_rate + cohesion_rate * cosine});
+      });
       if (!own[i].tension) continue;
       const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / divisor;
       use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension * rate : 0});
@@ -247,7 +251,7 @@ double find_lack_rate(const Problem& problem, Bound bound, double factor, const 
                       const ConicSolution& solution) {
   std::size_t row = solution.z.size();
   for (const auto& strengths : problem.strength)
-    for (const Strength& soil : strengths) row -= soil.tension ? 6 : 3;
+    for (const Strength& soil : strengths) row -= 3 * soil.count_cones();
   const double lack = solution.x.back();
   double rate = 0;
   visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,

@@ -244,7 +244,8 @@ std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh,
 }
 
 double find_sine(const Strength& soil, double factor) {
-  return soil.tan_friction / std::hypot(soil.find_divisor(factor), soil.tan_friction);
+  const double tangent = soil.find_least_friction();
+  return tangent / std::hypot(soil.find_divisor(factor), tangent);
 }
 
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length) {

@@ -29,7 +29,6 @@ struct PowerCurve : CurvedSoil<PowerCurve> {
                                  .meaning = "soil with the curved envelope τ = a (σ' + d)^b + c",
                                  .title = "power curve",
                                  .serves_slices = true,
-                                 .serves_bounds = false,
                                  .is_opaque = true,
                                  .paragraphs = {"mohr_coulomb"},
                                  .assumption =
@@ -59,7 +58,6 @@ struct StrengthTable : CurvedSoil<StrengthTable> {
                                  .meaning = "soil with an envelope of measured pairs of normal stress and strength",
                                  .title = "strength table",
                                  .serves_slices = true,
-                                 .serves_bounds = false,
                                  .is_opaque = true,
                                  .paragraphs = {"mohr_coulomb"},
                                  .assumption =

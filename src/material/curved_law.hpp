@@ -16,8 +16,9 @@ struct HoekBrownMass {
   double intact_strength = 0, m = 0, s = 0, a = 0;
 
   double tensile_strength() const { return s * intact_strength / m; }  ///< [Pa]
-  double find_major(double minor) const;                               ///< σ1 at failure [Pa]
-  double find_ratio(double minor) const;                               ///< dσ1/dσ3 [-]
+  double straight_below() const { return -tensile_strength(); }
+  double find_major(double minor) const;  ///< σ1 at failure [Pa]
+  double find_ratio(double minor) const;  ///< dσ1/dσ3 [-]
   /// Returns the tangent to the envelope at an effective normal stress [Pa]; below the tensile strength that near it.
   StrengthTangent find_tangent(double normal) const;
 };
@@ -29,6 +30,7 @@ struct PowerEnvelope {
   double shift = 0, cohesion = 0;  ///< [Pa]
 
   static double tensile_strength() { return 0; }
+  double straight_below() const { return -shift; }
   StrengthTangent find_tangent(double normal) const;
 };
 
@@ -37,6 +39,7 @@ struct StrengthPairs {
   std::vector<double> normal, shear;  ///< [Pa]
 
   static double tensile_strength() { return 0; }
+  double straight_below() const { return normal.front(); }
   StrengthTangent find_tangent(double normal_stress) const;
 };
 
@@ -81,7 +84,7 @@ class CurvedLaw : public PointLaw<CurvedLaw> {
   double dilatancy_ratio_, factor_;
 };
 
-/// Base of the laws with a curved envelope in all methods but limit analysis; `L` is the law.
+/// Base of the laws with a curved envelope; `L` is the law.
 template <class L>
 struct CurvedSoil : CurvedLaw {
   using Kernel = CurvedLaw;
@@ -100,10 +103,11 @@ struct CurvedSoil : CurvedLaw {
   template <class In>
   static StrengthLaw make_strength(const In& in) {
     StrengthLaw law;
+    const auto envelope = L::make_envelope(in);
     law.is_curved = true;
-    law.find_tangent = [envelope = L::make_envelope(in)](const StrengthPlane& plane) {
-      return envelope.find_tangent(plane.normal);
-    };
+    law.straight_below = envelope.straight_below();
+    law.tensile_strength = envelope.tensile_strength();
+    law.find_tangent = [envelope](const StrengthPlane& plane) { return envelope.find_tangent(plane.normal); };
     return law;
   }
 

@@ -38,7 +38,6 @@ struct HoekBrown : CurvedSoil<HoekBrown> {
       .meaning = "jointed rock with the generalised Hoek–Brown criterion of 2002",
       .title = "Hoek–Brown",
       .serves_slices = true,
-      .serves_bounds = false,
       .is_opaque = true,
       .paragraphs = {"mohr_coulomb"},
       .assumption =
@@ -67,7 +66,6 @@ class SofteningHoekBrown : public SofteningLaw<SofteningHoekBrown> {
       .meaning = "the same with a GSI that falls to a residual value with plastic shear strain",
       .title = "Hoek–Brown with softening",
       .serves_slices = true,
-      .serves_bounds = false,
       .softens = true,
       .is_opaque = true,
       .paragraphs = {"mohr_coulomb", "softening"},

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "bounds/problem.hpp"
+#include "bounds/envelope.hpp"
 #include "mesh/generate.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/soil_column.hpp"
@@ -30,6 +30,8 @@ constexpr double vertical = 1e-9;
 /// Parts of a side of a triangle, between which strengths are compared with their linear interpolation.
 constexpr int lattice = 8;
 constexpr double rounding = 1e-9;
+/// Relative difference of the polygons inside and outside a curved envelope.
+constexpr double tolerance_of_envelopes = 0.005;
 
 class ProblemBuilder {
  public:
@@ -47,6 +49,7 @@ class ProblemBuilder {
   ProblemOfCase build() {
     made_.notes = site_.list_open_ends();
     add_triangles();
+    enclose_envelopes();
     add_strengths();
     add_sides();
     enclose_strengths();
@@ -56,6 +59,10 @@ class ProblemBuilder {
  private:
   const input::Material& get_soil(std::size_t e) const {
     return soils_[static_cast<std::size_t>(made_.problem.region[e])];
+  }
+
+  const std::optional<bounds::EnvelopePolygons>& get_envelope(std::size_t e) const {
+    return envelopes_[static_cast<std::size_t>(made_.problem.region[e])];
   }
 
   /// Adds the triangles with soil, with nodes numbered anew.
@@ -82,6 +89,21 @@ class ProblemBuilder {
     }
   }
 
+  void enclose_envelopes() {
+    const double usual = bounds::find_units(made_.problem).stress;
+    for (const input::Material& soil : soils_) {
+      const site::PlaneStrength given = site::find_plane_strength(soil);
+      auto& envelope = envelopes_.emplace_back();
+      if (!given.law || !given.law->is_curved) continue;
+      const auto find_tangent = [&](double normal) {
+        StrengthPlane plane;
+        plane.normal = normal;
+        return given.law->find_tangent(plane);
+      };
+      envelope = bounds::enclose_envelope(find_tangent, {given.law->straight_below, usual, tolerance_of_envelopes});
+    }
+  }
+
   void add_strengths() {
     bounds::Problem& p = made_.problem;
     std::vector<Vec<2>> places;
@@ -93,8 +115,17 @@ class ProblemBuilder {
       }
     const std::vector<site::RootsAt> roots = site::find_roots<2>(data_, mesh_, places, soils);
     p.strength.resize(p.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& envelope = get_envelope(i / 3);
+      p.strength[i / 3][i % 3] =
+          find_strength(*soils[i], places[i], roots[i].cohesion, envelope ? &envelope->inner : nullptr);
+    }
+    if (std::none_of(envelopes_.begin(), envelopes_.end(), [](const auto& e) { return e.has_value(); })) return;
+    made_.stronger = p;
     for (std::size_t i = 0; i < places.size(); ++i)
-      p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i], roots[i].cohesion);
+      if (const auto& envelope = get_envelope(i / 3))
+        made_.stronger->strength[i / 3][i % 3] =
+            find_strength(*soils[i], places[i], roots[i].cohesion, &envelope->outer);
   }
 
   /// Strengths by depth and by σ'_v have kinks, and are curved. Those of a triangle are scaled so that none is above,
@@ -105,7 +136,7 @@ class ProblemBuilder {
     bool is_linear = true;
     for (std::size_t e = 0; e < p.size(); ++e) {
       const site::PlaneStrength given = site::find_plane_strength(get_soil(e));
-      if (!given.law) continue;
+      if (!given.law || given.law->is_curved) continue;
       std::array<double, 3> corner{};
       for (std::size_t i = 0; i < 3; ++i) corner[i] = find_law_strength(given, get_corner(e, i));
       for (int i = 0; i <= lattice; ++i)
@@ -124,7 +155,7 @@ class ProblemBuilder {
       is_linear = is_linear && least[e] > 1 - rounding && most[e] < 1 + rounding;
     }
     if (is_linear) return;
-    made_.stronger = p;
+    if (!made_.stronger) made_.stronger = p;
     for (std::size_t e = 0; e < p.size(); ++e)
       for (std::size_t i = 0; i < 3; ++i) {
         p.strength[e][i].cohesion *= least[e];
@@ -138,22 +169,31 @@ class ProblemBuilder {
     return given.law->find_tangent(columns_.find(x)).cohesion;
   }
 
-  bounds::Strength find_strength(const input::Material& m, const Vec<2>& x, double root_cohesion) const {
+  /// Returns the strength at a place; `envelope` is one of the polygons of a curved envelope, else null.
+  bounds::Strength find_strength(const input::Material& m, const Vec<2>& x, double root_cohesion,
+                                 const bounds::Strength* envelope) const {
     const site::PlaneStrength given = site::find_plane_strength(m);
     if (!given.yields) return {given.cohesion, 0, {}};
     bounds::Strength soil;
     soil.cohesion =
         given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - x[1]);
     soil.tan_friction = std::tan(given.friction_angle);
-    if (given.law) soil.cohesion = root_cohesion + find_law_strength(given, x);
+    if (envelope) {
+      soil = *envelope;
+      soil.cohesion += root_cohesion;
+    } else if (given.law) {
+      soil.cohesion = root_cohesion + find_law_strength(given, x);
+    }
     soil.is_reduced = m.reduced;
     if (data_.bounds.flow == input::BoundsFlow::davis) {
       const double phi = given.friction_angle, psi = m.dilatancy_angle,
                    share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
       soil.cohesion *= share, soil.tan_friction *= share;
     }
-    const bool is_limited = data_.bounds.tension == input::BoundsTension::as_given && m.traits().has_friction;
-    if (is_limited && m.tensile_strength * soil.tan_friction < soil.cohesion) soil.tension = m.tensile_strength;
+    const bool is_limited =
+        data_.bounds.tension == input::BoundsTension::as_given && (envelope || m.traits().has_friction);
+    const double tension = envelope ? given.law->tensile_strength : m.tensile_strength;
+    if (is_limited && tension * soil.tan_friction < soil.cohesion) soil.tension = tension;
     return soil;
   }
 
@@ -248,8 +288,10 @@ class ProblemBuilder {
   const SoilColumns columns_;
   Supports supports_;
   const mesh::Mesh<2> mesh_;
-  std::vector<input::Material> soils_;  ///< of the regions of the mesh
-  std::vector<int> number_;             ///< of the nodes of the mesh; -1: not in soil
+  // Of the regions of the mesh; a straight envelope has no polygons.
+  std::vector<input::Material> soils_;
+  std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;
+  std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
   ProblemOfCase made_;
 };
 

@@ -464,6 +464,7 @@ class Reading {
 bool is_nonassociated(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const input::Material m = input::find_limit_soil(data.materials.at(region.second));
+    if (material::needs<material::FlowRatio>(m.model)) return m.dilatancy_ratio < 1;
     return m.friction_angle > 0 && m.dilatancy_angle < m.friction_angle - 1e-9;
   });
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "bounds/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::bounds {
+namespace {
+
+/// A point of the envelope with its tangent.
+struct Touch {
+  double normal = 0;
+  StrengthTangent tangent;
+
+  double find_strength() const { return tangent.cohesion + normal * tangent.tan_friction; }
+};
+
+class Enclosure {
+ public:
+  Enclosure(const std::function<StrengthTangent(double)>& find_tangent, const EnvelopeRange& range)
+      : find_tangent_(find_tangent), range_(range), least_(range.tolerance / 5 * touch(range.usual).find_strength()) {}
+
+  EnvelopePolygons run() {
+    // Stresses above the last chord are those of no field in practice; the horizontal line makes it safe there.
+    constexpr double beyond = 10;
+    points_.push_back(touch(range_.lowest));
+    split(touch(range_.usual), 0);
+    split(touch(beyond * range_.usual), 0);
+    std::vector<StrengthTangent> inner{points_.front().tangent}, outer{points_.front().tangent};
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const Touch &a = points_[i - 1], &b = points_[i];
+      const double slope = (b.find_strength() - a.find_strength()) / (b.normal - a.normal);
+      inner.push_back({a.find_strength() - slope * a.normal, slope});
+      outer.push_back(b.tangent);
+    }
+    inner.push_back({points_.back().find_strength(), 0});
+    return {make_strength(inner), make_strength(outer)};
+  }
+
+ private:
+  Touch touch(double normal) const { return {normal, find_tangent_(normal)}; }
+
+  /// Adds points up to `to` from the last one, so that tangents and chords are close everywhere.
+  void split(const Touch& to, int depth) {
+    constexpr int deepest = 12;
+    const Touch from = points_.back();
+    if (!(to.normal > from.normal)) return;
+    const double turn = from.tangent.tan_friction - to.tangent.tan_friction;
+    if (depth < deepest && turn > 0) {
+      const double meet = (to.tangent.cohesion - from.tangent.cohesion) / turn,
+                   outer = from.tangent.cohesion + meet * from.tangent.tan_friction,
+                   slope = (to.find_strength() - from.find_strength()) / (to.normal - from.normal),
+                   inner = from.find_strength() + slope * (meet - from.normal);
+      const bool is_between = meet > from.normal && meet < to.normal;
+      if (is_between && outer - inner > std::max(least_, range_.tolerance * outer)) {
+        split(touch(meet), depth + 1);
+        split(to, depth + 1);
+        return;
+      }
+    }
+    points_.push_back(to);
+  }
+
+  /// Lines that are parallel to their predecessor are left out: those of straight parts.
+  static Strength make_strength(const std::vector<StrengthTangent>& lines) {
+    constexpr double parallel = 1e-9;
+    std::vector<FurtherLine> further;
+    double last = lines.front().tan_friction;
+    for (const StrengthTangent& line : lines) {
+      if (line.tan_friction > last - parallel * std::max(1.0, last)) continue;
+      further.push_back({line.cohesion - lines.front().cohesion, last = line.tan_friction});
+    }
+    Strength strength{lines.front().cohesion, lines.front().tan_friction, {}, true, {}};
+    if (!further.empty()) strength.further = std::make_shared<const std::vector<FurtherLine>>(std::move(further));
+    return strength;
+  }
+
+  const std::function<StrengthTangent(double)>& find_tangent_;
+  EnvelopeRange range_;
+  double least_;
+  std::vector<Touch> points_;
+};
+
+}  // namespace
+
+EnvelopePolygons enclose_envelope(const std::function<StrengthTangent(double)>& find_tangent,
+                                  const EnvelopeRange& range) {
+  return Enclosure(find_tangent, range).run();
+}
+
+}  // namespace talus::bounds
