@@ -106,15 +106,20 @@ void check_elements_need(const Case& data, Findings& findings) {
                  "'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to);
 }
 
-/// Reports materials without the angles of Davis's strength.
-void check_davis(const Case& data, Findings& findings) {
-  if (data.fem.davis == DavisRule::none || !findings.is_sound("fem.davis")) return;
+/// Reports materials without one pair of angles for Davis's strength.
+void check_davis(const Case& data, const char* key, Findings& findings) {
+  if (!findings.is_sound(key)) return;
   for (const auto& [name, material] : data.materials)
-    if (material::needs<material::FlowRatio>(material.model))
-      findings.add("fem.davis",
-                   "'davis' needs the angles φ and ψ, and material '{}' ({}) has a curved envelope; leave 'davis' out",
+    if (material::needs<material::FlowRatio>(material.model) || material::needs<material::BeddingInput>(material.model))
+      findings.add(key,
+                   "Davis's strength needs the angles φ and ψ of an isotropic soil with a straight envelope, and "
+                   "material '{}' ({}) has none; take 'davis' out",
                    name, material.traits().title);
-  if (data.fem.flow == FlowRule::associated)
+}
+
+void check_davis_of_elements(const Case& data, Findings& findings) {
+  check_davis(data, "fem.davis", findings);
+  if (data.fem.flow == FlowRule::associated && findings.is_sound("fem.davis"))
     findings.add("fem.davis", "'davis' replaces the trials with ψ as given, and flow = \"associated\" has none");
 }
 
@@ -145,11 +150,10 @@ void check_only_slices(const Case& data, Findings& findings) {
   if (uses(data, Method::bounds))
     for (const auto& [name, material] : data.materials)
       if (!material.traits().serves_bounds && findings.is_sound("materials." + name + ".model"))
-        findings.add(
-            "materials." + name + ".model",
-            "limit analysis takes straight envelopes that are the same in all directions, and that of material "
-            "'{}' ({}) is not; take \"bounds\" out of 'methods' in [analysis]",
-            name, material.traits().title);
+        findings.add("materials." + name + ".model",
+                     "limit analysis takes strengths that are the same in all directions, and that of material "
+                     "'{}' ({}) is not; take \"bounds\" out of 'methods' in [analysis]",
+                     name, material.traits().title);
   for (const auto& [name, material] : data.materials)
     if (material.traits().only_slices && findings.is_sound("materials." + name + ".model"))
       findings.add(
@@ -294,8 +298,9 @@ void check_methods(const Case& data, Findings& findings) {
   }
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
-  if (has_elements) check_davis(data, findings);
+  if (has_elements && data.fem.davis != DavisRule::none) check_davis_of_elements(data, findings);
   if (has_bounds) check_bounds_need(data, findings);
+  if (has_bounds && data.bounds.flow == BoundsFlow::davis) check_davis(data, "bounds.flow", findings);
   check_reduces(data, findings);
   check_only_slices(data, findings);
   check_cones(data, findings);
