@@ -245,6 +245,39 @@ TEST(LemDirection, KeepsTheSideThatIsAskedFor) {
   EXPECT_GT(to_right.refused.front().at(Refusal::direction), 0);
 }
 
+/// An exit alone, on a section whose toe lies beyond its middle: the entries are those of the whole ground.
+TEST(LemDirection, OfExitsAloneIsThatOfTheGround) {
+  const Section section = make_section({{0, 8}, {32, 8}, {48, 16}, {60, 16}}, make_soil(5, 25, 19), 0);
+  SearchOptions options = make_circle_options();
+  const double free = search(Slope(section), options).circular.front().solution.factor;
+  for (const std::array<double, 2> entry : {std::array{0.0, 60.0}, std::array{46.0, 55.0}}) {
+    options.entry_exit.emplace();
+    options.entry_exit->exit = {31.9, 36};
+    options.entry_exit->entry = entry;
+    const Critical found = search(Slope(section), options).circular.front();
+    EXPECT_TRUE(found.cut.slides_left);
+    EXPECT_NEAR(found.solution.factor, free, 5e-3 * free);
+    options.entry_exit->exit = {-36, -31.9};
+    options.entry_exit->entry = {-entry[1], -entry[0]};
+    const Critical turned = search(Slope(mirror(section)), options).circular.front();
+    EXPECT_NEAR(turned.solution.factor, found.solution.factor, 1e-6);
+  }
+}
+
+TEST(LemExcluded, ACrackIsPartOfTheSurface) {
+  Section section = make_section({{0, 8}, {32, 8}, {48, 16}, {60, 16}}, make_soil(12, 15, 19), 0);
+  section.crack = TensionCrack{2.5, 0};
+  section.crack->limited = false;
+  const Slope slope(section);
+  const Critical free = search(slope, make_circle_options()).circular.front();
+  const double crack = free.cut.slices.back().right;
+  SurfaceLimits limits;
+  limits.excluded = {{{crack - 1, 14.5}, {crack + 6, 14.5}, {crack + 6, 16}, {crack - 1, 16}}};
+  EXPECT_EQ(cut_surface(slope, free.surface, 30, limit(make_circle_options(), limits).checks).refusal,
+            Refusal::excluded);
+  EXPECT_GT(search(slope, limit(make_circle_options(), limits)).circular.front().solution.factor, free.solution.factor);
+}
+
 /// Ranges of entries and exits, a level and an area hold in the mirror.
 TEST(LemDirection, RangesLevelsAndAreasAreTheSameInAMirror) {
   SearchOptions here = make_options({Method::bishop, Method::spencer});

@@ -117,6 +117,23 @@ TEST(LemBlock, IsTheSameInAMirror) {
   EXPECT_NEAR(find_smallest(search(mirrored, there), Method::spencer), other, 1e-9 * other);
 }
 
+/// A heap above the window at the toe does not turn the block around.
+TEST(LemBlock, SlidesToItsLowerEnd) {
+  Section section = make_section({{0, 5}, {17, 5}, {26, 12.5}, {30, 12.5}, {34, 10}, {38, 9.9}, {50, 16}, {60, 16}},
+                                 make_soil(5, 28, 19), 0);
+  section.soils.push_back(make_soil(0, 10, 19));
+  section.regions.push_back(make_region_below(section, 1, {{0, 4.5}, {60, 4.5}}));
+  section.regions.push_back(make_region_below(section, 0, {{0, 4}, {60, 4}}));
+  const std::vector<Window> windows{{"a", {{26, 4.25}, {30, 4.25}}, false}, {"b", {{34, 4.25}, {38, 4.25}}, false}};
+  const Critical found = search(Slope(section), make_block_options({Method::spencer}, windows)).noncircular.front();
+  EXPECT_TRUE(found.cut.slides_left);
+  EXPECT_LT(found.solution.factor, 3.3);
+  SearchOptions turned = make_block_options({Method::spencer}, windows);
+  for (Window& w : turned.block->windows)
+    for (Point& p : w.points) p[0] = -p[0];
+  EXPECT_NEAR(search(Slope(mirror(section)), turned).noncircular.front().solution.factor, found.solution.factor, 1e-6);
+}
+
 /// Boxes, lines and points, in whatever order they are given; each with excluded areas that cut the lowest block.
 TEST(LemBlock, KeepsItsWindowsAndAvoidsExcludedAreas) {
   const Slope slope(make_plain_section());

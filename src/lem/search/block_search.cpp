@@ -148,8 +148,6 @@ std::optional<Point> BlockFamily::find_end(const Point& from, int way, double an
 std::optional<Surface> BlockFamily::make(const std::vector<double>& parameters, bool falls_left) const {
   const auto points = place_vertices(parameters, falls_left);
   if (!points || points->size() < 2) return std::nullopt;
-  const double first = slope_->ground(points->front()[0]), last = slope_->ground(points->back()[0]);
-  if (falls_left ? first > last : first < last) return std::nullopt;
   const auto incline = [&](const std::array<double, 2>& range, double t) {
     return range[0] + t * (range[1] - range[0]);
   };
@@ -172,6 +170,9 @@ std::optional<Surface> BlockFamily::make(const std::vector<double>& parameters, 
   };
   surface.from = surface.line.front()[0];
   surface.to = surface.line.back()[0];
+  // Ends of the mass, as the ground above a window may be a heap.
+  const double rise = surface.line.back()[1] - surface.line.front()[1];
+  if (falls_left ? rise < 0 : rise > 0) return std::nullopt;
   if (!is_in(search_.exit, falls_left ? surface.from : surface.to) ||
       !is_in(search_.entry, falls_left ? surface.to : surface.from))
     return std::nullopt;

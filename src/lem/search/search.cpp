@@ -169,11 +169,8 @@ SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
       reasons);
 }
 
-}  // namespace
-
-SearchResult search(const Slope& slope, const SearchOptions& asked) {
+SearchResult search_settled(const Slope& slope, const SearchOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const SearchOptions options = settle(slope, asked);
   SearchResult result;
   result.smallest_depth = options.checks.smallest_depth;
   if (options.kind == SearchKind::block) {
@@ -227,6 +224,51 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
+}
+
+/// Searches with masses that slide in one direction only, so that they leave the ground in the range of exits.
+SearchResult search_towards(const Slope& slope, SearchOptions options, int direction) {
+  SurfaceLimits limits = options.checks.limits ? *options.checks.limits : SurfaceLimits{};
+  limits.direction = direction;
+  options.checks.limits = std::make_shared<const SurfaceLimits>(std::move(limits));
+  return search_settled(slope, options);
+}
+
+double find_least(const SearchResult& result) {
+  double least = Evaluator::refused;
+  for (const auto* list : {&result.circular, &result.noncircular})
+    for (const Critical& c : *list) least = std::min(least, c.solution.factor);
+  return least;
+}
+
+}  // namespace
+
+SearchResult search(const Slope& slope, const SearchOptions& asked) {
+  const SearchOptions options = settle(slope, asked);
+  const bool has_direction = options.checks.limits && options.checks.limits->direction != 0;
+  if (options.kind != SearchKind::entry_exit || !options.entry_exit || options.entry_exit->is_whole_ground() ||
+      has_direction)
+    return search_settled(slope, options);
+  std::optional<SearchResult> best;
+  std::vector<double> factors;
+  std::string why = "no exit of [lem.entry_exit] is lower than an entry";
+  for (const int direction : list_directions(slope, *options.entry_exit)) {
+    try {
+      SearchResult found = search_towards(slope, options, direction);
+      factors.push_back(find_least(found));
+      if (!best || factors.back() < find_least(*best)) best = std::move(found);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::wrong_input) throw;
+      why = error.what();
+    }
+  }
+  if (!best) fail_input("{}", why);
+  if (factors.size() > 1)
+    best->warnings.push_back(fmt::format(
+        "masses of the ranges in [lem.entry_exit] slide to both sides, with {:.3f} to the left and {:.3f} to the "
+        "right, and only those of the smaller factor are listed; 'slides' in [lem] selects the other side",
+        factors[0], factors[1]));
+  return *best;
 }
 
 Critical make_critical(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method) {

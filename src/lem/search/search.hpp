@@ -86,6 +86,8 @@ struct EntryExitSearch {
   std::array<double, 2> exit{};   ///< range of x at the toe [m]
   std::array<double, 2> entry{};  ///< range of x at the crest [m]
   int exits = 25, entries = 25, depths = 15;
+
+  bool is_whole_ground() const { return exit[0] == exit[1] && entry[0] == entry[1]; }
 };
 
 /// Trial polylines with a vertex in each window, or along a path, between two straight ends.

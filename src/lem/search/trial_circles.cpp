@@ -60,11 +60,29 @@ double find_step(const std::vector<double>& points) {
 
 }  // namespace
 
+std::vector<int> list_directions(const Slope& slope, const EntryExitSearch& ranges) {
+  constexpr int samples = 100;
+  const auto place = [&](const std::array<double, 2>& range, int i) {
+    return std::clamp(range[0] + (range[1] - range[0]) * i / samples, slope.left(), slope.right());
+  };
+  std::vector<int> directions;
+  for (const int direction : {-1, 1}) {
+    bool has_pair = false;
+    for (int i = 0; i <= samples && !has_pair; ++i)
+      for (int k = 0; k <= samples && !has_pair; ++k) {
+        const double exit = place(ranges.exit, i), entry = place(ranges.entry, k);
+        has_pair = direction * (exit - entry) > 0 && slope.ground(exit) < slope.ground(entry);
+      }
+    if (has_pair) directions.push_back(direction);
+  }
+  return directions;
+}
+
 TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const SearchOptions& options,
                                      EntryExitSearch& used) {
   TrialCircles circles;
   used = options.entry_exit.value_or(EntryExitSearch{});
-  circles.whole_ground = used.exit[0] == used.exit[1] && used.entry[0] == used.entry[1];
+  circles.whole_ground = used.is_whole_ground();
   if (circles.whole_ground) used.exit = used.entry = {slope.left(), slope.right()};
   // One tangent leaves one circle between two ends.
   if (options.tangent && options.tangent->upper == options.tangent->lower) used.depths = 1;
@@ -78,8 +96,7 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
     exits = place_points(slope, used.exit[0], used.exit[1], used.exits, options.seed);
     entries = place_points(slope, used.entry[0], used.entry[1], used.entries, options.seed);
   }
-  const int direction = options.checks.limits ? options.checks.limits->direction : 0;
-  const bool exit_left = direction != 0 ? direction < 0 : used.exit[0] + used.exit[1] <= used.entry[0] + used.entry[1];
+  const bool exit_left = circles.whole_ground || !options.checks.limits || options.checks.limits->direction <= 0;
   circles.left = exit_left ? used.exit : used.entry;
   circles.right = exit_left ? used.entry : used.exit;
   circles.step = {find_step(exit_left ? exits : entries), find_step(exit_left ? entries : exits)};
@@ -88,7 +105,8 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
     throw_if_search_is_interrupted(options.ends_at_signal);
     for (double entry : entries) {
       const double left = exit_left ? exit : entry, right = exit_left ? entry : exit;
-      const auto range = left < right ? arcs.find_range(left, right) : std::nullopt;
+      const bool falls = circles.whole_ground || slope.ground(exit) <= slope.ground(entry);
+      const auto range = left < right && falls ? arcs.find_range(left, right) : std::nullopt;
       for (int k = 1; k <= used.depths; ++k) {
         circles.first.push_back(static_cast<int>(circles.surfaces.size()));
         if (!range) continue;

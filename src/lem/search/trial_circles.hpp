@@ -26,6 +26,9 @@ struct TrialCircles {
 /// among them. `seed`: see SearchOptions.
 std::vector<double> place_points(const Slope& slope, double from, double to, int count, int seed);
 
+/// Returns the directions of sliding (-1: to smaller x, 1) of masses between an entry and a lower exit of two ranges.
+std::vector<int> list_directions(const Slope& slope, const EntryExitSearch& ranges);
+
 /// Both throw as throw_if_search_is_interrupted(). `used`: the ranges of the options, completed.
 TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const SearchOptions& options,
                                      EntryExitSearch& used);

@@ -244,7 +244,8 @@ double find_janbu(const Slope& slope, const CutSurface& cut) {
   return factor > 0 ? factor : std::numeric_limits<double>::infinity();
 }
 
-Refusal check_limits(const CutSurface& cut, const SurfaceLimits& limits) {
+/// Checks a mass against what a user asked for; the crack at its upper end is part of the slip surface.
+Refusal check_limits(const CutSurface& cut, bool has_crack, const SurfaceLimits& limits) {
   if (limits.direction != 0 && cut.slides_left != (limits.direction < 0)) return Refusal::direction;
   if (cut.area < limits.smallest_area) return Refusal::too_small;
   if (limits.smallest_weight > 0) {
@@ -252,11 +253,20 @@ Refusal check_limits(const CutSurface& cut, const SurfaceLimits& limits) {
     for (const Slice& slice : cut.slices) weight += slice.weight;
     if (weight < limits.smallest_weight) return Refusal::too_small;
   }
-  for (const std::vector<Point>& polygon : limits.excluded)
+  std::array<Point, 2> crack{};
+  if (has_crack) {
+    const Slice &left = cut.slices.front(), &right = cut.slices.back();
+    crack = cut.slides_left ? std::array{right.base_right, Point{right.right, right.top_right}}
+                            : std::array{left.base_left, Point{left.left, left.top_left}};
+  }
+  for (const std::vector<Point>& polygon : limits.excluded) {
+    if (has_crack && enters_polygon(polygon, crack[0], crack[1])) return Refusal::excluded;
     for (const Slice& slice : cut.slices)
       if (enters_polygon(polygon, slice.base_left, slice.base_right)) return Refusal::excluded;
+  }
   const auto meets = [&](const Window& window) {
-    return std::any_of(cut.slices.begin(), cut.slices.end(),
+    return (has_crack && meets_window(window, crack[0], crack[1])) ||
+           std::any_of(cut.slices.begin(), cut.slices.end(),
                        [&](const Slice& s) { return meets_window(window, s.base_left, s.base_right); });
   };
   return std::all_of(limits.passages.begin(), limits.passages.end(), meets) ? Refusal::none : Refusal::passage;
@@ -298,7 +308,8 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     if (limited < find_janbu(slope, cut)) finish_mass(slope, base, count, end, {from, to}, cut);
   }
   if (checks.limits)
-    if (const Refusal refusal = check_limits(cut, *checks.limits); refusal != Refusal::none) return refusal;
+    if (const Refusal refusal = check_limits(cut, end.has_value(), *checks.limits); refusal != Refusal::none)
+      return refusal;
   keep_drained_strengths(cut);
   warn(slope, cut);
   return Refusal::none;
