@@ -135,6 +135,7 @@ std::string describe_restrictions(const input::LimitEquilibrium& settings) {
   add(is_searched && settings.tangent.has_value(), "[lem.tangent]");
   add(is_searched && !settings.excluded.empty(), "[[lem.exclude]]");
   add(is_searched && !settings.passages.empty(), "[[lem.through]]");
+  add(!settings.impenetrable.empty(), "impenetrable");
   add(is_searched && settings.slides != input::SlidingDirection::both, "slides");
   add(is_searched && settings.smallest_area.has_value(), "smallest_area");
   add(is_searched && settings.smallest_weight.has_value(), "smallest_weight");
