@@ -168,6 +168,29 @@ TEST(LemDrawdownUsace, TwoStagesOf1970GiveThePublishedFactorWithTheForcesOfTheSo
   EXPECT_NEAR(found.before, 3.49, 0.02 * 3.49);  // which closes by hand to 2.5 % of the largest force
 }
 
+/// Clay has consolidated under the water before: its undrained strength stays, as a profile of it would.
+TEST(LemDrawdown, UndrainedClayKeepsItsStrength) {
+  const auto make = [](std::function<double(const StrengthPlane&)> strength, double after) {
+    Section section = make_bank();
+    section.soils[0].envelope.reset();
+    section.soils[0].undrained = true;
+    StrengthLaw law;
+    law.find_tangent = [strength](const StrengthPlane& plane) { return StrengthTangent{5 + strength(plane), 0}; };
+    section.soils[0].law = std::make_shared<const StrengthLaw>(law);
+    return Slope(draw_down(std::move(section), 18, after, DrawdownMethod::three_stage));
+  };
+  const auto by_stress = [](const StrengthPlane& plane) { return 0.25 * plane.vertical; };
+  for (const Surface& circle : list_circles(make(by_stress, 10))) {
+    const CutSurface before = cut_surface(make(by_stress, 18), circle, 30, report_only()),
+                     after = cut_surface(make(by_stress, 10), circle, 30, report_only());
+    ASSERT_EQ(before.slices.size(), after.slices.size());
+    for (std::size_t i = 0; i < after.slices.size(); ++i)
+      EXPECT_NEAR(after.slices[i].cohesion, after.before[i].cohesion, 1e-12);
+    EXPECT_LT(find_factor(make(by_stress, 10), circle, Method::bishop),
+              find_factor(make(by_stress, 18), circle, Method::bishop));
+  }
+}
+
 TEST(LemDrawdown, NoDrawdownAndOneEnvelopeGiveTheFactorBefore) {
   for (const Method method : {Method::bishop, Method::spencer, Method::morgenstern_price, Method::janbu}) {
     for (const DrawdownMethod drawdown : stages) {

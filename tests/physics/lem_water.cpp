@@ -208,12 +208,58 @@ TEST(LemUplift, OfABlanketOverAnAquifer) {
   EXPECT_NEAR(ponded->pressure, 8 * 9.81, 1e-3);
 }
 
+/// φ_b = 0 is no suction, and suction with χ = 0 neither, on a curved envelope too.
+TEST(LemSuction, DoesNotMoveAlongACurvedEnvelopeByItself) {
+  Section section = make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(0, 0, 16), 0);
+  section.water_table = {{0, 2}, {44, 2}};
+  StrengthLaw law;
+  law.is_curved = true;
+  law.find_tangent = [](const StrengthPlane& plane) {
+    const double at = std::max(0.1, plane.normal), strength = 2 * std::pow(at, 0.6), slope = 0.6 * strength / at;
+    return StrengthTangent{strength - slope * at, slope};
+  };
+  Soil& soil = section.soils[0];
+  soil.law = std::make_shared<const StrengthLaw>(law);
+  const Surface arc = make_arc({35.044455, 38.147107}, 33.286625, 11.123526, 32);
+  for (const Method method : {Method::bishop, Method::janbu, Method::spencer}) {
+    soil.suction = Suction::ignored;
+    const double ignored = find_factor(Slope{Section(section)}, arc, method);
+    soil.suction = Suction::phi_b;
+    soil.phi_b = 0;
+    EXPECT_NEAR(find_factor(Slope{Section(section)}, arc, method), ignored, 1e-9);
+    soil.suction = Suction::saturation;
+    soil.saturation = [](double) { return 0.0; };
+    EXPECT_NEAR(find_factor(Slope{Section(section)}, arc, method), ignored, 1e-9);
+    // All of it is an effective stress: every base bears its strength at that stress.
+    soil.saturation = [](double) { return 1.0; };
+    const Slope full{Section(section)};
+    CutSurface cut = cut_surface(full, arc, 30, report_only());
+    const double factor = solve(full, cut, method, report_only(), true).factor;
+    for (const Slice& s : cut.slices) {
+      const double effective = s.normal / s.length - s.pore_pressure;
+      if (effective > 1)
+        EXPECT_NEAR(s.shear / s.length * factor, 2 * std::pow(effective, 0.6), 1e-3 * 2 * std::pow(effective, 0.6));
+    }
+    soil.saturation = nullptr;
+  }
+}
+
 TEST(LemUplift, IsNowhereInHydrostaticSoil) {
   for (const double level : {2.0, 7.0, 30.0}) {
     Section section = make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(2, 30, 18), 0);
     section.water_table = {{0, level}, {44, level}};
     EXPECT_FALSE(find_uplift(Slope(std::move(section)))) << level;
   }
+}
+
+TEST(LemRoots, ActInSoilThatTakesThem) {
+  Section section = make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(2, 30, 16), 0);
+  const Surface arc = make_arc({35.044455, 38.147107}, 33.286625, 11.123526, 32);
+  const double bare = find_factor(Slope{Section(section)}, arc, Method::bishop);
+  section.roots = {{{{0, 10}, {1, 10}}}};
+  EXPECT_GT(find_factor(Slope{Section(section)}, arc, Method::bishop), bare);
+  section.soils[0].takes_roots = false;
+  EXPECT_EQ(find_factor(Slope{Section(section)}, arc, Method::bishop), bare);
 }
 
 TEST(LemRoots, AddCohesionByDepthNormalToTheGround) {

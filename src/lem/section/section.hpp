@@ -51,6 +51,7 @@ struct Soil {
   double largest_suction = std::numeric_limits<double>::infinity();  ///< upper limit of the suction that is used [Pa]
   std::function<double(double)> saturation;                          ///< S_w of a suction [Pa]; for Suction::saturation
   bool reduced = true;                        ///< false: the factor of safety does not divide the strength
+  bool takes_roots = true;                    ///< false: the cohesion of roots does not act in it
   bool undrained = false;                     ///< total stress analysis (φ = 0): u has no effect on the strength
   std::optional<UndrainedEnvelope> envelope;  ///< for rapid drawdown by total stresses; without it the soil is drained
   std::optional<double> b_bar;  ///< B̄ for rapid drawdown by effective stresses; without it the soil is drained [-]

@@ -229,9 +229,9 @@ void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optio
     turn_slices(cut.slices);
     turn_slices(cut.before);
   }
-  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
   if (slope.before() != nullptr && slope.before()->strips().laws)
-    set_law_strengths(slope.before()->strips(), cut.before, false);
+    set_law_strengths(slope.before()->strips(), cut.before, false, {});
+  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false, cut.before);
 }
 
 /// Returns Janbu's simplified factor, by which two crack depths on one surface are compared; infinity if there is none.

@@ -142,13 +142,19 @@ double average_root_cohesion(const Slope::Strips& strips, const Slice& slice) {
   return sum / places;
 }
 
+/// Returns the suction of a slice as far as it is an effective stress [Pa]: not where it has an angle of its own.
+double find_suction_stress(const Soil& soil, const Slice& slice) {
+  if (!(slice.pore_pressure < 0) || soil.suction == Suction::phi_b) return 0;
+  const double suction = -slice.pore_pressure;
+  return suction * (soil.saturation ? soil.saturation(suction) : 1);
+}
+
 /// Returns the strength due to the suction of a slice whose pore pressure is negative [Pa].
 double find_suction_strength(const Slope::Strips& strips, const Slice& slice) {
   const auto number = static_cast<std::size_t>(slice.soil);
   const Soil& soil = strips.section.soils[number];
-  const double suction = -slice.pore_pressure;
-  if (soil.suction == Suction::phi_b) return suction * strips.tan_phi_b[number];
-  return suction * (soil.saturation ? soil.saturation(suction) : 1) * slice.tan_friction;
+  if (soil.suction == Suction::phi_b) return -slice.pore_pressure * strips.tan_phi_b[number];
+  return find_suction_stress(soil, slice) * slice.tan_friction;
 }
 
 /// Returns u = u₀ + B̄ Δσ_v (Bishop 1954), where -Δσ_v is the weight of the ponded water that was removed.
@@ -182,7 +188,7 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
   slice.tan_friction = strips.tan_friction[number];
   slice.cohesion = soil.cohesion;
   if (soil.cohesion_gradient != 0) slice.cohesion += soil.cohesion_gradient * std::max(0.0, soil.cohesion_level - p[1]);
-  if (strips.roots) {
+  if (strips.roots && soil.takes_roots) {
     slice.root_cohesion = average_root_cohesion(strips, slice);
     slice.cohesion += slice.root_cohesion;
   }
@@ -209,11 +215,17 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
   slice.cohesion += slice.suction_strength;
 }
 
-double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices, bool has_forces) {
+double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices, bool has_forces,
+                         const std::vector<Slice>& before_drawdown) {
   double change = 0, sum = 0;
-  for (Slice& slice : slices) {
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    Slice& slice = slices[i];
     const Soil& soil = strips.section.soils[static_cast<std::size_t>(slice.soil)];
     if (!soil.law) continue;
+    if (strips.before && soil.undrained) {
+      slice.cohesion = before_drawdown[i].cohesion, slice.tan_friction = before_drawdown[i].tan_friction;
+      continue;
+    }
     const double width = slice.right - slice.left, dip = slice.alpha(),
                  total = (slice.weight + slice.surface_load) / width, u = std::max(0.0, slice.water_pressure);
     StrengthPlane plane;
@@ -222,15 +234,16 @@ double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices
     plane.vertical = std::max(0.0, total - u);
     plane.inclination = std::atan2(slice.base_right[1] - slice.base_left[1], width);
     plane.dip = dip;
-    const double own = slice.normal / slice.length - slice.pore_pressure,
-                 estimate = plane.vertical * std::cos(dip) * std::cos(dip);
-    plane.normal = has_forces ? own : estimate;
+    // Suction adds its strength to the cohesion, but only as an effective stress does it move along the envelope.
+    const double net = has_forces ? slice.normal / slice.length - std::max(0.0, slice.pore_pressure)
+                                  : plane.vertical * std::cos(dip) * std::cos(dip);
+    plane.normal = net + find_suction_stress(soil, slice);
     const StrengthTangent tangent = soil.law->find_tangent(plane);
-    const double before = slice.cohesion + plane.normal * slice.tan_friction;
+    const double before = slice.cohesion + net * slice.tan_friction;
     slice.tan_friction = tangent.tan_friction;
     slice.suction_strength = slice.pore_pressure < 0 ? find_suction_strength(strips, slice) : 0;
     slice.cohesion = tangent.cohesion + slice.root_cohesion + slice.suction_strength;
-    const double after = slice.cohesion + plane.normal * slice.tan_friction;
+    const double after = slice.cohesion + net * slice.tan_friction;
     change = std::max(change, std::abs(after - before));
     sum += std::abs(after) / static_cast<double>(slices.size());
   }

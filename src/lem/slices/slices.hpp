@@ -29,8 +29,10 @@ void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, Cra
 void add_strength(const Slope::Strips& strips, const Strip& strip, double weight, const Slice* before, Slice& slice);
 
 /// Sets c and tanφ of the slices in soils with a law, at σ'_n of the last solution, or without one at an estimate of it
-/// by the weight above. Returns the largest change of the strength of a slice over the mean strength [-].
-double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices, bool has_forces);
+/// by the weight above. `before`: the same slices before a rapid drawdown, with their strength, if there is one; soil
+/// without drainage keeps it. Returns the largest change of the strength of a slice over the mean strength [-].
+double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices, bool has_forces,
+                         const std::vector<Slice>& before);
 
 /// Returns the cohesion of roots at a point [Pa].
 double find_root_cohesion(const Section& section, const Point& p);

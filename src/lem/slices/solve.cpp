@@ -233,7 +233,7 @@ Solution solve_laws(const Slope& slope, CutSurface& cut, Method method, const Ch
     Solution solution = solve_linear(slope, cut, method, lenient, true, horizontal);
     if (!(solution.factor > 0)) return solution;
     scale_unreduced(slope, cut, 1 / scale);
-    const double change = set_law_strengths(slope.strips(), cut.slices, true);
+    const double change = set_law_strengths(slope.strips(), cut.slices, true, cut.before);
     scale_unreduced(slope, cut, scale);
     if (change < tangent_tolerance) return solve_linear(slope, cut, method, checks, keep_forces, horizontal);
   }
@@ -301,7 +301,7 @@ bool has_unreduced(const Slope& slope, const CutSurface& cut) {
 
 Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
                     double horizontal) {
-  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false);
+  if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false, cut.before);
   if (has_unreduced(slope, cut)) return solve_unreduced(slope, cut, method, checks, keep_forces, horizontal);
   return solve_laws(slope, cut, method, checks, keep_forces, horizontal, 1);
 }

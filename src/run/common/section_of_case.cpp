@@ -61,6 +61,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
     if (m.slices.suction_strength == input::SuctionStrength::saturation && !site::uses_saturation(m))
       notes.push_back(fmt::format("material '{}' has no retention curve: its suction adds no strength", name));
   }
+  soil.takes_roots = m.traits().roots == material::RootEffect::cohesion;
   soil.phi_b = m.slices.phi_b;
   if (const auto& e = m.slices.undrained_envelope)
     soil.envelope = lem::UndrainedEnvelope{e->cohesion, e->friction_angle};
