@@ -43,6 +43,13 @@ void StrengthTable::check(const Input& in, const SoilFindings& findings) {
     return findings.add("normal_stresses",
                         fmt::format("the strength table of material '{}' needs at least two pairs", findings.name));
   const auto name = [&](double stress) { return format_value(stress, findings.units.stress); };
+  const double at_zero = s.shear_strengths[0] - s.normal_stresses[0] * (s.shear_strengths[1] - s.shear_strengths[0]) /
+                                                    (s.normal_stresses[1] - s.normal_stresses[0]);
+  if (s.normal_stresses[1] > s.normal_stresses[0] && at_zero < 0)
+    findings.add("normal_stresses",
+                 fmt::format("the first two pairs of material '{}' give a strength of {} at σ' = 0; begin the table "
+                             "with a pair at a lower stress",
+                             findings.name, name(at_zero)));
   for (std::size_t i = 1; i < count; ++i) {
     if (!(s.normal_stresses[i] > s.normal_stresses[i - 1]))
       return findings.add("normal_stresses",

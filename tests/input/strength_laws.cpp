@@ -57,6 +57,7 @@ TEST(StrengthLaws, TablesThatAreNoEnvelope) {
   expect_one_fault(write_table("[0, 50, 100]", "[0, 20, 10]"), "must not fall: 10 kPa follows 20 kPa");
   expect_one_fault(write_table("[0, 50, 100]", "[0, 20, 60]"), "becomes steeper at 50 kPa");
   expect_one_fault(write_table("[0]", "[0]"), "needs at least two pairs");
+  expect_one_fault(write_table("[50, 100]", "[10, 40]"), "give a strength of -20 kPa at σ' = 0");
   expect_one_fault(with_soil("model = \"anisotropic\"\nbase_inclinations = [10, -10]\ninclined_cohesions = [1, "
                              "2]\ninclined_frictions = [20, 20]\n"),
                    "'base_inclinations' of material 'soil' must rise");

@@ -262,7 +262,7 @@ void check_weight(const Case& data, const Material& m, const std::string& name, 
                  name);
 }
 
-void check_suction(const Material& m, const std::string& name, Findings& findings) {
+void check_suction(const Case& data, const Material& m, const std::string& name, Findings& findings) {
   const std::string path = "materials." + name + ".suction_strength";
   if (!findings.is_sound(path)) return;
   const RetentionCurve curve = m.water.retention;
@@ -278,6 +278,14 @@ void check_suction(const Material& m, const std::string& name, Findings& finding
                  "'phi_b' of material '{}' is greater than its friction angle; suction adds at most as much as the "
                  "same effective stress would",
                  name);
+  if (m.slices.suction_strength == SuctionStrength::phi_b && material::needs<material::FlowRatio>(m.model) &&
+      (uses(data, Method::fem) || uses(data, Method::bounds)))
+    findings.add(
+        path,
+        "suction_strength = \"phi_b\" is that of LEM alone for material '{}' ({}): FEM and limit analysis take "
+        "suction as an effective stress, which φ_b gives for a constant friction angle only; use "
+        "\"saturation\" or \"none\"",
+        name, m.traits().title);
 }
 
 }  // namespace
@@ -286,7 +294,7 @@ void check_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
   for (const auto& [name, material] : data.materials) {
     check_weight(data, material, name, findings);
-    check_suction(material, name, findings);
+    check_suction(data, material, name, findings);
     check_cohesion_gradient(data, material, name, findings);
   }
   check_list(data, findings);
