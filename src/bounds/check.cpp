@@ -68,7 +68,16 @@ StaticCheck check(const Problem& problem, const StressField& field) {
     }
   }
   const auto sides = index_sides(problem);
+  std::map<EdgeKey, Vec<2>> of_bars;  // their traction on the soil
+  for (const BarEdge& bar : problem.bars) {
+    const BarTraction traction = find_traction(problem, bar);
+    const double q = traction.along / bar.find_divisor(field.factor);
+    of_bars[make_key(bar.from, bar.to)] = {q * traction.direction[0], q * traction.direction[1]};
+    if (bar.is_reduced) found.factor = std::min(found.factor, field.factor);
+  }
   for (const Edge& edge : list_edges(problem.triangles)) {
+    const auto bar = of_bars.find(make_key(edge.from, edge.to));
+    if (bar != of_bars.end() && edge.other < 0) note(std::numeric_limits<double>::infinity());
     const Vec<2> along = find_direction(node(edge.from), node(edge.to)), n{along[1], -along[0]};
     const Side* side = find_side(problem, sides, edge);
     for (const int at : {edge.from, edge.to}) {
@@ -84,6 +93,8 @@ StaticCheck check(const Problem& problem, const StressField& field) {
       } else if (side) {
         other = side->traction[at == side->from ? 0 : 1];
       }
+      if (bar != of_bars.end())
+        for (std::size_t d = 0; d < 2; ++d) other[d] += bar->second[d];
       for (std::size_t d = 0; d < 2; ++d) left[d] -= other[d];
       if (!side || !side->holds_normal) note(dot(left, n));
       if (!side || !side->holds_along) note(dot(left, along));
@@ -103,6 +114,7 @@ class KinematicSum {
   KinematicCheck run() {
     for (std::size_t e = 0; e < problem_.size(); ++e) add_triangle(e);
     add_sides();
+    add_bars();
     return judge();
   }
 
@@ -191,6 +203,24 @@ class KinematicSum {
     }
   }
 
+  /// Dissipation of supports: at most their largest tension times their elongation, whose positive part is not above
+  /// the line between those of its ends.
+  void add_bars() {
+    std::map<EdgeKey, int> middles;
+    for (const auto& t : field_.mesh.triangles)
+      for (std::size_t i = 0; i < 3; ++i) middles[make_key(t[i], t[(i + 1) % 3])] = t[3 + i];
+    for (const BarEdge& bar : problem_.bars) {
+      const Vec<2>&a = get_node(bar.from), &b = get_node(bar.to), e = find_direction(a, b);
+      const double first = dot(get_velocity(bar.from), e), last = dot(get_velocity(bar.to), e),
+                   middle = dot(get_velocity(middles.at(make_key(bar.from, bar.to))), e);
+      // The elongation is that of a quadratic velocity, per length and times the length.
+      const double start = std::max(0.0, -3 * first + 4 * middle - last),
+                   end = std::max(0.0, first - 4 * middle + 3 * last);
+      const auto& n = bar.force;
+      (bar.is_reduced ? passive_ : active_) += (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
+    }
+  }
+
   /// Returns true if the flow rule for this factor is satisfied at every corner.
   bool flows(double factor) const {
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
@@ -200,7 +230,7 @@ class KinematicSum {
   }
 
   double find_dissipation(double factor) const {
-    double sum = 0;
+    double sum = active_ + passive_ / factor;
     for (const Corner& c : corners_) sum += c.weight * find_dissipation(c, factor);
     return sum;
   }
@@ -267,6 +297,7 @@ class KinematicSum {
   std::vector<Corner> corners_;
   KinematicCheck found_;
   double held_ = 0, largest_ = 0;
+  double active_ = 0, passive_ = 0;  ///< dissipation of supports whose forces F does not divide, and divides [W/m]
   bool is_continuous_ = true;
 };
 

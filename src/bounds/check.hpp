@@ -12,6 +12,7 @@ namespace talus::bounds {
 /// Effective stress at the corners of the triangles, linear between them.
 struct StressField {
   std::vector<std::array<Stress, 3>> stress;  ///< [Pa]
+  double factor = 1;                          ///< by which the forces of passive supports are divided
 };
 
 /// Velocities at the nodes of the six-node triangles, in arbitrary units.
@@ -35,8 +36,8 @@ struct StaticCheck {
 };
 
 /// Checks a stress field: divergence, tractions on both sides of every edge and on the border; and computes the
-/// smallest factor of all corners (T21.3). The criterion is convex, so that it holds between the corners if it holds
-/// there.
+/// smallest factor of all corners (T21.3), at most that of the field if a support is passive. The criterion is convex,
+/// so that it holds between the corners if it holds there.
 StaticCheck check(const Problem& problem, const StressField& field);
 
 struct KinematicCheck {

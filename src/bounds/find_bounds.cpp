@@ -227,7 +227,7 @@ class BoundsSearch {
     if (trial.solution.end != ConicEnd::solved) return trial;
     trial.lack = use_room(program, room, trial.solution);
     trial.doubt = std::abs(trial.solution.primal - trial.solution.dual);
-    trial.rate = find_lack_rate(result_.problem, bound, factor, units_, trial.solution);
+    trial.rate = find_lack_rate(result_.problem, program, bound, factor, units_, trial.solution);
     prove(bound, trial);
     return trial;
   }
@@ -301,8 +301,8 @@ class BoundsSearch {
   void prove(Bound bound, const Trial& trial) {
     const Problem& problem = result_.problem;
     if (bound == Bound::lower) {
-      StressField field =
-          read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.solution, units_);
+      StressField field = read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.factor,
+                                      trial.solution, units_);
       const StaticCheck found = check(problem, field);
       if (!found.holds || !std::isfinite(found.factor) || found.factor <= result_.lower) return;
       result_.lower = found.factor, result_.static_check = found, result_.stress = std::move(field);

@@ -55,6 +55,16 @@ struct Side {
   std::array<Vec<2>, 2> traction{};  ///< total, at `from` and `to` [Pa]; used in free directions
 };
 
+/// A part of a straight support along an edge inside the soil. Its tension is that which the support can bear there:
+/// with it a stress field in equilibrium proves a lower bound, and a mechanism extends it at no more than this force.
+struct BarEdge {
+  int from = 0, to = 0;           ///< its nodes, in the direction from the head
+  std::array<double, 2> force{};  ///< tension at them, linear between [N/m]
+  bool is_reduced = false;        ///< F divides the force (a passive support)
+
+  double find_divisor(double factor) const { return is_reduced ? factor : 1; }
+};
+
 struct Problem {
   std::vector<Vec<2>> nodes;
   std::vector<Triangle> triangles;                   ///< counterclockwise
@@ -63,6 +73,7 @@ struct Problem {
   std::vector<Vec<2>> body_force;                    ///< of each triangle, with its pore water [N/m³]
   std::vector<std::array<double, 3>> pore_pressure;  ///< at its corners, linear between them [Pa]
   std::vector<Side> sides;                           ///< of the border; a side that is not listed is free
+  std::vector<BarEdge> bars;
 
   std::size_t size() const { return triangles.size(); }
 };
@@ -98,6 +109,18 @@ inline std::array<Vec<2>, 6> find_quadratic_gradients(const Shape& shape, std::s
     }
   }
   return g;
+}
+
+/// Direction of a bar and its traction on the soil, by which its tension grows along it [Pa].
+struct BarTraction {
+  Vec<2> direction{};
+  double length = 0, along = 0;
+};
+inline BarTraction find_traction(const Problem& problem, const BarEdge& bar) {
+  const Vec<2>&a = problem.nodes[static_cast<std::size_t>(bar.from)],
+        &b = problem.nodes[static_cast<std::size_t>(bar.to)];
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  return {{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, length, (bar.force[1] - bar.force[0]) / length};
 }
 
 struct Units {

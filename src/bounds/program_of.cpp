@@ -91,8 +91,11 @@ class ProgramBuilder {
   void add(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
     add_unknowns(triangle, corner, {row[0] + row[1], row[0] - row[1], row[2]}, times);
   }
-  void end_equation(double right) {
+  /// `rate`: derivative of the right-hand side by the factor.
+  void end_equation(double right, double rate = 0) {
     program_.add_row(entries_, right);
+    if (rate != 0) program_.right_rate.resize(static_cast<std::size_t>(program_.equations) + 1, 0);
+    if (rate != 0) program_.right_rate.back() = rate;
     ++program_.equations;
   }
 
@@ -160,6 +163,8 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     }
   }
   const auto sides = index_sides(problem);
+  std::map<EdgeKey, const BarEdge*> bars;
+  for (const BarEdge& bar : problem.bars) bars[make_key(bar.from, bar.to)] = &bar;
   for (const Edge& edge : list_edges(problem.triangles)) {
     const Vec<2>&from = problem.nodes[static_cast<std::size_t>(edge.from)],
           &to = problem.nodes[static_cast<std::size_t>(edge.to)];
@@ -167,6 +172,12 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     const auto e = static_cast<std::size_t>(edge.triangle);
     const auto found = sides.find(make_key(edge.from, edge.to));
     const Side* side = edge.other < 0 && found != sides.end() ? found->second : nullptr;
+    double of_bar = 0, rate_of_bar = 0;
+    if (const auto bar = bars.find(make_key(edge.from, edge.to)); bar != bars.end()) {
+      const BarTraction traction = find_traction(problem, *bar->second);
+      of_bar = traction.along * dot(traction.direction, rows.t) / bar->second->find_divisor(factor) / unit;
+      rate_of_bar = bar->second->is_reduced ? -of_bar / factor : 0;
+    }
     for (const int node : {edge.from, edge.to}) {
       const std::size_t i = find_corner(problem.triangles[e], node);
       double normal = problem.pore_pressure[e][i], along = 0;
@@ -177,7 +188,7 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
         builder.add(e, i, rows.normal), builder.add(o, j, rows.normal, -1);
         builder.end_equation(normal / unit);
         builder.add(e, i, rows.along), builder.add(o, j, rows.along, -1);
-        builder.end_equation(0);
+        builder.end_equation(of_bar, rate_of_bar);
         continue;
       }
       if (side) {
@@ -198,7 +209,7 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
     Row row;
   };
   std::vector<std::vector<Use>> uses(static_cast<std::size_t>(v.count));
-  std::vector<double> work(static_cast<std::size_t>(v.count), 0);
+  std::vector<double> work(static_cast<std::size_t>(v.count), 0), work_rate = work;
   auto each = [&](int node, auto&& give) {
     for (const auto& f : v.freedoms[static_cast<std::size_t>(node)])
       give(static_cast<std::size_t>(f.number), f.direction);
@@ -237,23 +248,36 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
       work[number] += length * (dot(t[0], d) + dot(t[1], d)) / 3 / force_unit;
     });
   }
+  for (const BarEdge& bar : problem.bars) {
+    const BarTraction traction = find_traction(problem, bar);
+    const double force = traction.along * traction.length / bar.find_divisor(factor) / force_unit;
+    const auto add = [&](int node, double share) {
+      each(node, [&](std::size_t number, const Vec<2>& d) {
+        const double own = share * force * dot(traction.direction, d);
+        work[number] += own;
+        if (bar.is_reduced) work_rate[number] -= own / factor;
+      });
+    };
+    add(bar.from, 1.0 / 6), add(v.middles.at(make_key(bar.from, bar.to)), 4.0 / 6), add(bar.to, 1.0 / 6);
+  }
   ProgramBuilder builder(problem, factor, units);
   for (std::size_t number = 0; number < uses.size(); ++number) {
     for (const Use& use : uses[number]) builder.add(use.triangle, use.corner, use.row);
-    builder.end_equation(work[number]);
+    builder.end_equation(work[number], work_rate[number]);
   }
   return builder.finish(Strengths::weighted);
 }
 
 }  // namespace
 
-double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
-                      const ConicSolution& solution) {
+double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound bound, double factor,
+                      const Units& units, const ConicSolution& solution) {
   std::size_t row = solution.z.size();
   for (const auto& strengths : problem.strength)
     for (const Strength& soil : strengths) row -= 3 * soil.count_cones();
   const double lack = solution.x.back();
   double rate = 0;
+  for (std::size_t i = 0; i < program.right_rate.size(); ++i) rate -= solution.z[i] * program.right_rate[i];
   visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
               [&](std::size_t e, std::size_t i, const Cone& cone) {
                 const double* stress = &solution.x[9 * e + 3 * i];
@@ -334,11 +358,12 @@ std::vector<double> weigh_changes(const Problem& problem, const Velocities& mesh
 
 }  // namespace
 
-StressField read_stress(const Problem& problem, const ConicProgram& program, const ConicSolution& solution,
-                        const Units& units) {
+StressField read_stress(const Problem& problem, const ConicProgram& program, double factor,
+                        const ConicSolution& solution, const Units& units) {
   std::vector<double> stress(solution.x.begin(), solution.x.end() - 1);
   fulfil(program.rows, program.equations, program.right, stress);
   StressField field;
+  field.factor = factor;
   field.stress.resize(problem.size());
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t i = 0; i < 3; ++i) {

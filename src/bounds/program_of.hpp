@@ -31,14 +31,14 @@ void leave_room(ConicProgram& program, double room);
 double use_room(const ConicProgram& program, double room, ConicSolution& solution);
 
 /// Returns the derivative of the least m by the factor, at a solution of that program.
-double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
-                      const ConicSolution& solution);
+double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound bound, double factor,
+                      const Units& units, const ConicSolution& solution);
 
 // Conversion of solutions to fields that check() can verify.
 
 /// Returns the stress field of a solution of the lower bound, moved into equilibrium by least squares.
-StressField read_stress(const Problem& problem, const ConicProgram& program, const ConicSolution& solution,
-                        const Units& units);
+StressField read_stress(const Problem& problem, const ConicProgram& program, double factor,
+                        const ConicSolution& solution, const Units& units);
 
 /// Returns the velocity field of a solution of the upper bound for this factor, moved by least squares to constant
 /// volume where the soil has no friction, and opened everywhere by as much as the worst corner violates its flow rule.

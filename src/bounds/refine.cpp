@@ -74,10 +74,25 @@ class Refiner {
       first.traction[1] = second.traction[0] = middle;
       to_.sides.push_back(first), to_.sides.push_back(second);
     }
+    split_bars();
     return std::move(to_);
   }
 
  private:
+  void split_bars() {
+    to_.bars.clear();
+    for (const BarEdge& bar : from_.bars) {
+      const auto found = middles_.find(make_key(bar.from, bar.to));
+      BarEdge first = bar, second = bar;
+      if (found != middles_.end()) {
+        first.to = second.from = found->second;
+        first.force[1] = second.force[0] = 0.5 * (bar.force[0] + bar.force[1]);
+        to_.bars.push_back(first);
+      }
+      to_.bars.push_back(second);
+    }
+  }
+
   using Weights = std::array<std::array<double, 3>, 3>;  ///< per corner: its barycentric coordinates in the parent
   static Vec<2> halve(const Vec<2>& a, const Vec<2>& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}; }
   const Vec<2>& get(int node) const { return to_.nodes[static_cast<std::size_t>(node)]; }

@@ -212,11 +212,58 @@ TEST(Bounds, ThickCylinder) {
   EXPECT_LE(found.upper - found.lower, 0.03);
 }
 
+/// Edges along x with the tension of a bar, linear between levels (from the head down).
+std::vector<BarEdge> make_vertical_bar(const Problem& p, double x, const std::vector<std::array<double, 2>>& tension,
+                                       bool is_reduced) {
+  const auto find = [&](double y) {
+    for (std::size_t i = 1; i < tension.size(); ++i)
+      if (y <= tension[i - 1][0] + 1e-9 && y >= tension[i][0] - 1e-9)
+        return tension[i - 1][1] +
+               (tension[i][1] - tension[i - 1][1]) * (tension[i - 1][0] - y) / (tension[i - 1][0] - tension[i][0]);
+    return -1.0;
+  };
+  std::vector<BarEdge> bars;
+  for (const Edge& edge : list_edges(p.triangles)) {
+    const auto &a = p.nodes[static_cast<std::size_t>(edge.from)], &b = p.nodes[static_cast<std::size_t>(edge.to)];
+    if (std::abs(a[0] - x) + std::abs(b[0] - x) > 1e-9 || find(a[1]) < 0 || find(b[1]) < 0) continue;
+    const bool is_down = a[1] > b[1];
+    bars.push_back({is_down ? edge.from : edge.to,
+                    is_down ? edge.to : edge.from,
+                    {find(std::max(a[1], b[1])), find(std::min(a[1], b[1]))},
+                    is_reduced});
+  }
+  return bars;
+}
+
+/// The weight γ of soil of tensile strength T acts upwards and pulls it off a strong base of width B = 2, across which
+/// a bar bears N. With T B/F + N = γ H B the factor is T B/(γ H B − N); where F divides N too, (T B + N)/(γ H B).
+TEST(Bounds, ABarHoldsSoilThatHangs) {
+  constexpr double tension = 1, weight = 3, force = 2, width = 2;
+  for (const bool is_reduced : {false, true}) {
+    Problem p = make_columns(divide(0, {{width, 4}}), 8, -1, [](double) { return 1.0; });
+    fill(p, 100, 0, -weight);
+    for (std::size_t e = 0; e < p.size(); ++e) {
+      double y = 0;
+      for (const int n : p.triangles[e]) y += p.nodes[static_cast<std::size_t>(n)][1] / 3;
+      for (Strength& s : p.strength[e]) s.tension = y > 0 ? tension : 100 * tension;
+    }
+    p.bars = make_vertical_bar(p, 1, {{1, 0}, {0, force}, {-0.75, 0}}, is_reduced);
+    EXPECT_EQ(p.bars.size(), 7u);
+    const double exact =
+        is_reduced ? (tension * width + force) / (weight * width) : tension * width / (weight * width - force);
+    expect_holds(find_bounds(p, until(0.02, 1500)), exact, 0.03);
+    p.bars.clear();
+    expect_holds(find_bounds(p, until(0.02, 1500)), tension / weight, 0.03);
+  }
+}
+
 /// The derivative of the lack against a difference.
 TEST(Bounds, RateOfTheLack) {
   Problem p = make_slope(5000, 20, 18000);
   for (std::size_t e = 0; e < p.size(); e += 2)
     for (Strength& soil : p.strength[e]) soil.tension = 3000;
+  p.bars = make_vertical_bar(p, 8, {{15, 0}, {10, 8000}, {0, 0}}, true);
+  ASSERT_FALSE(p.bars.empty());
   const Units units = find_units(p);
   ConicOptions tight;
   tight.tolerance = 1e-8;
@@ -224,7 +271,8 @@ TEST(Bounds, RateOfTheLack) {
     const auto find = [&](double factor) { return solve(make_program(p, bound, factor, units), tight); };
     constexpr double factor = 1.1, step = 1e-3;
     const double difference = (find(factor + step).primal - find(factor - step).primal) / (2 * step);
-    EXPECT_NEAR(find_lack_rate(p, bound, factor, units, find(factor)), difference, 1e-3 * std::abs(difference));
+    EXPECT_NEAR(find_lack_rate(p, make_program(p, bound, factor, units), bound, factor, units, find(factor)),
+                difference, 1e-3 * std::abs(difference));
   }
 }
 

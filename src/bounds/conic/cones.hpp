@@ -40,6 +40,8 @@ struct ConicProgram {
   std::vector<double> cost;   ///< q
   SparseRows rows;            ///< A
   std::vector<double> right;  ///< b
+  /// Derivatives of b of the equations by the factor; empty: zero.
+  std::vector<double> right_rate;
 
   /// Adds a row from entries in any order; entries of the same variable are summed. Clears `entries`.
   void add_row(std::vector<std::pair<int, double>>& entries, double right_side) {
