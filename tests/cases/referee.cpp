@@ -48,6 +48,23 @@ TEST_F(RefereeTest, TheUpperBoundGovernsBeforeCirclesAboveIt) {
   EXPECT_TRUE(has_warning(summary, "above the upper bound"));
 }
 
+/// Rock that no slip surface enters is rigid for the referee too, whatever strength stands in the case.
+TEST_F(RefereeTest, KnowsImpenetrableRock) {
+  const json summary = run(R"(
+analysis.methods = ["lem"]
+geometry.polygon = [
+  { name = "rock", points = [[0, 0], [60, 0], [60, 6], [0, 6]] },
+  { name = "clay", points = [[0, 6], [60, 6], [60, 16], [48, 16], [32, 8], [0, 8]] }]
+regions = { rock = "rock", clay = "clay" }
+materials.clay = { model = "mohr_coulomb", unit_weight = 19, cohesion = 20, friction_angle = 0 }
+materials.rock = { model = "mohr_coulomb", unit_weight = 22, cohesion = 20, friction_angle = 0 }
+lem = { impenetrable = ["rock"], methods = ["spencer"], noncircular = false, minima = 1 }
+)");
+  const auto [lower, upper] = read_interval(summary, "lem");
+  EXPECT_GE(upper, 0.98 * find_factor(summary, "spencer")) << "the proof is that of a section with a base at 6 m";
+  EXPECT_NE(summary.at("lem").at("critical").at(0).value("verdict", ""), "above_upper_bound");
+}
+
 /// 60°: Spencer has no solution on Bishop's critical circle, and the least of the others has 1.326. Circles that end in
 /// a tension crack take their place, and limit analysis decides.
 TEST_F(RefereeTest, ASteepSlopeIsComparedOnCirclesWithACrack) {
