@@ -109,12 +109,16 @@ void check_elements_need(const Case& data, Findings& findings) {
 /// Reports materials without one pair of angles for Davis's strength.
 void check_davis(const Case& data, const char* key, Findings& findings) {
   if (!findings.is_sound(key)) return;
-  for (const auto& [name, material] : data.materials)
-    if (material::needs<material::FlowRatio>(material.model) || material::needs<material::BeddingInput>(material.model))
+  for (const auto& [name, material] : data.materials) {
+    const bool is_other_cone = material.model == material::model_of<material::DruckerPrager> &&
+                               material.cone != material::ConeMatch::plane_strain;
+    if (is_other_cone || material::needs<material::FlowRatio>(material.model) ||
+        material::needs<material::BeddingInput>(material.model))
       findings.add(key,
-                   "Davis's strength needs the angles φ and ψ of an isotropic soil with a straight envelope, and "
-                   "material '{}' ({}) has none; take 'davis' out",
+                   "Davis's strength needs the angles φ and ψ of an isotropic soil with a straight envelope in plane "
+                   "strain, and material '{}' ({}) has none; take 'davis' out",
                    name, material.traits().title);
+  }
 }
 
 void check_davis_of_elements(const Case& data, Findings& findings) {
