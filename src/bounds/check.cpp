@@ -68,16 +68,14 @@ StaticCheck check(const Problem& problem, const StressField& field) {
     }
   }
   const auto sides = index_sides(problem);
-  std::map<EdgeKey, Vec<2>> of_bars;  // their traction on the soil
-  for (const BarEdge& bar : problem.bars) {
-    const BarTraction traction = find_traction(problem, bar);
-    const double q = traction.along / bar.find_divisor(field.factor);
-    of_bars[make_key(bar.from, bar.to)] = {q * traction.direction[0], q * traction.direction[1]};
-    if (bar.is_reduced) found.factor = std::min(found.factor, field.factor);
+  std::map<EdgeKey, Vec<2>> of_supports;
+  for (const LineForce& force : list_line_forces(problem)) {
+    Vec<2>& sum = of_supports[make_key(force.from, force.to)];
+    for (std::size_t d = 0; d < 2; ++d) sum[d] += force.traction[d] / force.find_divisor(field.factor);
+    if (force.is_reduced) found.factor = std::min(found.factor, field.factor);
   }
   for (const Edge& edge : list_edges(problem.triangles)) {
-    const auto bar = of_bars.find(make_key(edge.from, edge.to));
-    if (bar != of_bars.end() && edge.other < 0) note(std::numeric_limits<double>::infinity());
+    const auto support = of_supports.find(make_key(edge.from, edge.to));
     const Vec<2> along = find_direction(node(edge.from), node(edge.to)), n{along[1], -along[0]};
     const Side* side = find_side(problem, sides, edge);
     for (const int at : {edge.from, edge.to}) {
@@ -93,8 +91,8 @@ StaticCheck check(const Problem& problem, const StressField& field) {
       } else if (side) {
         other = side->traction[at == side->from ? 0 : 1];
       }
-      if (bar != of_bars.end())
-        for (std::size_t d = 0; d < 2; ++d) other[d] += bar->second[d];
+      if (support != of_supports.end())
+        for (std::size_t d = 0; d < 2; ++d) other[d] += support->second[d];
       for (std::size_t d = 0; d < 2; ++d) left[d] -= other[d];
       if (!side || !side->holds_normal) note(dot(left, n));
       if (!side || !side->holds_along) note(dot(left, along));
@@ -218,6 +216,19 @@ class KinematicSum {
                    end = std::max(0.0, first - 4 * middle + 3 * last);
       const auto& n = bar.force;
       (bar.is_reduced ? passive_ : active_) += (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
+    }
+    // Against the sides under its head a bar slips in one direction only.
+    for (const BarHead& head : problem_.heads) {
+      double mean = 0, width = 0;
+      for (const auto& [from, to] : head.sides) {
+        const Vec<2>&a = get_node(from), &b = get_node(to);
+        const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        width += length;
+        for (const auto& [node, share] : {std::pair{from, 1}, {middles.at(make_key(from, to)), 4}, {to, 1}})
+          mean += share * length / 6 * dot(get_velocity(node), head.direction);
+      }
+      (head.is_reduced ? passive_ : active_) +=
+          head.force * std::max(mean / width, dot(get_velocity(head.node), head.direction));
     }
   }
 

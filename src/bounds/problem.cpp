@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of the programs of limit analysis.
+// Units of the programs of limit analysis, and the forces of supports.
 #include "bounds/problem.hpp"
 
 #include <algorithm>
@@ -17,6 +17,30 @@ Units find_units(const Problem& problem) {
     for (const Vec<2>& t : s.traction) units.stress = std::max(units.stress, norm(t));
   if (!(units.stress > 0)) units.stress = 1;
   return units;
+}
+
+std::vector<LineForce> list_line_forces(const Problem& problem) {
+  const auto measure = [&](int from, int to) {
+    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(from)], &b = problem.nodes[static_cast<std::size_t>(to)];
+    return Vec<2>{b[0] - a[0], b[1] - a[1]};
+  };
+  std::vector<LineForce> forces;
+  for (const BarEdge& bar : problem.bars) {
+    const Vec<2> d = measure(bar.from, bar.to);
+    const double length = norm(d), growth = (bar.force[1] - bar.force[0]) / (length * length);
+    forces.push_back({bar.from, bar.to, length, {growth * d[0], growth * d[1]}, bar.is_reduced});
+  }
+  for (const BarHead& head : problem.heads) {
+    double width = 0;
+    for (const auto& [from, to] : head.sides) width += norm(measure(from, to));
+    for (const auto& [from, to] : head.sides)
+      forces.push_back({from,
+                        to,
+                        norm(measure(from, to)),
+                        {head.force / width * head.direction[0], head.force / width * head.direction[1]},
+                        head.is_reduced});
+  }
+  return forces;
 }
 
 }  // namespace talus::bounds

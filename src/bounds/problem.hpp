@@ -61,8 +61,15 @@ struct BarEdge {
   int from = 0, to = 0;           ///< its nodes, in the direction from the head
   std::array<double, 2> force{};  ///< tension at them, linear between [N/m]
   bool is_reduced = false;        ///< F divides the force (a passive support)
+};
 
-  double find_divisor(double factor) const { return is_reduced ? factor : 1; }
+/// The head of a bar, whose tension there presses on sides of the border, evenly and in the direction of the bar.
+struct BarHead {
+  int node = 0;        ///< where the bar begins
+  Vec<2> direction{};  ///< of the bar, unit
+  double force = 0;    ///< tension there [N/m]
+  bool is_reduced = false;
+  std::vector<std::array<int, 2>> sides;  ///< nodes of the loaded sides
 };
 
 struct Problem {
@@ -74,6 +81,7 @@ struct Problem {
   std::vector<std::array<double, 3>> pore_pressure;  ///< at its corners, linear between them [Pa]
   std::vector<Side> sides;                           ///< of the border; a side that is not listed is free
   std::vector<BarEdge> bars;
+  std::vector<BarHead> heads;
 
   std::size_t size() const { return triangles.size(); }
 };
@@ -111,17 +119,18 @@ inline std::array<Vec<2>, 6> find_quadratic_gradients(const Shape& shape, std::s
   return g;
 }
 
-/// Direction of a bar and its traction on the soil, by which its tension grows along it [Pa].
-struct BarTraction {
-  Vec<2> direction{};
-  double length = 0, along = 0;
+/// Constant traction of a support on the soil along an edge.
+struct LineForce {
+  int from = 0, to = 0;
+  double length = 0;  ///< [m]
+  Vec<2> traction{};  ///< at factor 1 [Pa]
+  bool is_reduced = false;
+
+  double find_divisor(double factor) const { return is_reduced ? factor : 1; }
 };
-inline BarTraction find_traction(const Problem& problem, const BarEdge& bar) {
-  const Vec<2>&a = problem.nodes[static_cast<std::size_t>(bar.from)],
-        &b = problem.nodes[static_cast<std::size_t>(bar.to)];
-  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-  return {{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, length, (bar.force[1] - bar.force[0]) / length};
-}
+
+/// Returns the tractions of bars, by which their tension grows along them, and of their heads.
+std::vector<LineForce> list_line_forces(const Problem& problem);
 
 struct Units {
   double length = 1;  ///< [m]

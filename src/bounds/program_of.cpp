@@ -163,8 +163,18 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     }
   }
   const auto sides = index_sides(problem);
-  std::map<EdgeKey, const BarEdge*> bars;
-  for (const BarEdge& bar : problem.bars) bars[make_key(bar.from, bar.to)] = &bar;
+  struct Traction {
+    Vec<2> now{}, rate{};
+  };
+  std::map<EdgeKey, Traction> of_supports;
+  for (const LineForce& force : list_line_forces(problem)) {
+    Traction& at = of_supports[make_key(force.from, force.to)];
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double now = force.traction[d] / force.find_divisor(factor) / unit;
+      at.now[d] += now;
+      if (force.is_reduced) at.rate[d] -= now / factor;
+    }
+  }
   for (const Edge& edge : list_edges(problem.triangles)) {
     const Vec<2>&from = problem.nodes[static_cast<std::size_t>(edge.from)],
           &to = problem.nodes[static_cast<std::size_t>(edge.to)];
@@ -172,12 +182,10 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     const auto e = static_cast<std::size_t>(edge.triangle);
     const auto found = sides.find(make_key(edge.from, edge.to));
     const Side* side = edge.other < 0 && found != sides.end() ? found->second : nullptr;
-    double of_bar = 0, rate_of_bar = 0;
-    if (const auto bar = bars.find(make_key(edge.from, edge.to)); bar != bars.end()) {
-      const BarTraction traction = find_traction(problem, *bar->second);
-      of_bar = traction.along * dot(traction.direction, rows.t) / bar->second->find_divisor(factor) / unit;
-      rate_of_bar = bar->second->is_reduced ? -of_bar / factor : 0;
-    }
+    const auto support = of_supports.find(make_key(edge.from, edge.to));
+    const Traction given = support != of_supports.end() ? support->second : Traction{};
+    const double push = dot(given.now, rows.n), push_rate = dot(given.rate, rows.n), drag = dot(given.now, rows.t),
+                 drag_rate = dot(given.rate, rows.t);
     for (const int node : {edge.from, edge.to}) {
       const std::size_t i = find_corner(problem.triangles[e], node);
       double normal = problem.pore_pressure[e][i], along = 0;
@@ -186,17 +194,19 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
         const std::size_t j = find_corner(problem.triangles[o], node);
         normal -= problem.pore_pressure[o][j];
         builder.add(e, i, rows.normal), builder.add(o, j, rows.normal, -1);
-        builder.end_equation(normal / unit);
+        builder.end_equation(normal / unit + push, push_rate);
         builder.add(e, i, rows.along), builder.add(o, j, rows.along, -1);
-        builder.end_equation(of_bar, rate_of_bar);
+        builder.end_equation(drag, drag_rate);
         continue;
       }
       if (side) {
         const Vec<2>& t = side->traction[node == side->from ? 0 : 1];
         normal += dot(t, rows.n), along += dot(t, rows.t);
       }
-      if (!side || !side->holds_normal) builder.add(e, i, rows.normal), builder.end_equation(normal / unit);
-      if (!side || !side->holds_along) builder.add(e, i, rows.along), builder.end_equation(along / unit);
+      if (!side || !side->holds_normal)
+        builder.add(e, i, rows.normal), builder.end_equation(normal / unit + push, push_rate);
+      if (!side || !side->holds_along)
+        builder.add(e, i, rows.along), builder.end_equation(along / unit + drag, drag_rate);
     }
   }
   return builder.finish(Strengths::own);
@@ -248,17 +258,15 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
       work[number] += length * (dot(t[0], d) + dot(t[1], d)) / 3 / force_unit;
     });
   }
-  for (const BarEdge& bar : problem.bars) {
-    const BarTraction traction = find_traction(problem, bar);
-    const double force = traction.along * traction.length / bar.find_divisor(factor) / force_unit;
+  for (const LineForce& force : list_line_forces(problem)) {
     const auto add = [&](int node, double share) {
       each(node, [&](std::size_t number, const Vec<2>& d) {
-        const double own = share * force * dot(traction.direction, d);
+        const double own = share * force.length * dot(force.traction, d) / force.find_divisor(factor) / force_unit;
         work[number] += own;
-        if (bar.is_reduced) work_rate[number] -= own / factor;
+        if (force.is_reduced) work_rate[number] -= own / factor;
       });
     };
-    add(bar.from, 1.0 / 6), add(v.middles.at(make_key(bar.from, bar.to)), 4.0 / 6), add(bar.to, 1.0 / 6);
+    add(force.from, 1.0 / 6), add(v.middles.at(make_key(force.from, force.to)), 4.0 / 6), add(force.to, 1.0 / 6);
   }
   ProgramBuilder builder(problem, factor, units);
   for (std::size_t number = 0; number < uses.size(); ++number) {

@@ -91,6 +91,15 @@ class Refiner {
       }
       to_.bars.push_back(second);
     }
+    for (BarHead& head : to_.heads) {
+      std::vector<std::array<int, 2>> sides;
+      for (const auto& [from, to] : head.sides) {
+        const auto found = middles_.find(make_key(from, to));
+        if (found != middles_.end()) sides.push_back({from, found->second});
+        sides.push_back({found != middles_.end() ? found->second : from, to});
+      }
+      head.sides = std::move(sides);
+    }
   }
 
   using Weights = std::array<std::array<double, 3>, 3>;  ///< per corner: its barycentric coordinates in the parent

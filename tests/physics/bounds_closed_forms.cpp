@@ -252,7 +252,18 @@ TEST(Bounds, ABarHoldsSoilThatHangs) {
     const double exact =
         is_reduced ? (tension * width + force) / (weight * width) : tension * width / (weight * width - force);
     expect_holds(find_bounds(p, until(0.02, 1500)), exact, 0.03);
-    p.bars.clear();
+    // The same force up to a head on the free side, whose plate is as wide as the soil.
+    p.bars = make_vertical_bar(p, 1, {{1, force}, {0, force}, {-0.75, 0}}, is_reduced);
+    BarHead head{p.bars.front().from, {0, -1}, force, is_reduced, {}};
+    for (const BarEdge& bar : p.bars)
+      if (p.nodes[static_cast<std::size_t>(bar.from)][1] > 1 - 1e-9) head.node = bar.from;
+    for (const Edge& edge : list_edges(p.triangles))
+      if (p.nodes[static_cast<std::size_t>(edge.from)][1] + p.nodes[static_cast<std::size_t>(edge.to)][1] > 2 - 1e-9)
+        head.sides.push_back({edge.from, edge.to});
+    ASSERT_EQ(head.sides.size(), 4u);
+    p.heads = {head};
+    expect_holds(find_bounds(p, until(0.02, 1500)), exact, 0.03);
+    p.bars.clear(), p.heads.clear();
     expect_holds(find_bounds(p, until(0.02, 1500)), tension / weight, 0.03);
   }
 }
