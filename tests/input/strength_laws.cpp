@@ -50,6 +50,8 @@ TEST(StrengthLaws, ProfilesThatDoNotFit) {
                    "has 'profile_levels' and 'profile_depths'; give one of them");
   expect_one_fault(with_soil("model = \"tresca\"\nundrained_strength = 20\nprofile_depths = [0, 5]\n"),
                    "has a profile without strengths");
+  expect_one_fault(with_soil("model = \"tresca\"\nundrained_strength = 20\nundrained_gradient = 2\n"),
+                   "needs 'undrained_level'");
 }
 
 TEST(StrengthLaws, TablesThatAreNoEnvelope) {

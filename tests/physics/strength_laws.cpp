@@ -334,6 +334,8 @@ TEST_F(StrengthLaws, UndrainedStrengthsAgreeInAllMethods) {
   const auto write = [](const std::string& soil) { return write_deforming(R"("lem", "fem", "bounds")", soil); };
   for (const std::string soil :
        {"model = \"shansep\"\nstrength_ratio = 0.25\nstrength_exponent = 0.8\nadded_strength = 12\nocr = 2\n",
+        "model = \"shansep\"\nstrength_ratio = 0.3\nstrength_exponent = 0.8\nadded_strength = 12\nocr = 2\n"
+        "pore_pressure_ratio = 0.3\n",
         "model = \"tresca\"\nprofile_depths = [0, 6, 10]\nprofile_strengths = [20, 30, 60]\n"}) {
     const nlohmann::json summary = run(write(soil));
     const double lem = summary.at("lem").at("critical")[0].at("factor").get<double>(),

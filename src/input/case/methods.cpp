@@ -232,6 +232,11 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
     return findings.add(
         findings.places.is_given(path + ".cohesion_level") ? path + ".cohesion_level" : path + ".cohesion_gradient",
         "'cohesion_gradient' and 'cohesion_level' of material '{}' belong together; give both or none", name);
+  if (findings.places.is_given(path + ".undrained_gradient") && !findings.places.is_given(path + ".undrained_level"))
+    return findings.add(path + ".undrained_gradient",
+                        "'undrained_gradient' of material '{}' needs 'undrained_level', the elevation below which the "
+                        "strength grows",
+                        name);
   if (s.cohesion_gradient >= 0 || data.mesh.polygons.empty() || !findings.is_sound("geometry.polygon")) return;
   const double bottom = find_bottom(data, name);
   if (!std::isfinite(bottom)) return;

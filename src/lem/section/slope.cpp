@@ -89,6 +89,11 @@ double Slope::pore_pressure(const Point& p) const {
   return section().water_unit_weight * (water_table(p[0]) - p[1]);
 }
 
+double Slope::pore_pressure(const Point& p, const Soil& soil, double weight) const {
+  const double ratio = section().find_pressure_ratio(soil, p);
+  return ratio > 0 ? ratio * weight : pore_pressure(p);
+}
+
 double Slope::crack_depth(double x) const {
   if (!section().crack) return 0;
   const std::vector<Point>& depths = strips_->crack_depths;
@@ -256,7 +261,8 @@ class Closure {
     const double vertical = soil_weight + strip_.load.at(dx) + section.water_unit_weight * standing;
     // The stress on the side of a crack vanishes, and the active plane is steep.
     constexpr double steep = std::numbers::pi / 3;
-    const double held = soil.law ? std::max(0.0, vertical - std::max(0.0, slope_.pore_pressure({x_, y}))) : 0;
+    const double held =
+        soil.law ? std::max(0.0, vertical - std::max(0.0, slope_.pore_pressure({x_, y}, soil, soil_weight))) : 0;
     const StrengthTangent strength = find_strength(soil, {{x_, y}, z, held, steep, steep, 0});
     double cohesion = strength.cohesion, u = 0;
     if (!soil.undrained) u = find_pressure(soil, soil_weight, {x_, y}, cohesion);
@@ -268,8 +274,7 @@ class Closure {
  private:
   /// Returns u as the slices use it; suction is added to the cohesion instead.
   double find_pressure(const Soil& soil, double weight, const Point& p, double& cohesion) const {
-    const double ratio = slope_.section().find_pressure_ratio(soil, p);
-    const double found = ratio > 0 ? ratio * weight : slope_.pore_pressure(p);
+    const double found = slope_.pore_pressure(p, soil, weight);
     if (found >= 0 || soil.suction == Suction::ignored) return std::max(0.0, found);
     const double suction = std::min(-found, soil.largest_suction);
     cohesion += soil.suction == Suction::phi_b

@@ -29,6 +29,8 @@ class Slope {
   int soil_at(const Point& p) const;  ///< index of the soil; -1 outside all regions
   /// Returns u at a point, without r_u; suction is negative [Pa].
   double pore_pressure(const Point& p) const;
+  /// Returns u at a point under a weight of soil [N/m²], which r_u of the soil multiplies where it has one [Pa].
+  double pore_pressure(const Point& p, const Soil& soil, double weight) const;
   /// Returns the weight of the soil between the ground and `bottom` [N/m²], and in `soil` the soil at `bottom`.
   double weight_above(double x, double bottom, int& soil) const;
 

@@ -22,14 +22,16 @@ StrengthPlane SoilColumns::find(const Vec<2>& x) const {
   const lem::Strip& strip = strips.strip(strips.find(x[0]));
   const double dx = x[0] - strip.left, ground = strip.ground.at(dx);
   int soil = -1;
-  const double water = strip.ponded ? std::max(0.0, strip.water.at(dx) - ground) : 0,
-               above = slope_->weight_above(x[0], x[1], soil) + (strips.loads ? strip.load.at(dx) : 0) +
-                       strips.section.water_unit_weight * water,
-               u = std::max(0.0, slope_->pore_pressure({x[0], x[1]}));
+  const double weight = slope_->weight_above(x[0], x[1], soil),
+               water = strip.ponded ? std::max(0.0, strip.water.at(dx) - ground) : 0,
+               above = weight + (strips.loads ? strip.load.at(dx) : 0) + strips.section.water_unit_weight * water;
+  const lem::Point p{x[0], x[1]};
+  const double u = soil < 0 ? slope_->pore_pressure(p)
+                            : slope_->pore_pressure(p, strips.section.soils[static_cast<std::size_t>(soil)], weight);
   StrengthPlane plane;
   plane.at = {x[0], x[1]};
   plane.depth = std::max(0.0, ground - x[1]);
-  plane.vertical = std::max(0.0, above - u);
+  plane.vertical = std::max(0.0, above - std::max(0.0, u));
   return plane;
 }
 
