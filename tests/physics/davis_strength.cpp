@@ -78,5 +78,50 @@ TEST_F(DavisSlope, IsTheAssociatedFactorOfTheWeakerSoil) {
   EXPECT_LT(b, find_factor(8, tangent, 0, R"(flow = "associated")"));
 }
 
+/// β acts in soil that F does not divide: with ψ = 0 and φ = 30° it has tan φ cos φ.
+TEST(DavisStrength, ActsInSoilThatIsNotReduced) {
+  const input::Case data = input::read_case_text(R"(
+analysis.methods = ["fem"]
+mesh.size = 2
+fem.davis = "a"
+geometry.polygon = [
+  { name = "fill", points = [[0, 2], [4, 2], [4, 4], [0, 4]] }, { name = "clay", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
+regions = { fill = "fill", clay = "clay" }
+boundary = [{ on = "bottom", fix = "full" }]
+[materials.fill]
+model = "mohr_coulomb"
+unit_weight = 18
+young_modulus = 20000
+poisson_ratio = 0.3
+cohesion = 5
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = 0
+reduced = false
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 18
+young_modulus = 20000
+poisson_ratio = 0.3
+cohesion = 5
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = 0
+)",
+                                                 "slope.toml")
+                               .data;
+  const site::Site site(data);
+  run::SolidOfCase<2> solid = run::make_solid<2>(site);
+  run::set_trial_laws<2>(site, solid, false);
+  for (const std::string name : {"fill", "clay"}) {
+    const auto& names = solid.mesh->region_names;
+    const auto region = static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    const auto law = std::get<material::MohrCoulomb>(solid.model.make_law(region, 2));
+    const double divisor = name == "fill" ? 1 : 2;
+    EXPECT_NEAR(std::tan(law.strength().friction_angle), std::sin(30 * degree) / divisor, 1e-12) << name;
+    EXPECT_NEAR(law.strength().cohesion, 5e3 * std::cos(30 * degree) / divisor, 1e-9) << name;
+  }
+}
+
 }  // namespace
 }  // namespace talus

@@ -197,6 +197,22 @@ TEST(LemInvariance, SearchUnderTheEdgeOfALoadMirrored) {
         << to_word(options.methods[m]);
 }
 
+/// A crack in soil whose strength depends on the inclination is as deep in a mirror.
+TEST(LemInvariance, CrackOfDirectedSoilMirrored) {
+  Section section = make_section({{0, 5}, {20, 5}, {30, 12}, {50, 12}}, make_soil(0, 0, 18), 0), mirrored = section;
+  StrengthLaw law;
+  law.is_directed = true;
+  law.find_tangent = [](const StrengthPlane& plane) { return StrengthTangent{plane.inclination > 0 ? 10.0 : 25.0, 0}; };
+  section.crack = TensionCrack{6, 0};
+  section.soils[0].law = std::make_shared<const StrengthLaw>(law);
+  mirrored.crack = section.crack;
+  mirrored.soils[0].law = section.soils[0].law;
+  change_points(mirrored, [](const Point& p) { return Point{-p[0], p[1]}; });
+  const Slope here(section), there(mirrored);
+  EXPECT_NEAR(here.crack_depth(40), there.crack_depth(-40), 1e-9);
+  EXPECT_NEAR(here.crack_depth(40), 2 * 25.0 / 18, 1e-3);
+}
+
 /// Layers, water and a load, at map coordinates and in a mirror: the search counts from the toe, and its tolerances are
 /// fractions of the section.
 TEST(LemInvariance, SearchMovedAndMirrored) {

@@ -237,8 +237,9 @@ TEST(LemSuction, DoesNotMoveAlongACurvedEnvelopeByItself) {
     const double factor = solve(full, cut, method, report_only(), true).factor;
     for (const Slice& s : cut.slices) {
       const double effective = s.normal / s.length - s.pore_pressure;
-      if (effective > 1)
+      if (effective > 1) {
         EXPECT_NEAR(s.shear / s.length * factor, 2 * std::pow(effective, 0.6), 1e-3 * 2 * std::pow(effective, 0.6));
+      }
     }
     soil.saturation = nullptr;
   }

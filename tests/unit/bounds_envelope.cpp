@@ -38,10 +38,11 @@ void expect_encloses(const auto& envelope, double usual) {
     const double strength = t.cohesion + normal * t.tan_friction, rounding = 1e-9 * usual;
     EXPECT_LE(find_least(inner, normal), strength + rounding) << normal;
     EXPECT_GE(find_least(outer, normal), strength - rounding) << normal;
-    if (normal < 10 * usual && normal > lowest)
+    if (normal < 10 * usual && normal > lowest) {
       EXPECT_LE(find_least(outer, normal) - find_least(inner, normal),
                 std::max(tolerance * find_least(outer, normal), tolerance / 5 * find_least(outer, usual)) + rounding)
           << normal;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -263,12 +264,18 @@ class Closure {
     constexpr double steep = std::numbers::pi / 3;
     const double held =
         soil.law ? std::max(0.0, vertical - std::max(0.0, slope_.pore_pressure({x_, y}, soil, soil_weight))) : 0;
-    const StrengthTangent strength = find_strength(soil, {{x_, y}, z, held, steep, steep, 0});
-    double cohesion = strength.cohesion, u = 0;
-    if (!soil.undrained) u = find_pressure(soil, soil_weight, {x_, y}, cohesion);
-    const double angle = soil.law ? std::atan(strength.tan_friction) : soil.friction_angle;
-    const double root = std::tan(std::numbers::pi / 4 - angle / 2);
-    return root * root * (vertical - u) - 2 * cohesion * root + u - inside;
+    // The plane rises to either side, and the stronger one has the deeper crack.
+    double stress = std::numeric_limits<double>::infinity();
+    for (const double inclination : {steep, -steep}) {
+      const StrengthTangent strength = find_strength(soil, {{x_, y}, z, held, inclination, steep, 0});
+      double cohesion = strength.cohesion, u = 0;
+      if (!soil.undrained) u = find_pressure(soil, soil_weight, {x_, y}, cohesion);
+      const double angle = soil.law ? std::atan(strength.tan_friction) : soil.friction_angle;
+      const double root = std::tan(std::numbers::pi / 4 - angle / 2);
+      stress = std::min(stress, root * root * (vertical - u) - 2 * cohesion * root + u - inside);
+      if (!soil.law || !soil.law->is_directed) break;
+    }
+    return stress;
   }
 
  private:

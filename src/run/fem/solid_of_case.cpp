@@ -194,8 +194,10 @@ void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated, in
                                                                                              double factor) {
     const auto r = static_cast<std::size_t>(region);
     const input::Material& soil = soils[r].material;
-    // Strengths times β that are divided by F are those divided by F/β.
-    return input::make_law(soil, {}, factor / compute_davis_share(davis, soil.friction_angle, dilatancy[r], factor));
+    // Strengths times β that are divided by F are those divided by F/β; β acts in soil that is not reduced too.
+    const double own = soil.reduced ? factor : 1;
+    return material::make_law(soil.model, soil,
+                              {own / compute_davis_share(davis, soil.friction_angle, dilatancy[r], own), {}});
   };
 }
 
