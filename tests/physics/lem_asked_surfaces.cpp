@@ -278,6 +278,20 @@ TEST(LemExcluded, ACrackIsPartOfTheSurface) {
   EXPECT_GT(search(slope, limit(make_circle_options(), limits)).circular.front().solution.factor, free.solution.factor);
 }
 
+/// A crack that may be as deep as given weakens a slope or leaves it.
+TEST(LemCrack, NeverRaisesTheFactor) {
+  Section section = make_section({{0, 8}, {32, 8}, {48, 16}, {60, 16}}, make_soil(40, 25, 19), 0);
+  const SearchOptions options = make_options({Method::bishop, Method::spencer});
+  const SearchResult without = search(Slope(section), options);
+  double last = find_smallest(without, Method::spencer);
+  for (const double depth : {1.0, 2.0, 6.0, 12.0}) {
+    section.crack = TensionCrack{depth, 0};
+    const double factor = find_smallest(search(Slope(section), options), Method::spencer);
+    EXPECT_LE(factor, last * 1.002) << depth;
+    last = std::min(last, factor);
+  }
+}
+
 /// Ranges of entries and exits, a level and an area hold in the mirror.
 TEST(LemDirection, RangesLevelsAndAreasAreTheSameInAMirror) {
   SearchOptions here = make_options({Method::bishop, Method::spencer});

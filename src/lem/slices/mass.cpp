@@ -214,15 +214,39 @@ std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cu
   return crack;
 }
 
-/// Completes the slices; cuts the mass off at `crack`, if there is one.
-void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optional<CrackPlace>& crack,
-                 const std::array<double, 2>& ends, CutSurface& cut) {
-  if (crack) {
-    base.divide(slope, cut.slides_left ? ends[0] : crack->x, cut.slides_left ? crack->x : ends[1]);
-    slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
-    cut.crack_thrust = 0.5 * slope.section().water_unit_weight * crack->water * crack->water;
-    cut.crack_thrust_level = crack->bottom + crack->water / 3;
+/// Returns the cracks of which the weakest counts; empty: no mass would remain. With a limit any depth up to it may be:
+/// the soil with its strength divided by F is in tension less deep than the limit, which is that of the strength as it
+/// is, and the limit reduces the thrust of water.
+std::vector<std::optional<CrackPlace>> list_cracks(const Slope& slope, const Surface& surface, const BaseLine& base,
+                                                   const CutSurface& cut) {
+  const TensionCrack crack =
+      surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
+  std::vector<std::optional<CrackPlace>> cracks;
+  const auto add = [&](const auto& depth_at) {
+    if (const auto place = place_crack(base, cut, depth_at, crack.water)) cracks.emplace_back(place);
+  };
+  if (surface.crack > 0 || !crack.limited) {
+    add([&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); });
+    return cracks;
   }
+  for (const double share : {1.0, 0.5, 0.25}) add([&](double at) { return share * slope.crack_depth(at); });
+  if (crack.water > 0) add([&](double) { return crack.depth; });
+  cracks.emplace_back(std::nullopt);
+  return cracks;
+}
+
+/// Slices the mass as `crack` cuts it off, if there is one.
+void slice_cracked_mass(const Slope& slope, BaseLine& base, int count, const std::optional<CrackPlace>& crack,
+                        const std::array<double, 2>& ends, CutSurface& cut) {
+  const bool slides_left = cut.slides_left;
+  base.divide(slope, crack && !slides_left ? crack->x : ends[0], crack && slides_left ? crack->x : ends[1]);
+  slice_mass(slope, base, count, !crack ? CrackEnd::none : slides_left ? CrackEnd::right : CrackEnd::left, cut);
+  cut.crack_thrust = crack ? 0.5 * slope.section().water_unit_weight * crack->water * crack->water : 0;
+  cut.crack_thrust_level = crack ? crack->bottom + crack->water / 3 : 0;
+}
+
+/// Completes the slices.
+void finish_mass(const Slope& slope, CutSurface& cut) {
   set_moment_centre(cut.surface, cut);
   for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
   if (!cut.slides_left) {
@@ -289,27 +313,23 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
   slice_mass(slope, base, count, CrackEnd::none, cut);
   if (cut.depth < checks.smallest_depth || !(cut.area > 0)) return Refusal::too_shallow;
   cut.slides_left = sum_push(cut) >= 0;
-  const TensionCrack crack =
-      surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
-  std::optional<CrackPlace> end, given;
-  if (crack.depth > 0) {
-    const auto depth_at = [&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); };
-    end = place_crack(base, cut, depth_at, crack.water);
-    if (!end) return Refusal::too_shallow;
-    // The limit reduces the length of the crack and the thrust of the water in it, so the given depth may be worse.
-    if (crack.limited && crack.water > 0)
-      given = place_crack(
-          base, cut, [&](double) { return crack.depth; }, crack.water);
+  bool has_crack = false;
+  if (surface.crack > 0 || (slope.section().crack && slope.section().crack->depth > 0)) {
+    const auto cracks = list_cracks(slope, surface, base, cut);
+    if (cracks.empty()) return Refusal::too_shallow;
+    std::size_t weakest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < cracks.size() && cracks.size() > 1; ++i) {
+      slice_cracked_mass(slope, base, count, cracks[i], {from, to}, cut);
+      finish_mass(slope, cut);
+      if (const double factor = find_janbu(slope, cut); factor < least) least = factor, weakest = i;
+    }
+    slice_cracked_mass(slope, base, count, cracks[weakest], {from, to}, cut);
+    has_crack = cracks[weakest].has_value();
   }
-  finish_mass(slope, base, count, end, {from, to}, cut);
-  if (given && given->bottom < end->bottom) {
-    const double limited = find_janbu(slope, cut);
-    finish_mass(slope, base, count, given, {from, to}, cut);
-    if (limited < find_janbu(slope, cut)) finish_mass(slope, base, count, end, {from, to}, cut);
-  }
+  finish_mass(slope, cut);
   if (checks.limits)
-    if (const Refusal refusal = check_limits(cut, end.has_value(), *checks.limits); refusal != Refusal::none)
-      return refusal;
+    if (const Refusal refusal = check_limits(cut, has_crack, *checks.limits); refusal != Refusal::none) return refusal;
   keep_drained_strengths(cut);
   warn(slope, cut);
   return Refusal::none;
