@@ -139,6 +139,8 @@ TEST(SlipSearch, SidesAndSizesAgree) {
   EXPECT_TRUE(find_faults(take_mark(slides + "exit = [20, 32]\nentry = [50, 80]\n").text).empty());
   expect_fault(slides + "exit = [50, 80]\nentry = [20, 32]\n",
                "slides = \"left\", but the exits of [lem.entry_exit] lie right of the entries");
+  expect_fault(soils + "[lem]\nsearch = \"grid\"\n[lem.entry_exit]\nexit = @@[20, 32]\n",
+               "circles about a grid have no such ranges");
   expect_fault(soils + "[lem]\nsmallest_area = @@0\n", "above 0");
   expect_fault(soils + "[lem]\nsmallest_weight = @@-5\n", "above 0");
 }

@@ -214,11 +214,14 @@ void check_impenetrable(const Case& data, Findings& findings) {
 
 void check_side(const LimitEquilibrium& lem, Findings& findings) {
   const auto &exit = lem.entry_exit.exit, &entry = lem.entry_exit.entry;
+  if (lem.search == SurfaceSearch::grid && (!exit.empty() || !entry.empty()))
+    findings.add(exit.empty() ? "lem.entry_exit.entry" : "lem.entry_exit.exit",
+                 "'exit' and 'entry' of [lem.entry_exit] restrict search = \"entry_exit\" or \"block\", and circles "
+                 "about a grid have no such ranges; take them out, or change 'search'");
   if (lem.slides == SlidingDirection::both || exit.size() != 2 || entry.size() != 2) return;
-  const double away = exit[0] + exit[1] - entry[0] - entry[1];
-  if (lem.slides == SlidingDirection::left ? away > 0 : away < 0)
+  if (lem.slides == SlidingDirection::left ? exit[0] >= entry[1] : exit[1] <= entry[0])
     findings.add("lem.slides", "slides = \"{}\", but the exits of [lem.entry_exit] lie {} of the entries",
-                 get_word(lem.slides), away > 0 ? "right" : "left");
+                 get_word(lem.slides), lem.slides == SlidingDirection::left ? "right" : "left");
 }
 
 }  // namespace

@@ -235,7 +235,10 @@ bool holds_water(const Section& section, const Soil& soil) {
 double find_relief(const Section& section) {
   const auto [low, high] = std::minmax_element(section.ground.begin(), section.ground.end(),
                                                [](const Point& a, const Point& b) { return a[1] < b[1]; });
-  return section.ground.empty() ? 0 : (*high)[1] - (*low)[1];
+  constexpr double level = 0.05;
+  if (section.ground.empty()) return 0;
+  const double relief = (*high)[1] - (*low)[1];
+  return std::isfinite(section.base) ? std::max(relief, level * ((*high)[1] - section.base)) : relief;
 }
 
 std::vector<std::string> find_faults(const Section& section) {

@@ -152,7 +152,8 @@ StrengthTangent find_strength(const Soil& soil, const StrengthPlane& plane);
 /// Returns true if a soil does not drain during the drawdown of the section.
 bool holds_water(const Section& section, const Soil& soil);
 
-/// Returns the height of the highest point of the ground above its lowest [m].
+/// Returns the height of the highest point of the ground above its lowest [m], the scale of its smallest slip surfaces;
+/// on level ground a twentieth of the depth.
 double find_relief(const Section& section);
 
 /// Returns the faults of a section that prevent a calculation, each as a sentence that names its item: a polygon that
