@@ -55,9 +55,9 @@ class Collector {
   }
 
   template <class T>
-  void named(const char* name, std::map<std::string, T>&, const char* sample, const char* meaning) {
+  void named(const char* name, std::map<std::string, T>&, const char* sample, int samples, const char* meaning) {
     T block{};
-    collect(add(BlockKind::named, name, sample, 1, meaning), block);
+    collect(add(BlockKind::named, name, sample, samples, meaning), block);
   }
 
   template <class T>

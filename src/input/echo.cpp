@@ -65,7 +65,7 @@ class Echo {
   }
 
   template <class T>
-  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/,
+  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
              const char* /*meaning*/) {
     json list = json::object();
     for (auto& [label, block] : blocks) list[label] = write_block(write_path(name) + "." + label, block);
@@ -288,7 +288,7 @@ class EchoReader {
   }
 
   template <class T>
-  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/,
+  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
              const char* /*meaning*/) {
     if (!look_up(name).is_object()) return;
     for (const auto& [label, block] : look_up(name).items()) read_block(block, blocks[label]);

@@ -123,6 +123,7 @@ bool read_once(toml::table root, const std::string& name, const std::vector<Over
   if (loaded.is_whole) check_timeline(loaded.data, findings);
   if (loaded.is_whole) check_seepage(loaded.data, findings);
   if (loaded.is_whole) check_drawdown(loaded.data, findings);
+  if (loaded.is_whole) check_supports(loaded.data, findings);
   check_sampling(loaded.data, findings);
   check_output(loaded.data, findings);
   check_point_tests(loaded.data, findings);

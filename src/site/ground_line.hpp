@@ -8,6 +8,7 @@
 
 #include "base/shown_units.hpp"
 #include "input/case/case.hpp"
+#include "mesh/ground.hpp"
 #include "mesh/plan.hpp"
 
 namespace talus::site {
@@ -17,10 +18,7 @@ class Site;
 using Point = std::array<double, 2>;
 using Polyline = std::vector<Point>;
 
-/// Returns the ground from left to right; a vertical step has two points of the same x. Throws Error (wrong_input),
-/// with the place, if the soil has a gap, an overhang or a cavity, since LEM needs soil from the ground
-/// down.
-Polyline find_ground(const mesh::Plan& plan);
+using mesh::find_ground;
 
 /// Returns the elevation of the ground at x [m]; at a step that of its upper end. Level beyond the ends.
 double find_level(const Polyline& ground, double x);

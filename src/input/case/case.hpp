@@ -26,6 +26,7 @@
 #include "input/case/stage.hpp"
 #include "input/case/start.hpp"
 #include "input/case/study.hpp"
+#include "input/case/support.hpp"
 #include "input/case/timeline.hpp"
 #include "input/case/water.hpp"
 
@@ -45,6 +46,7 @@ struct Case {
   std::optional<double> softening_length{};  ///< nonlocal length [m]
   std::map<std::string, Material> materials;
   std::map<std::string, std::string> regions;  ///< region → material
+  std::map<std::string, Support> supports;
   std::vector<Boundary> boundaries;
   std::vector<Traction> tractions;
   std::vector<Hydraulic> hydraulics;
@@ -84,8 +86,8 @@ inline bool uses(const Case& data, Method method) {
 
 /// Declares all keys to a visitor. A visitor has `key` for one value, `table` for a block, `tables` for a list of
 /// blocks (with the number shown in the template), `named` for blocks with user-defined names, and `entries` for single
-/// values with such names (both with a sample name). Within a block, keys precede blocks, and a key precedes those
-/// whose condition refers to it.
+/// values with such names (both with a sample name and that number). Within a block, keys precede blocks, and a key
+/// precedes those whose condition refers to it.
 void describe(auto& v, Case& c) {
   v.key("format", c.format, plain().at_least(1),
         "Which form of the case file this is. Programs for earlier forms only stop with a message. Without it the "
@@ -98,8 +100,12 @@ void describe(auto& v, Case& c) {
   v.table("geometry", GeometryBlock{c.mesh, c.layering}, "The section: regions of soil in a background box.");
   v.table("mesh", MeshBlock{c.mesh, c.points_per_element, c.softening_length},
           "The background mesh and the material points in it.");
-  v.named("materials", c.materials, "sand", "A material, under a name of your choice.");
+  v.named("materials", c.materials, "sand", 1, "A material, under a name of your choice.");
   v.entries("regions", c.regions, "soil", 1, plain().required().example(R"("sand")"), "Material of a region.");
+  v.named(
+      "support", c.supports, "nails", 0,
+      "Bars in the soil under a name of your choice: nails, anchors, bolts, geosynthetics and piles. Resistances are "
+      "those of one bar, of geosynthetics per metre of width; results are per metre of slope.");
   v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");
   v.tables("traction", c.tractions, 0, "A load on a side or a line.");
   v.table("water", c.water, "The pore water, for soils that have any.");

@@ -37,6 +37,9 @@ PartialFactorValues find_partial_factors(const PartialFactors& given) {
   v.permanent_load = given.permanent_load.value_or(v.permanent_load);
   v.variable_load = given.variable_load.value_or(v.variable_load);
   v.resistance = given.resistance.value_or(v.resistance);
+  v.bond = given.bond.value_or(v.bond);
+  v.tensile = given.tensile.value_or(v.tensile);
+  v.lateral = given.lateral.value_or(v.lateral);
   return v;
 }
 
@@ -44,6 +47,9 @@ PartialFactorValues divide_by_permanent(const PartialFactorValues& values) {
   PartialFactorValues v = values;
   v.cohesion *= values.permanent_load;
   v.undrained *= values.permanent_load;
+  v.bond *= values.permanent_load;
+  v.tensile *= values.permanent_load;
+  v.lateral *= values.permanent_load;
   v.variable_load /= values.permanent_load;
   v.permanent_load = 1;
   return v;

@@ -17,13 +17,14 @@ enum class DesignApproach { none, da1_1, da1_2, da2, da3, en_1998_5, aashto_75, 
 struct PartialFactors {
   DesignApproach set = DesignApproach::none;
   // Given values replace those of the set:
-  std::optional<double> cohesion;        ///< γ_c' divides c'
-  std::optional<double> friction;        ///< γ_φ' divides tanφ'
-  std::optional<double> undrained;       ///< γ_cu divides c of soils with φ = 0
-  std::optional<double> weight;          ///< γ_γ divides the weight
-  std::optional<double> permanent_load;  ///< γ_G multiplies unfavourable permanent surcharges
-  std::optional<double> variable_load;   ///< γ_Q multiplies unfavourable variable surcharges
-  std::optional<double> resistance;      ///< γ_R;e divides the factor of safety
+  std::optional<double> cohesion;                ///< γ_c' divides c'
+  std::optional<double> friction;                ///< γ_φ' divides tanφ'
+  std::optional<double> undrained;               ///< γ_cu divides c of soils with φ = 0
+  std::optional<double> weight;                  ///< γ_γ divides the weight
+  std::optional<double> permanent_load;          ///< γ_G multiplies unfavourable permanent surcharges
+  std::optional<double> variable_load;           ///< γ_Q multiplies unfavourable variable surcharges
+  std::optional<double> resistance;              ///< γ_R;e divides the factor of safety
+  std::optional<double> bond, tensile, lateral;  ///< divide resistances of supports
 };
 
 template <>
@@ -65,18 +66,25 @@ void describe(auto& v, PartialFactors& p) {
         "γ_Q of variable surcharges, which are to stand only where they are unfavourable. A1: 1.5, A2: 1.3.");
   v.key("resistance", p.resistance, plain().above(0).allowed_unless("set", p.set, none).example("1.1"),
         "γ_R;e, which divides the factor of safety. R1 and R3: 1, R2: 1.1; AASHTO: one over its resistance factor.");
+  v.key("bond", p.bond, plain().above(0).allowed_unless("set", p.set, none).example("1.1"),
+        "Divides the pull-out resistance of supports. No set has a factor of its own for supports: 1 if not given.");
+  v.key("tensile", p.tensile, plain().above(0).allowed_unless("set", p.set, none).example("1.15"),
+        "Divides tensile strength, plate and connection of supports.");
+  v.key("lateral", p.lateral, plain().above(0).allowed_unless("set", p.set, none).example("1.4"),
+        "Divides lateral resistance and shear strength of piles.");
 }
 
 /// The factors of a set, replaced where given by hand [-].
 struct PartialFactorValues {
-  std::string set;            ///< "DA1-2", "by hand"; empty: none
-  double cohesion = 1;        ///< γ_c'
-  double friction = 1;        ///< γ_φ'
-  double undrained = 1;       ///< γ_cu
-  double weight = 1;          ///< γ_γ
-  double permanent_load = 1;  ///< γ_G, also for the weight of soil and water
-  double variable_load = 1;   ///< γ_Q
-  double resistance = 1;      ///< γ_R;e
+  std::string set;                            ///< "DA1-2", "by hand"; empty: none
+  double cohesion = 1;                        ///< γ_c'
+  double friction = 1;                        ///< γ_φ'
+  double undrained = 1;                       ///< γ_cu
+  double weight = 1;                          ///< γ_γ
+  double permanent_load = 1;                  ///< γ_G, also for the weight of soil and water
+  double variable_load = 1;                   ///< γ_Q
+  double resistance = 1;                      ///< γ_R;e
+  double bond = 1, tensile = 1, lateral = 1;  ///< of supports
 
   bool is_active() const { return !set.empty(); }
 };

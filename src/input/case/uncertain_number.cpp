@@ -44,7 +44,7 @@ class NumberVisitor {
   template <class T>
   void tables(const std::string&, std::vector<T>&, int, const char*) {}
   template <class T>
-  void named(const std::string&, std::map<std::string, T>&, const char*, const char*) {}
+  void named(const std::string&, std::map<std::string, T>&, const char*, int, const char*) {}
   template <class T>
   void entries(const std::string&, std::map<std::string, T>&, const char*, int, const Spec&, const char*) {}
 

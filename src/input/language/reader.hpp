@@ -60,7 +60,8 @@ class Reader {
   }
 
   template <class T>
-  void named(const char* name, std::map<std::string, T>& blocks, const char* /*sample*/, const char* /*meaning*/) {
+  void named(const char* name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
+             const char* /*meaning*/) {
     for (const std::string& label : enter_names(name)) {
       enter(label, find_table(label), write_name(label), false);
       describe(*this, blocks[label]);
