@@ -74,7 +74,27 @@ std::optional<double> touch_segment(const Chord& chord, const Point& p, const Po
   return best;
 }
 
+/// Distance from the end of a bar to the surface just behind it, over its length [-].
+constexpr double behind = 1e-6;
+/// Largest number of ends that circles are tied to.
+constexpr std::size_t most_ends = 24;
+
 }  // namespace
+
+std::vector<Point> list_bar_ends(const Section& section) {
+  std::vector<Point> all;
+  for (const Bar& bar : section.bars) {
+    const double dx = bar.end[0] - bar.head[0], dy = bar.end[1] - bar.head[1];
+    all.push_back({bar.end[0] + behind * dx, bar.end[1] + behind * dy});
+    // The other end is one too where nothing holds it, as that of a sheet in the soil.
+    if (bar.hold == BarHold::bond && bar.plate == 0)
+      all.push_back({bar.head[0] - behind * dx, bar.head[1] - behind * dy});
+  }
+  if (all.size() <= most_ends) return all;
+  std::vector<Point> ends;
+  for (std::size_t i = 0; i < most_ends; ++i) ends.push_back(all[i * all.size() / most_ends]);
+  return ends;
+}
 
 Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite, const std::optional<TangentLines>& tangent)
     : slope_(&slope),
@@ -84,6 +104,7 @@ Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite, const std:
       tangent_(tangent) {
   const double left = slope.left(), right = slope.right(), base = slope.section().base, far = base - (right - left);
   if (composite) regions_.push_back({-1, {{left, base}, {right, base}, {right, far}, {left, far}}});
+  for (const Point& p : list_bar_ends(slope.section())) regions_.push_back({-1, {p}});
   if (!tangent) return;
   // Each line as a polygon without area: there and back.
   const auto close = [](const std::vector<Point>& line) {

@@ -18,6 +18,10 @@ struct AngleRange {
   bool to_base = false;
 };
 
+/// Returns points just behind the ends of the bars, at most 24 of them spread over all. A surface that just misses the
+/// ends is not held by the bars, and its factor has a kink there.
+std::vector<Point> list_bar_ends(const Section& section);
+
 class Arcs {
  public:
   /// `composite`: arcs may reach below the base and are cut off level there.
@@ -32,7 +36,8 @@ class Arcs {
   std::optional<double> find_touch(double left, double right, const Region& region) const;
   /// Returns the largest vertical depth under the ground [m].
   double find_depth(double left, double right, double half_angle) const;
-  /// Regions that circles are tied to: those of the section, and one below the base for composite circles.
+  /// Regions that circles are tied to: those of the section, one below the base for composite circles, and the points
+  /// just behind the ends of bars.
   const std::vector<Region>& regions() const { return regions_; }
   /// Returns the half angle of a given arc.
   static double measure_half_angle(const Surface& arc);

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "lem/search/search_findings.hpp"
+#include "lem/slices/slices.hpp"
 
 namespace talus::lem {
 
@@ -110,6 +111,7 @@ void Candidates::keep(const std::vector<Surface>& surfaces) {
   for (const Surface& surface : surfaces) {
     Kept kept;
     kept.cut = cut_surface(plain, surface, slices_, checks_);
+    if (!section.bars.empty() && kept.cut.refusal == Refusal::none) cross_bars(*slope_, kept.cut);
     if (kept.cut.refusal == Refusal::none) kept_.push_back(std::move(kept));
   }
   keep_areas();
@@ -248,7 +250,7 @@ double Candidates::find_quick(const Kept& kept, const std::vector<Soil>& soils, 
   }
   const bool circular = kept.cut.surface.circle.has_value();
   const FelleniusSums sums = sum_fellenius(mass, circular);
-  const double start = sums.driving > 0 && sums.resisting > 0 ? sums.resisting / sums.driving : 0;
+  const double start = sums.driving > 0 && sums.resisting > 0 ? sums.find_factor() : 0;
   if (method_ == Method::fellenius) return start;
   int iterations = 0;
   const bool forces = method_ == Method::janbu || method_ == Method::janbu_corrected || has_given_inclinations(method_);

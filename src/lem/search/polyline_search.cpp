@@ -213,13 +213,50 @@ std::vector<Surface> make_blocks(const Slope& slope, int vertices, int seed) {
   return blocks;
 }
 
+namespace {
+
+/// Returns polylines that pass behind the ends of bars, from a corner of the ground or a flat lower end to a steep
+/// upper one, for pairs of ends.
+std::vector<Surface> make_bar_starts(const Slope& slope, int vertices) {
+  std::vector<Point> ends = list_bar_ends(slope.section());
+  std::sort(ends.begin(), ends.end());
+  std::erase_if(ends, [&](const Point& p) {
+    return !(p[0] > slope.left() && p[0] < slope.right() && p[1] < slope.ground(p[0]));
+  });
+  const std::vector<Point>& ground = slope.section().ground;
+  std::vector<Surface> starts;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = i; j < ends.size(); ++j)
+      for (const bool falls_right : {false, true}) {
+        const Point &lower = falls_right ? ends[j] : ends[i], &upper = falls_right ? ends[i] : ends[j];
+        const int down = falls_right ? 1 : -1;
+        const auto top = find_exit(slope, upper, -down, active);
+        if (!top || slope.ground(upper[0]) < slope.ground(lower[0])) continue;
+        std::vector<double> toes;
+        if (const auto toe = find_exit(slope, lower, down, passive)) toes.push_back(*toe);
+        for (const Point& p : ground)
+          if ((p[0] - lower[0]) * down > 0 && p[1] < slope.ground(*top)) toes.push_back(p[0]);
+        const std::vector<Point> bed(ends.begin() + static_cast<std::ptrdiff_t>(i),
+                                     ends.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+        for (const double toe : toes) {
+          const double left = std::min(toe, *top), right = std::max(toe, *top);
+          const auto thin = thin_points(hang_polyline(slope, left, right, bed).line, vertices);
+          starts.push_back(hang_polyline(slope, left, right, thin));
+        }
+      }
+  return starts;
+}
+
+}  // namespace
+
 std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOptions& options,
                                              const TrialCircles& circles, const SearchResult& result,
                                              const std::vector<std::vector<OptimisedSurface>>& minima) {
   const SurfaceRanges ranges{circles.left, circles.right, options.vertices};
   std::vector<PolylineSearch> searches;
   for (const Method method : options.methods) searches.emplace_back(slope, options, method, ranges);
-  const std::vector<Surface> blocks = make_blocks(slope, options.vertices, options.seed);
+  std::vector<Surface> blocks = make_blocks(slope, options.vertices, options.seed);
+  for (Surface& start : make_bar_starts(slope, options.vertices)) blocks.push_back(std::move(start));
   const auto for_each = [&](auto&& work) {
     parallel_tasks(static_cast<int>(searches.size()), options.threads, [&](int i) {
       const auto m = static_cast<std::size_t>(i);

@@ -94,6 +94,41 @@ struct RootCohesion {
   double to = std::numeric_limits<double>::infinity();
 };
 
+/// Direction of the force of a bar on the sliding mass.
+enum class BarDirection {
+  axial,     ///< along the bar
+  tangent,   ///< along the slip surface, against the sliding
+  bisector,  ///< half-way between these two
+  normal     ///< across the bar, against the sliding
+};
+
+/// How a bar holds the sliding mass.
+enum class BarHold {
+  bond,          ///< by bond along the bar and at its head
+  end_anchor,    ///< by an anchorage at its end and a plate at its head: the same force all along
+  across,        ///< by a force across it, which is given
+  soil_pressure  ///< by that of the soil that flows between piles (Ito and Matsui 1975)
+};
+
+/// A straight support; resistances are per metre of thickness.
+struct Bar {
+  std::string name, kind;  ///< words of the case
+  int row = 1;
+  Point head{}, end{};  ///< [m]
+  BarHold hold = BarHold::bond;
+  double free_length = 0;                                  ///< from the head, without bond [m]
+  double tensile = 0;                                      ///< [N/m]
+  double plate = 0;                                        ///< at the head [N/m]
+  double bond = 0;                                         ///< pull-out per metre of bar [N/m per m]
+  double bond_factor = 0;                                  ///< its increase with σ'_v [N/m per m per Pa]
+  double prestress = 0;                                    ///< of an active bar; 0: it pulls with its resistance [N/m]
+  double lateral = 0;                                      ///< of BarHold::across [N/m]
+  double shear = std::numeric_limits<double>::infinity();  ///< limit of forces across the bar [N/m]
+  double diameter = 0, spacing = 1;                        ///< of piles [m]
+  bool is_active = false;  ///< a load, which the factor does not divide; else a resistance, which it divides
+  BarDirection direction = BarDirection::axial;
+};
+
 struct TensionCrack {
   double depth = 0;      ///< under the ground [m]; the slip surface ends in a vertical crack where its depth is smaller
   double water = 0;      ///< height of the water above the bottom of the crack [m]
@@ -127,6 +162,7 @@ struct Section {
   std::vector<FaceLoad> face_loads;
   std::vector<Slurry> slurries;
   std::vector<RootCohesion> roots;
+  std::vector<Bar> bars;
   double horizontal_acceleration = 0;  ///< k_h over g: positive out of the slope, or in the direction of `push` [-]
   /// Direction of the horizontal acceleration: smaller x (-1), larger x (1), or the direction of sliding of each mass
   /// (0).

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
+#include "lem/section/bars.hpp"
 #include "lem/section/strips.hpp"
 #include "mesh/planar.hpp"
 
@@ -27,6 +28,7 @@ Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
   if (strips_->section.drawdown)
     strips_->before = std::make_unique<const Slope>(Section(*strips_->section.drawdown->before));
   build_strips(*strips_);
+  for (const Bar& bar : strips_->section.bars) strips_->bars.push_back(make_bar_diagram(*this, bar));
   if (strips_->section.crack && strips_->section.crack->limited) strips_->crack_depths = compute_crack_depths(*this);
 }
 
@@ -104,6 +106,19 @@ double Slope::crack_depth(double x) const {
   if (after == depths.begin() || after == depths.end()) return (after == depths.end() ? depths.back() : *after)[1];
   const Point &a = *std::prev(after), &b = *after;
   return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+}
+
+double Slope::effective_stress(const Point& p) const {
+  const Strip& strip = strips_->strip(strips_->find(p[0]));
+  const double dx = p[0] - strip.left;
+  int soil = -1;
+  const double weight = std::max(0.0, weight_above(p[0], p[1], soil));
+  if (soil < 0) return 0;
+  if (const double ratio = section().find_pressure_ratio(section().soils[static_cast<std::size_t>(soil)], p); ratio > 0)
+    return (1 - ratio) * weight;
+  const double pond =
+      strip.ponded ? section().water_unit_weight * std::max(0.0, strip.water.at(dx) - strip.ground.at(dx)) : 0;
+  return std::max(0.0, weight + pond - std::max(0.0, pore_pressure(p)));
 }
 
 double Slope::weight_above(double x, double bottom, int& soil) const {

@@ -31,6 +31,8 @@ class Slope {
   double pore_pressure(const Point& p) const;
   /// Returns u at a point under a weight of soil [N/m²], which r_u of the soil multiplies where it has one [Pa].
   double pore_pressure(const Point& p, const Soil& soil, double weight) const;
+  /// Returns σ'_v at a point from the weight of soil and ponded water above it, without surcharges [Pa].
+  double effective_stress(const Point& p) const;
   /// Returns the weight of the soil between the ground and `bottom` [N/m²], and in `soil` the soil at `bottom`.
   double weight_above(double x, double bottom, int& soil) const;
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lem/section/bars.hpp"
 #include "lem/section/section.hpp"
 #include "lem/section/slope.hpp"
 
@@ -54,6 +55,7 @@ struct Slope::Strips {
   PressureLocator pressure;
   std::unique_ptr<const Slope> before;  ///< the slope before drawdown
   std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
+  std::vector<BarDiagram> bars;         ///< of the bars of the section
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false, firm = false;
   bool laws = false, curved_laws = false;  ///< of the soils

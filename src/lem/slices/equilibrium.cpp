@@ -15,13 +15,25 @@ struct Residual {
 };
 
 /// Returns the driving less the resisting moment (or horizontal force) with X = 0, and its derivative by q = 1/F.
+/// `has_held`: with passive bars.
+template <bool has_held>
 Residual sum_simplified(const Mass& mass, bool moments, double q) {
   Residual sum{moments ? mass.moment : mass.crack, 0};
-  for (const Wedge& wedge : mass.wedges) {
+  if constexpr (has_held) {
+    if (moments)
+      sum = {mass.moment + q * mass.held_moment, mass.held_moment};
+    else
+      for (const Held& held : mass.held) sum.value += q * held.push, sum.slope += held.push;
+  }
+  for (std::size_t i = 0; i < mass.wedges.size(); ++i) {
+    const Wedge& wedge = mass.wedges[i];
     const double t = wedge.friction * q, m_alpha = wedge.cosine + t * wedge.sine;
-    const double normal = (wedge.down - q * wedge.strength * wedge.sine) / m_alpha;
+    double down = wedge.down;
+    if constexpr (has_held) down += q * mass.held[i].down;
+    const double normal = (down - q * wedge.strength * wedge.sine) / m_alpha;
     const double resistance = wedge.strength + wedge.friction * normal, shear = q * resistance;
-    const double normal_slope = -wedge.sine * resistance / m_alpha;
+    double normal_slope = -wedge.sine * resistance / m_alpha;
+    if constexpr (has_held) normal_slope += mass.held[i].down / m_alpha;
     const double shear_slope = resistance + t * normal_slope;
     const double on_normal = moments ? wedge.arm_normal : wedge.sine;
     const double on_shear = moments ? wedge.arm_shear : wedge.cosine;
@@ -40,14 +52,28 @@ FelleniusSums sum_fellenius(const Mass& mass, bool moments) {
     sums.driving += moments ? normal * wedge.arm_normal : wedge.down * wedge.sine + wedge.push * wedge.cosine;
     sums.resisting += (wedge.strength + normal * wedge.friction) * (moments ? wedge.arm_shear : 1);
   }
+  if (moments) sums.resisting -= mass.held_moment;
+  for (std::size_t i = 0; i < mass.held.size(); ++i) {
+    const Wedge& wedge = mass.wedges[i];
+    const Held& held = mass.held[i];
+    const double normal = held.down * wedge.cosine - held.push * wedge.sine;
+    sums.resisting -= moments ? normal * wedge.arm_normal : held.down * wedge.sine + held.push * wedge.cosine;
+    sums.held_friction += normal * wedge.friction * (moments ? wedge.arm_shear : 1);
+  }
   return sums;
+}
+
+double FelleniusSums::find_factor() const {
+  if (held_friction == 0) return resisting / driving;
+  return (resisting + std::sqrt(std::max(0.0, resisting * resisting + 4 * driving * held_friction))) / (2 * driving);
 }
 
 double solve_simplified(const Mass& mass, bool moments, double start, int& iterations) {
   // The residual is nearly linear in 1/F, so that Newton's method needs a few steps from any start.
   double q = start > 0 ? 1 / start : 1;
   for (iterations = 1; iterations <= 60; ++iterations) {
-    const Residual sum = sum_simplified(mass, moments, q);
+    const Residual sum =
+        mass.has_held() ? sum_simplified<true>(mass, moments, q) : sum_simplified<false>(mass, moments, q);
     if (!(sum.slope < 0)) return 0;
     double next = q - sum.value / sum.slope;
     if (!(next > 0)) next = iterations < 30 ? 0.2 * q : 0;
@@ -90,11 +116,23 @@ struct Balance {
   bool sound = true;  ///< all m_α positive
 };
 
-Balance balance(const Mass& mass, double q, double lambda) {
+template <bool has_held>
+Balance sum_balance(const Mass& mass, double q, double lambda) {
   Balance sum;
   sum.moment = mass.moment;
+  if constexpr (has_held) {
+    sum.moment += q * mass.held_moment;
+    sum.moment_q = mass.held_moment;
+  }
   double e = mass.crack, e_q = 0, e_l = 0, x = 0, x_q = 0, x_l = 0;
-  for (const Wedge& w : mass.wedges) {
+  for (std::size_t i = 0; i < mass.wedges.size(); ++i) {
+    const Wedge& w = mass.wedges[i];
+    if constexpr (has_held) {
+      e += q * mass.held[i].push;
+      e_q += mass.held[i].push;
+      x += q * mass.held[i].down;
+      x_q += mass.held[i].down;
+    }
     const double t = w.friction * q, a = lambda * w.ratio;
     const double slip = w.sine - t * w.cosine, slip_q = -w.friction * w.cosine;
     const double m = w.cosine + t * w.sine + a * slip;
@@ -120,6 +158,10 @@ Balance balance(const Mass& mass, double q, double lambda) {
   sum.force_q = e_q;
   sum.force_l = e_l;
   return sum;
+}
+
+Balance balance(const Mass& mass, double q, double lambda) {
+  return mass.has_held() ? sum_balance<true>(mass, q, lambda) : sum_balance<false>(mass, q, lambda);
 }
 
 /// Returns the q = 1/F that satisfies force equilibrium for a given λ, from a nearby start; 0 if there is none.

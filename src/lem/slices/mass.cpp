@@ -41,6 +41,29 @@ void Mass::set(const Slope& slope, const CutSurface& cut, double horizontal) {
               way * slice.surface_moment;
     scale += wedge.down;
   }
+  held.clear();
+  held_moment = 0;
+  if (!cut.pulls.empty()) add_bars(slope, cut);
+}
+
+void Mass::add_bars(const Slope& slope, const CutSurface& cut) {
+  const double way = cut.slides_left ? -1 : 1;
+  for (const BarPull& pull : cut.pulls) {
+    const double down = -pull.resistance * pull.direction[1], push = way * pull.resistance * pull.direction[0];
+    const double about = way * (cut.moment_centre[0] - pull.at[0]) * down + (cut.moment_centre[1] - pull.at[1]) * push;
+    const auto slice = static_cast<std::size_t>(pull.slice);
+    const std::size_t i = cut.slides_left ? wedges.size() - 1 - slice : slice;
+    if (slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active) {
+      wedges[i].down += down;
+      wedges[i].push += push;
+      moment += about;
+      continue;
+    }
+    if (held.empty()) held.resize(wedges.size());
+    held[i].down += down;
+    held[i].push += push;
+    held_moment += about;
+  }
 }
 
 void Mass::set_interslice_function(bool half_sine, const CutSurface& cut) {
@@ -253,6 +276,7 @@ void finish_mass(const Slope& slope, CutSurface& cut) {
     turn_slices(cut.slices);
     turn_slices(cut.before);
   }
+  if (!slope.section().bars.empty()) cross_bars(slope, cut);
   if (slope.before() != nullptr && slope.before()->strips().laws)
     set_law_strengths(slope.before()->strips(), cut.before, false, {});
   if (slope.strips().laws) set_law_strengths(slope.strips(), cut.slices, false, cut.before);
@@ -342,6 +366,7 @@ void cut_surface(const Slope& slope, const Surface& surface, int count, const Ch
   cut.warnings.clear();
   cut.composite = cut.cut_at_toe = false;
   cut.crack_thrust = cut.crack_thrust_level = 0;
+  cut.pulls.clear();
   cut.refusal = cut_mass(slope, surface, count, checks, cut);
   if (cut.refusal != Refusal::none) {
     cut.slices.clear();

@@ -21,15 +21,25 @@ struct Wedge {
   double ratio = 0;  ///< interslice function f at the side towards the lower end; or X/E where that is given
 };
 
+/// Forces of passive bars on a slice, of which the factor's part acts [N].
+struct Held {
+  double down = 0, push = 0;
+};
+
 struct Mass {
   std::vector<Wedge> wedges;
-  double crack = 0;   ///< thrust of the water in the crack [N]
-  double moment = 0;  ///< of weights, loads, earthquake and crack about the centre, positive if driving [N m]
-  double scale = 0;   ///< ΣP, for tolerances [N]
+  std::vector<Held> held;  ///< of each slice; empty without passive bars
+  double held_moment = 0;  ///< about the centre, positive if driving [N m]
+  double crack = 0;        ///< thrust of the water in the crack [N]
+  double moment = 0;       ///< of weights, loads, earthquake and crack about the centre, positive if driving [N m]
+  double scale = 0;        ///< ΣP, for tolerances [N]
   double radius = 0;
 
   /// Sets the mass from a cut surface; the earthquake is `horizontal` times the weight.
   void set(const Slope& slope, const CutSurface& cut, double horizontal);
+  /// Adds the forces of the bars that the base crosses.
+  void add_bars(const Slope& slope, const CutSurface& cut);
+  bool has_held() const { return !held.empty(); }
   void set_interslice_function(bool half_sine, const CutSurface& cut);
   /// Sets X/E of a method with given inclinations, so that λ is 1.
   void set_inclinations(SliceMethod method, const CutSurface& cut);
@@ -39,6 +49,9 @@ struct Mass {
 /// Fellenius (T18.7).
 struct FelleniusSums {
   double resisting = 0, driving = 0;
+  double held_friction = 0;  ///< friction of the normal forces of passive bars, which the factor divides once more
+  /// Returns F of F driving = resisting + held_friction / F.
+  double find_factor() const;
 };
 FelleniusSums sum_fellenius(const Mass& mass, bool moments);
 /// Returns the factor of Bishop's simplified method (moments) or Janbu's (horizontal forces); 0 if there is none.
@@ -67,12 +80,13 @@ void find_forces(const Mass& mass, double factor, double lambda, std::vector<For
 
 /// Returns the residual of the equations that a method satisfies, over the weight (and the radius): E at the lower end,
 /// and the moment about the centre [-].
-double measure_residual(const Mass& mass, const std::vector<Forces>& forces, bool of_forces, bool of_moments);
+double measure_residual(const Mass& mass, double factor, const std::vector<Forces>& forces, bool of_forces,
+                        bool of_moments);
 
 /// Computes the elevation of E at the lower side of each slice from moments about its base (T18.9); NaN where E
 /// vanishes.
-void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal, const std::vector<Forces>& forces,
-                      std::vector<double>& level);
+void find_thrust_line(const Slope& slope, const CutSurface& cut, const Mass& mass, double horizontal, double factor,
+                      const std::vector<Forces>& forces, std::vector<double>& level);
 
 /// Returns the reason for which the checks reject a solution.
 Refusal check_solution(const CutSurface& cut, const Solution& solution, const Checks& checks);

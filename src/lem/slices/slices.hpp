@@ -22,6 +22,9 @@ enum class CrackEnd { none, left, right };
 /// with the crack.
 void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, CrackEnd crack);
 
+/// Finds the bars that the base of the mass crosses, with their forces. Bars that the sliding would shorten have none.
+void cross_bars(const Slope& slope, CutSurface& cut);
+
 // Pore pressure and strength at the base of a slice.
 
 /// Sets u, c and tanφ of a slice with known geometry; `weight` of the soil above its base [N/m²]. `before`: the same

@@ -43,8 +43,10 @@ constexpr double longest_chart = 0.4;
 /// Computes the normal forces of Fellenius (T18.7).
 void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>& forces) {
   forces.clear();
-  for (const Wedge& w : mass.wedges) {
-    const double normal = w.down * w.cosine - w.push * w.sine;
+  for (std::size_t i = 0; i < mass.wedges.size(); ++i) {
+    const Wedge& w = mass.wedges[i];
+    const Held held = mass.has_held() ? mass.held[i] : Held{};
+    const double normal = (w.down + held.down / factor) * w.cosine - (w.push + held.push / factor) * w.sine;
     forces.push_back({normal, (w.strength + w.friction * normal) / factor, 0, 0, 1});
   }
 }
@@ -149,7 +151,7 @@ Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const 
     solution.refusal = Refusal::moment_axis;
     return solution;
   }
-  const double start = sums.resisting / sums.driving;
+  const double start = sums.find_factor();
   if (method == Method::fellenius) {
     solution.factor = start;
   } else if (has_given_inclinations(method)) {
@@ -185,11 +187,11 @@ Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const 
   } else {
     find_forces(s.mass, solution.factor, solution.lambda, s.forces);
     const bool moments = complete || method == Method::bishop, forces = complete || !moments;
-    solution.residual = measure_residual(s.mass, s.forces, forces, moments);
+    solution.residual = measure_residual(s.mass, solution.factor, s.forces, forces, moments);
   }
   judge_forces(cut, s, solution);
   if (complete) {
-    find_thrust_line(cut, s.mass, horizontal, s.forces, s.level);
+    find_thrust_line(slope, cut, s.mass, horizontal, solution.factor, s.forces, s.level);
     judge_thrust(cut, s, solution);
   }
   if (keep_forces) write_forces(cut, s, complete);
@@ -319,7 +321,9 @@ void find_forces(const Mass& mass, double factor, double lambda, std::vector<For
   const double q = 1 / factor;
   double e = mass.crack, x = 0;
   forces.clear();
-  for (const Wedge& w : mass.wedges) {
+  for (std::size_t i = 0; i < mass.wedges.size(); ++i) {
+    const Wedge& w = mass.wedges[i];
+    if (mass.has_held()) e += q * mass.held[i].push, x += q * mass.held[i].down;
     const double t = w.friction * q, a = lambda * w.ratio, slip = w.sine - t * w.cosine;
     const double m = w.cosine + t * w.sine + a * slip;
     const double pushed = e - q * w.strength * w.cosine + w.push;
@@ -333,10 +337,11 @@ void find_forces(const Mass& mass, double factor, double lambda, std::vector<For
   }
 }
 
-double measure_residual(const Mass& mass, const std::vector<Forces>& forces, bool of_forces, bool of_moments) {
+double measure_residual(const Mass& mass, double factor, const std::vector<Forces>& forces, bool of_forces,
+                        bool of_moments) {
   double residual = of_forces ? std::abs(forces.back().normal_side) / mass.scale : 0;
   if (of_moments) {
-    double moment = mass.moment;
+    double moment = mass.moment + mass.held_moment / factor;
     for (std::size_t i = 0; i < forces.size(); ++i)
       moment += forces[i].normal * mass.wedges[i].arm_normal - forces[i].shear * mass.wedges[i].arm_shear;
     residual = std::max(residual, std::abs(moment) / (mass.scale * mass.radius));
@@ -344,8 +349,8 @@ double measure_residual(const Mass& mass, const std::vector<Forces>& forces, boo
   return residual;
 }
 
-void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal, const std::vector<Forces>& forces,
-                      std::vector<double>& level) {
+void find_thrust_line(const Slope& slope, const CutSurface& cut, const Mass& mass, double horizontal, double factor,
+                      const std::vector<Forces>& forces, std::vector<double>& level) {
   const double way = cut.slides_left ? -1 : 1;
   double largest = std::abs(mass.crack);
   for (const Forces& f : forces) largest = std::max(largest, std::abs(f.normal_side));
@@ -358,8 +363,16 @@ void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal
     const double y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
     const double half = 0.5 * (slice.right - slice.left);
     // Moments about the middle of the base, where N and T have none (T18.9).
-    const double about = moment - y * e - half * (x + f.shear_side) + way * slice.surface_moment +
-                         (slice.centroid - y) * horizontal * slice.weight;
+    double about = moment - y * e - half * (x + f.shear_side) + way * slice.surface_moment +
+                   (slice.centroid - y) * horizontal * slice.weight;
+    for (const BarPull& pull : cut.pulls) {
+      if (&cut.slices[static_cast<std::size_t>(pull.slice)] != &slice) continue;
+      const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
+      const double force = pull.resistance / (is_active ? 1 : factor);
+      about +=
+          way * force *
+          ((pull.at[1] - y) * pull.direction[0] - (pull.at[0] - 0.5 * (slice.left + slice.right)) * pull.direction[1]);
+    }
     e = f.normal_side;
     x = f.shear_side;
     moment = about + y * e;

@@ -96,12 +96,29 @@ struct BaseStrength {
   double cohesion = 0, tan_friction = 0, pore_pressure = 0;
 };
 
+/// Limit that governs the force of a bar.
+enum class BarLimit { tension, pull_out, stripping, prestress, lateral, shear };
+
+/// A bar that the base of a mass crosses, and its force there.
+struct BarPull {
+  int bar = 0;            ///< of the section
+  int slice = 0;          ///< from the left
+  Point at{};             ///< [m]
+  double distance = 0;    ///< from the head of the bar [m]
+  double resistance = 0;  ///< [N/m]
+  Point direction{};      ///< of the force on the mass
+  double behind = 0;      ///< resistance of the part in the soil that is stable [N/m]
+  double front = 0;       ///< of the part in the mass, with the head [N/m]
+  BarLimit limit = BarLimit::tension;
+};
+
 /// A surface with its slices from left to right; without slices, and with `refusal` set, if it cannot be cut. Sides of
 /// slices stand at the breaks of the ground and where the base meets another soil, at least; about `count` in all.
 struct CutSurface {
   std::vector<Slice> slices;
   std::vector<Slice> before;          ///< the same slices before drawdown; empty without one
   std::vector<BaseStrength> drained;  ///< strengths after drawdown, unchanged by the stages; empty without one
+  std::vector<BarPull> pulls;         ///< of the bars that the base crosses
   std::vector<DrawnBase> bases;       ///< of a solution with forces; by the methods of total stresses only
   Surface surface;
   bool slides_left = true;        ///< towards smaller x

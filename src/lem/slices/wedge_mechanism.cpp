@@ -61,6 +61,15 @@ double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& ab
          ((q * cohesion + kept_cohesion) * cosine_of - uplift * away) * jump;
 }
 
+void WedgeMechanism::add_bar(const Slope& slope, const CutSurface& cut, const BarPull& pull, const Slice& slice,
+                             Base& base) const {
+  if (&cut.slices[static_cast<std::size_t>(pull.slice)] != &slice) return;
+  const double down = -pull.resistance * pull.direction[1], push = way_ * pull.resistance * pull.direction[0];
+  const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
+  (is_active ? base.down : base.held.down) += down;
+  (is_active ? base.push : base.held.push) += push;
+}
+
 void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double horizontal) {
   const double vertical = 1 + slope.section().vertical_acceleration;
   const auto size = cut.slices.size();
@@ -83,6 +92,7 @@ void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double
     Base& base = bases_.back();
     base.down += vertical * slice.weight + slice.surface_load;
     base.push += horizontal * slice.weight - slice.surface_thrust;
+    for (const BarPull& pull : cut.pulls) add_bar(slope, cut, pull, slice, base);
     base.length += slice.length;
     base.cohesion += slice.cohesion * slice.length;
     base.uplift += std::max(0.0, slice.pore_pressure) * slice.length;
@@ -113,6 +123,8 @@ void WedgeMechanism::join_short_bases() {
     other.length += least->length;
     other.down += least->down;
     other.push += least->push;
+    other.held.down += least->held.down;
+    other.held.push += least->held.push;
     other.cohesion += least->cohesion;
     other.uplift += least->uplift;
     if (upwards) other.end_x = least->end_x, other.end_y = least->end_y;
@@ -207,7 +219,8 @@ double WedgeMechanism::compute_net_power(double factor) const {
   for (std::size_t i = bases_.size(); i-- > 0;) {
     const Base& base = bases_[i];
     const Base::Motion motion = base.move(q);
-    const double power = base.down * motion.fall + base.push * motion.run -
+    const double power = (base.down + q * base.held.down) * motion.fall +
+                         (base.push + q * base.held.push) * motion.run -
                          (base.reduced ? q : 1) * base.cohesion * motion.cosine + base.uplift * motion.sine;
     for (std::size_t j = i + 1 < bases_.size() ? first_[i] : first_.back();
          j < first_[std::min(i + 1, first_.size() - 1)]; ++j) {

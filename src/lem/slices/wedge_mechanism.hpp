@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "lem/slices/solve.hpp"
+#include "lem/slices/mass.hpp"
 
 namespace talus::lem {
 
@@ -38,6 +38,7 @@ class WedgeMechanism {
     double length = 0;            ///< [m]
     double down = 0;              ///< weight and vertical loads between vertical sides [N]
     double push = 0;              ///< horizontal force, positive in the direction of sliding [N]
+    Held held;                    ///< of passive bars, which the factor divides [N]
     double cohesion = 0;          ///< c l [N]
     double uplift = 0;            ///< u l [N]
     double tan_friction = 0;
@@ -59,6 +60,9 @@ class WedgeMechanism {
     double compute_power(double q, const Base::Motion& above, const Base::Motion& below, double power_below) const;
   };
   void add_bases(const Slope& slope, const CutSurface& cut, double horizontal);
+  /// Adds the force of a bar that crosses `slice`, on the base alone: bars that cross an interface would add power that
+  /// the soil has to do.
+  void add_bar(const Slope& slope, const CutSurface& cut, const BarPull& pull, const Slice& slice, Base& base) const;
   /// Merges short bases beside a change of φ with the longer of their neighbours.
   void join_short_bases();
   bool measure_interface(const Slope& slope, const Base& base, double horizontal, Interface& interface) const;

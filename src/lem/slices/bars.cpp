@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Bars that the base of a mass crosses, and their forces there.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "lem/slices/slices.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+/// Where a bar crosses the border between the mass and the soil that is stable.
+struct Crossing {
+  double distance = 0;  ///< from the head [m]
+  int slice = 0;
+};
+
+/// Returns the parameter t of a + t (b - a) at its crossing with c-d, whose upper end counts if `with_end`; nullopt if
+/// they do not cross.
+std::optional<double> find_crossing(const Point& a, const Point& b, const Point& c, const Point& d, bool with_end) {
+  const double ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
+  const double cross = ux * vy - uy * vx;
+  if (cross == 0) return std::nullopt;
+  const double wx = c[0] - a[0], wy = c[1] - a[1];
+  const double t = (wx * vy - wy * vx) / cross, r = (wx * uy - wy * ux) / cross;
+  // A surface through an end of the bar does not cross it.
+  constexpr double rounding = 1e-9;
+  if (!(t > rounding && t < 1 - rounding && r >= 0 && (r < 1 || (with_end && r <= 1)))) return std::nullopt;
+  return t;
+}
+
+/// Returns the slice with a tension crack as its upper side; -1 if the mass has none.
+int find_cracked_slice(const CutSurface& cut) {
+  const Surface& surface = cut.surface;
+  const double from = surface.circle ? surface.from : surface.line.front()[0];
+  const double to = surface.circle ? surface.to : surface.line.back()[0];
+  const double near = 1e-9 * (to - from);
+  if (cut.slides_left) return cut.slices.back().right < to - near ? static_cast<int>(cut.slices.size()) - 1 : -1;
+  return cut.slices.front().left > from + near ? 0 : -1;
+}
+
+std::vector<Crossing> list_crossings(const Bar& bar, const CutSurface& cut) {
+  std::vector<Crossing> list;
+  const double length = std::hypot(bar.end[0] - bar.head[0], bar.end[1] - bar.head[1]);
+  const auto add = [&](const Point& c, const Point& d, bool with_end, int slice) {
+    if (const auto t = find_crossing(bar.head, bar.end, c, d, with_end)) list.push_back({*t * length, slice});
+  };
+  const auto [left, right] = std::minmax(bar.head[0], bar.end[0]);
+  for (std::size_t i = 0; i < cut.slices.size(); ++i) {
+    const Slice& slice = cut.slices[i];
+    if (slice.right < left || slice.left > right) continue;
+    add(slice.base_left, slice.base_right, i + 1 == cut.slices.size(), static_cast<int>(i));
+  }
+  if (const int i = find_cracked_slice(cut); i >= 0) {
+    const Slice& slice = cut.slices[static_cast<std::size_t>(i)];
+    const Point& bottom = cut.slides_left ? slice.base_right : slice.base_left;
+    add(bottom, {bottom[0], cut.slides_left ? slice.top_right : slice.top_left}, true, i);
+  }
+  std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.distance < b.distance; });
+  return list;
+}
+
+/// Returns true if a point lies in the mass.
+bool is_in_mass(const CutSurface& cut, const Point& p) {
+  for (const Slice& slice : cut.slices) {
+    if (p[0] < slice.left || p[0] > slice.right) continue;
+    const double t = (p[0] - slice.left) / (slice.right - slice.left);
+    return p[1] > slice.base_left[1] + t * (slice.base_right[1] - slice.base_left[1]);
+  }
+  return false;
+}
+
+/// Returns the unit vector along the base of a slice in the direction of sliding.
+Point find_sliding(const CutSurface& cut, const Slice& slice) {
+  const double way = cut.slides_left ? -1 : 1;
+  return {way * (slice.base_right[0] - slice.base_left[0]) / slice.length,
+          way * (slice.base_right[1] - slice.base_left[1]) / slice.length};
+}
+
+/// Returns the direction of the force of a bar that pulls along `axis` on a mass that slides along `sliding`.
+Point find_direction(BarDirection direction, const Point& axis, const Point& sliding) {
+  switch (direction) {
+    case BarDirection::axial:
+      return axis;
+    case BarDirection::tangent:
+      return {-sliding[0], -sliding[1]};
+    case BarDirection::normal: {
+      const double sign = -axis[1] * sliding[0] + axis[0] * sliding[1] > 0 ? -1 : 1;
+      return {-sign * axis[1], sign * axis[0]};
+    }
+    case BarDirection::bisector:
+      break;
+  }
+  const Point sum{axis[0] - sliding[0], axis[1] - sliding[1]};
+  const double length = std::hypot(sum[0], sum[1]);
+  return length > 0 ? Point{sum[0] / length, sum[1] / length} : axis;
+}
+
+/// Sets resistance and limit of a bar in tension. `part`: resistance of a part of the bar by its bond [N/m].
+void set_tension(const Bar& bar, BarPull& pull) {
+  pull.resistance = bar.tensile;
+  pull.limit = BarLimit::tension;
+  if (pull.behind < pull.resistance) pull.resistance = pull.behind, pull.limit = BarLimit::pull_out;
+  if (pull.front < pull.resistance) pull.resistance = pull.front, pull.limit = BarLimit::stripping;
+  if (bar.is_active && bar.prestress > 0 && bar.prestress < pull.resistance)
+    pull.resistance = bar.prestress, pull.limit = BarLimit::prestress;
+}
+
+void set_lateral(const Bar& bar, double pressed, BarPull& pull) {
+  pull.front = bar.hold == BarHold::across ? bar.lateral : pressed;
+  pull.behind = bar.shear;
+  pull.resistance = std::min(pull.front, pull.behind);
+  pull.limit = pull.behind < pull.front ? BarLimit::shear : BarLimit::lateral;
+}
+
+}  // namespace
+
+void cross_bars(const Slope& slope, CutSurface& cut) {
+  const std::vector<Bar>& bars = slope.section().bars;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  cut.pulls.clear();
+  for (std::size_t b = 0; b < bars.size(); ++b) {
+    const Bar& bar = bars[b];
+    const std::vector<Crossing> crossings = list_crossings(bar, cut);
+    if (crossings.empty()) continue;
+    const BarDiagram& diagram = slope.strips().bars[b];
+    const double length = std::hypot(bar.end[0] - bar.head[0], bar.end[1] - bar.head[1]);
+    const Point along{(bar.end[0] - bar.head[0]) / length, (bar.end[1] - bar.head[1]) / length};
+    const auto find_point = [&](double s) { return Point{bar.head[0] + s * along[0], bar.head[1] + s * along[1]}; };
+    const bool is_across = bar.hold == BarHold::across || bar.hold == BarHold::soil_pressure;
+    for (std::size_t k = 0; k < crossings.size(); ++k) {
+      const double s = crossings[k].distance, before = k > 0 ? crossings[k - 1].distance : 0,
+                   after = k + 1 < crossings.size() ? crossings[k + 1].distance : length;
+      const bool is_head_in = is_in_mass(cut, find_point(0.5 * (before + s))),
+                 is_end_in = is_in_mass(cut, find_point(0.5 * (s + after)));
+      if (is_head_in == is_end_in) continue;
+      const Slice& slice = cut.slices[static_cast<std::size_t>(crossings[k].slice)];
+      const Point sliding = find_sliding(cut, slice);
+      // The force on the mass points to the part of the bar that is in stable soil.
+      const Point axis = is_head_in ? along : Point{-along[0], -along[1]};
+      // A bar that the sliding shortens has no force: it would be compressed.
+      if (!is_across && !(axis[0] * sliding[0] + axis[1] * sliding[1] < 0)) continue;
+      BarPull pull{static_cast<int>(b), crossings[k].slice, find_point(s), s, 0, {}, 0, 0, BarLimit::tension};
+      pull.direction = find_direction(bar.direction, axis, sliding);
+      if (is_across) {
+        set_lateral(bar, is_head_in ? diagram.find_part(before, s) : diagram.find_part(s, after), pull);
+      } else {
+        const bool has_anchor = bar.hold == BarHold::end_anchor;
+        const double head_part = diagram.find_part(before, s) + (k > 0 ? 0 : has_anchor ? infinity : bar.plate);
+        const double end_part =
+            diagram.find_part(s, after) + (has_anchor && k + 1 == crossings.size() ? infinity : 0.0);
+        pull.front = is_head_in ? head_part : end_part;
+        pull.behind = is_head_in ? end_part : head_part;
+        set_tension(bar, pull);
+      }
+      if (pull.resistance > 0) cut.pulls.push_back(pull);
+    }
+  }
+}
+
+}  // namespace talus::lem
