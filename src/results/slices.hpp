@@ -125,6 +125,44 @@ void describe(auto& v, As<DrawnSurface> auto& r) {
   v.key("counts", r.counts, {"", "which strength of the base counts"});
 }
 
+/// Limit that governs the force of a support.
+enum class SupportLimit { tension, pull_out, stripping, prestress, lateral, shear };
+template <>
+inline constexpr auto words<SupportLimit> =
+    std::array{"tension", "pull_out", "stripping", "prestress", "lateral", "shear"};
+
+/// Force of a support where a surface crosses it, per metre of slope.
+struct SupportForce {
+  std::string support;              ///< name in the case
+  std::string kind;                 ///< word of the case
+  int row = 1;                      ///< from the top of the pattern
+  bool is_active = false;           ///< the factor does not divide the force
+  Point head{}, end{}, crossing{};  ///< [m]
+  double distance = 0;              ///< of the crossing from the head [m]
+  double resistance = 0;            ///< [N/m]
+  double force = 0;                 ///< on the sliding mass: the resistance, divided by the factor if passive [N/m]
+  Point direction{};                ///< of the force on the sliding mass
+  std::optional<double> tension, pull_out, stripping;  ///< limits; nullopt: none [N/m]
+  SupportLimit limit = SupportLimit::tension;          ///< the least of them
+};
+void describe(auto& v, As<SupportForce> auto& r) {
+  v.key("support", r.support, {"", "name of the support"});
+  v.key("kind", r.kind, {"", "kind of the support"});
+  v.key("row", r.row, {"", "row from the top of the pattern"});
+  v.key("is_active", r.is_active, {"", "whether the force is a load, which the factor does not divide"});
+  v.key("head", r.head, {"m", "head of the bar"});
+  v.key("end", r.end, {"m", "end of the bar"});
+  v.key("crossing", r.crossing, {"m", "where the surface crosses the bar"});
+  v.key("distance", r.distance, {"m", "distance of the crossing from the head"});
+  v.key("resistance", r.resistance, {"N/m", "resistance of the bar there, per metre of slope"});
+  v.key("force", r.force, {"N/m", "force on the sliding mass, per metre of slope"});
+  v.key("direction", r.direction, {"", "unit vector of that force"});
+  v.key("tension", r.tension, {"N/m", "tensile strength"});
+  v.key("pull_out", r.pull_out, {"N/m", "pull-out resistance behind the surface"});
+  v.key("stripping", r.stripping, {"N/m", "resistance of head and bond in front of the surface"});
+  v.key("limit", r.limit, {"", "which limit governs"});
+}
+
 /// A slip surface with all its results.
 struct CriticalSurface {
   SlipSurface surface;
@@ -135,8 +173,9 @@ struct CriticalSurface {
   std::optional<double> crack;   ///< depth of the dry tension crack added by the search [m]
   std::string volume_note = "m³ per metre of slope";
   bool slides_left = false;
-  std::optional<double> yield_acceleration;  ///< k_y, over g
-  std::optional<DrawnSurface> drawdown;      ///< with rapid drawdown; `surface.factor` is then that after it
+  std::optional<double> yield_acceleration;           ///< k_y, over g
+  std::optional<DrawnSurface> drawdown;               ///< with rapid drawdown; `surface.factor` is then that after it
+  std::optional<std::vector<SupportForce>> supports;  ///< those that it crosses; nullopt in a case without supports
   SurfaceChecks checks;
   std::optional<Verdict> verdict;  ///< by limit analysis; nullopt if no bounds apply
   SliceTable slices;
@@ -153,6 +192,7 @@ void describe(auto& v, As<CriticalSurface> auto& r) {
   v.key("slides_left", r.slides_left, {"", "whether it slides towards smaller x"});
   v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});
   v.maybe("drawdown", r.drawdown, {"", "rapid drawdown; the factor is after it"});
+  v.maybe("supports", r.supports, {"", "forces of the supports that it crosses"});
   v.key("checks", r.checks, {"", "checks of admissibility"});
   v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
   v.key("slices", r.slices, {"", "its slices"});

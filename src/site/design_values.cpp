@@ -80,6 +80,16 @@ void factor_soil(const std::string& name, input::Material& m, const input::Parti
   soil.divide(m.grain_density, v.weight, "density of the grains", "ρ_s", "kg/m3", 1);
 }
 
+/// Divides the resistances of a support.
+void factor_support(input::Support& s, const input::PartialFactorValues& v) {
+  for (double* value : {&s.tensile_strength, &s.plate, &s.strength, &s.connection}) *value /= v.tensile;
+  for (std::optional<double>* value : {&s.bond, &s.bond_adhesion})
+    if (*value) **value /= v.bond;
+  s.bond_scale /= v.bond;
+  for (std::optional<double>* value : {&s.lateral_resistance, &s.shear_strength})
+    if (*value) **value /= v.lateral;
+}
+
 std::string list_words(const std::vector<results::PartialFactor>& values) {
   std::string text;
   for (const results::PartialFactor& v : values)
@@ -102,6 +112,7 @@ DesignValues apply_partial_factors(const input::Case& data) {
     if (roots.bundle)  // the cohesion of a bundle is proportional to the tensile strength of the roots
       for (double& strength : roots.bundle->strengths) strength /= v.cohesion;
   }
+  for (auto& [name, support] : result.data.supports) factor_support(support, v);
   for (input::Stage& stage : result.data.stages)
     if (stage.cohesion) *stage.cohesion /= v.cohesion;
   for (input::Surcharge& s : result.data.surcharges) {
@@ -120,6 +131,10 @@ DesignValues apply_partial_factors(const input::Case& data) {
         "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");
   out.set = given.set;
   out.values = list_values(given);
+  if (!data.supports.empty())
+    out.values.insert(out.values.end(), {{"bond", "pull-out resistance of supports", "γ_bond", given.bond},
+                                         {"tensile", "tensile strength of supports", "γ_tensile", given.tensile},
+                                         {"lateral", "lateral resistance of supports", "γ_lateral", given.lateral}});
   out.text = fmt::format("Partial factors {}: {}.", given.set, list_words(out.values));
   return result;
 }

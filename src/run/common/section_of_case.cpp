@@ -15,6 +15,7 @@
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
 #include "site/roots.hpp"
+#include "site/supports.hpp"
 #include "site/weights.hpp"
 
 namespace talus::run {
@@ -297,6 +298,48 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
   }
 }
 
+lem::BarDirection convert(input::SupportDirection direction) {
+  switch (direction) {
+    case input::SupportDirection::tangent:
+      return lem::BarDirection::tangent;
+    case input::SupportDirection::bisector:
+      return lem::BarDirection::bisector;
+    case input::SupportDirection::normal:
+      return lem::BarDirection::normal;
+    case input::SupportDirection::usual:
+    case input::SupportDirection::axial:
+      break;
+  }
+  return lem::BarDirection::axial;
+}
+
+void add_bars(const site::Site& site, lem::Section& section) {
+  for (const site::Bar& bar : site::list_bars(site)) {
+    lem::Bar made;
+    made.name = bar.support;
+    made.kind = input::get_word(bar.kind);
+    made.row = bar.row;
+    made.head = bar.head;
+    made.end = bar.end;
+    if (bar.kind == input::SupportKind::bolt) made.hold = lem::BarHold::end_anchor;
+    if (bar.kind == input::SupportKind::pile)
+      made.hold = bar.has_soil_pressure ? lem::BarHold::soil_pressure : lem::BarHold::across;
+    made.free_length = bar.free_length;
+    made.tensile = bar.tensile;
+    made.plate = bar.plate;
+    made.bond = bar.bond;
+    made.bond_factor = bar.bond_factor;
+    made.prestress = bar.prestress;
+    made.lateral = bar.lateral > 0 ? bar.lateral : bar.shear;
+    made.shear = bar.shear;
+    made.diameter = bar.diameter;
+    made.spacing = bar.spacing;
+    made.is_active = bar.is_active;
+    made.direction = convert(bar.direction);
+    section.bars.push_back(std::move(made));
+  }
+}
+
 /// Throws if standing water after drawdown is above that before: pools of [[hydraulic]] and seepage give levels that
 /// are not in the case file.
 void check_standing_water(const lem::Section& before, const lem::Section& after) {
@@ -356,6 +399,7 @@ SectionOfCase make_section(const site::Site& site) {
   add_slurries(data, section);
   add_tractions(data, section, result.notes);
   add_roots(data, section, result.notes);
+  add_bars(site, section);
   const input::EarthquakeDirection direction = data.earthquake.direction;
   const bool is_both = direction == input::EarthquakeDirection::both;
   section.horizontal_acceleration = is_both ? std::abs(data.earthquake.horizontal) : data.earthquake.horizontal;

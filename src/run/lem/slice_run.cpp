@@ -41,6 +41,40 @@ results::SliceTable make_slice_table(const lem::Slope& slope, const lem::CutSurf
   return t;
 }
 
+std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const lem::Critical& c) {
+  constexpr std::array limits{results::SupportLimit::tension,   results::SupportLimit::pull_out,
+                              results::SupportLimit::stripping, results::SupportLimit::prestress,
+                              results::SupportLimit::lateral,   results::SupportLimit::shear};
+  std::vector<results::SupportForce> list;
+  // F of the equations, without Janbu's correction.
+  const double factor = c.solution.factor / c.solution.correction;
+  for (const lem::BarPull& pull : c.cut.pulls) {
+    const lem::Bar& bar = slope.section().bars[static_cast<std::size_t>(pull.bar)];
+    results::SupportForce& out = list.emplace_back();
+    out.support = bar.name;
+    out.kind = bar.kind;
+    out.row = bar.row;
+    out.is_active = bar.is_active;
+    out.head = bar.head;
+    out.end = bar.end;
+    out.crossing = pull.at;
+    out.distance = pull.distance;
+    out.resistance = pull.resistance;
+    out.force = bar.is_active ? pull.resistance : factor > 0 ? pull.resistance / factor : 0;
+    out.direction = pull.direction;
+    const auto set = [](std::optional<double>& limit, double value) {
+      if (std::isfinite(value)) limit = value;
+    };
+    if (bar.hold == lem::BarHold::bond || bar.hold == lem::BarHold::end_anchor) {
+      set(out.tension, bar.tensile);
+      set(out.pull_out, pull.behind);
+      set(out.stripping, pull.front);
+    }
+    out.limit = limits[static_cast<std::size_t>(pull.limit)];
+  }
+  return list;
+}
+
 results::DrawnSurface make_drawdown_result(const lem::Critical& c) {
   results::DrawnSurface out;
   if (c.solution.before > 0) out.factor_before = c.solution.before;
@@ -88,6 +122,7 @@ results::CriticalSurface make_critical_result(const lem::Slope& slope, const lem
   out.slides_left = c.cut.slides_left;
   out.yield_acceleration = c.yield_acceleration;
   if (slope.before() != nullptr) out.drawdown = make_drawdown_result(c);
+  if (!slope.section().bars.empty()) out.supports = list_supports(slope, c);
   const lem::Refusal refusal = c.cut.refusal != lem::Refusal::none ? c.cut.refusal : c.solution.refusal;
   out.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside, c.solution.residual,
                 refusal == lem::Refusal::none ? "" : lem::name_refusal(refusal)};
