@@ -16,6 +16,7 @@ namespace {
 struct Crossing {
   double distance = 0;  ///< from the head [m]
   int slice = 0;
+  bool is_crack = false;  ///< at the side of a tension crack
 };
 
 /// Returns the parameter t of a + t (b - a) at its crossing with c-d, whose upper end counts if `with_end`; nullopt if
@@ -45,19 +46,19 @@ int find_cracked_slice(const CutSurface& cut) {
 std::vector<Crossing> list_crossings(const Bar& bar, const CutSurface& cut) {
   std::vector<Crossing> list;
   const double length = std::hypot(bar.end[0] - bar.head[0], bar.end[1] - bar.head[1]);
-  const auto add = [&](const Point& c, const Point& d, bool with_end, int slice) {
-    if (const auto t = find_crossing(bar.head, bar.end, c, d, with_end)) list.push_back({*t * length, slice});
+  const auto add = [&](const Point& c, const Point& d, bool with_end, int slice, bool is_crack) {
+    if (const auto t = find_crossing(bar.head, bar.end, c, d, with_end)) list.push_back({*t * length, slice, is_crack});
   };
   const auto [left, right] = std::minmax(bar.head[0], bar.end[0]);
   for (std::size_t i = 0; i < cut.slices.size(); ++i) {
     const Slice& slice = cut.slices[i];
     if (slice.right < left || slice.left > right) continue;
-    add(slice.base_left, slice.base_right, i + 1 == cut.slices.size(), static_cast<int>(i));
+    add(slice.base_left, slice.base_right, i + 1 == cut.slices.size(), static_cast<int>(i), false);
   }
   if (const int i = find_cracked_slice(cut); i >= 0) {
     const Slice& slice = cut.slices[static_cast<std::size_t>(i)];
     const Point& bottom = cut.slides_left ? slice.base_right : slice.base_left;
-    add(bottom, {bottom[0], cut.slides_left ? slice.top_right : slice.top_left}, true, i);
+    add(bottom, {bottom[0], cut.slides_left ? slice.top_right : slice.top_left}, true, i, true);
   }
   std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.distance < b.distance; });
   return list;
@@ -136,7 +137,8 @@ void cross_bars(const Slope& slope, CutSurface& cut) {
                    after = k + 1 < crossings.size() ? crossings[k + 1].distance : length;
       const bool is_head_in = is_in_mass(cut, find_point(0.5 * (before + s))),
                  is_end_in = is_in_mass(cut, find_point(0.5 * (s + after)));
-      if (is_head_in == is_end_in) continue;
+      // A bar across an open crack does not count, as in other programs: its force would act above the slip surface.
+      if (is_head_in == is_end_in || crossings[k].is_crack) continue;
       const Slice& slice = cut.slices[static_cast<std::size_t>(crossings[k].slice)];
       const Point sliding = find_sliding(cut, slice);
       // The force on the mass points to the part of the bar that is in stable soil.
