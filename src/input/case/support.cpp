@@ -391,10 +391,27 @@ void warn_of_crossings(const Case& data, Findings& findings) {
     }
 }
 
+}  // namespace
+
+std::optional<std::string> find_support_obstacle(const Case& data) {
+  for (const auto& [name, support] : data.supports) {
+    if (support.kind == SupportKind::pile || support.kind == SupportKind::bolt)
+      return fmt::format("support '{}' is a {}, and limit analysis takes nails, anchors and geosynthetics", name,
+                         get_word(support.kind));
+    if (support.find_direction() != SupportDirection::axial)
+      return fmt::format("the force of support '{}' is not axial, as that of a bar in limit analysis is", name);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
 /// Reports methods that do not take supports.
 void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
-  for (const Method method : {Method::fem, Method::bounds, Method::mpm})
+  if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
+    findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
+  for (const Method method : {Method::fem, Method::mpm})
     if (uses(data, method))
       findings.add(
           "analysis.methods",

@@ -237,6 +237,9 @@ struct BarLayout {
 /// alike: bars lead into the soil.
 BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const ShownUnit& length);
 
+/// Returns why limit analysis does not take the supports of a case; nullopt if it does.
+std::optional<std::string> find_support_obstacle(const Case& data);
+
 /// Checks [support.NAME]: patterns, resistances, and places in the soil.
 void check_supports(const Case& data, Findings& findings);
 

@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "bounds/envelope.hpp"
 #include "mesh/generate.hpp"
+#include "run/bounds/bars_of_case.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/soil_column.hpp"
 #include "site/ground_load.hpp"
@@ -40,8 +41,9 @@ class ProblemBuilder {
         data_(site_.data()),
         columns_(site_),
         supports_(supports),
-        mesh_(
-            mesh::generate<2>(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_))))) {
+        bars_(site),
+        mesh_(mesh::generate<2>(
+            bars_.conform(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_)))))) {
     for (const std::string& region : mesh_.region_names)
       soils_.push_back(input::find_limit_soil(site_.get_soil(region)));
   }
@@ -52,6 +54,7 @@ class ProblemBuilder {
     enclose_envelopes();
     add_strengths();
     add_sides();
+    bars_.add(mesh_, number_, made_.problem);
     enclose_strengths();
     return std::move(made_);
   }
@@ -121,11 +124,10 @@ class ProblemBuilder {
           find_strength(*soils[i], places[i], roots[i].cohesion, envelope ? &envelope->inner : nullptr);
     }
     if (std::none_of(envelopes_.begin(), envelopes_.end(), [](const auto& e) { return e.has_value(); })) return;
-    made_.stronger = p;
+    outer_ = p.strength;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (const auto& envelope = get_envelope(i / 3))
-        made_.stronger->strength[i / 3][i % 3] =
-            find_strength(*soils[i], places[i], roots[i].cohesion, &envelope->outer);
+        outer_[i / 3][i % 3] = find_strength(*soils[i], places[i], roots[i].cohesion, &envelope->outer);
   }
 
   /// Strengths by depth and by σ'_v have kinks, and are curved. Those of a triangle are scaled so that none is above,
@@ -154,8 +156,9 @@ class ProblemBuilder {
         }
       is_linear = is_linear && least[e] > 1 - rounding && most[e] < 1 + rounding;
     }
-    if (is_linear) return;
-    if (!made_.stronger) made_.stronger = p;
+    if (is_linear && outer_.empty()) return;
+    made_.stronger = p;
+    if (!outer_.empty()) made_.stronger->strength = outer_;
     for (std::size_t e = 0; e < p.size(); ++e)
       for (std::size_t i = 0; i < 3; ++i) {
         p.strength[e][i].cohesion *= least[e];
@@ -287,11 +290,13 @@ class ProblemBuilder {
   const input::Case& data_;
   const SoilColumns columns_;
   Supports supports_;
+  const BarsOfCase bars_;
   const mesh::Mesh<2> mesh_;
   // Of the regions of the mesh; a straight envelope has no polygons.
   std::vector<input::Material> soils_;
   std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;
-  std::vector<int> number_;  ///< of the nodes of the mesh; -1: not in soil
+  std::vector<std::array<bounds::Strength, 3>> outer_;  ///< of the triangles, with tangents; empty without polygons
+  std::vector<int> number_;                             ///< of the nodes of the mesh; -1: not in soil
   ProblemOfCase made_;
 };
 

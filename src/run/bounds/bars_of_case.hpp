@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Supports in limit analysis: bars in tension, whose largest force along their length is that of LEM.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bounds/problem.hpp"
+#include "lem/section/bars.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/plan.hpp"
+#include "site/site.hpp"
+
+namespace talus::run {
+
+class BarsOfCase {
+ public:
+  explicit BarsOfCase(const site::Site& site);
+
+  /// Returns the plan with a line along each bar, and a point on it wherever its force changes its gradient.
+  mesh::Plan conform(mesh::Plan plan) const;
+  /// Adds bars and heads on a mesh of that plan; `number`: of its nodes in the problem.
+  void add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, bounds::Problem& problem) const;
+
+ private:
+  struct Line {
+    lem::Bar bar;
+    lem::BarDiagram diagram;
+    std::string name;
+    double length = 0;
+    Vec<2> direction{};
+
+    Vec<2> at(double s) const { return {bar.head[0] + s * direction[0], bar.head[1] + s * direction[1]}; }
+    /// Tensile strength, resistance in front and behind [N/m].
+    std::array<double, 3> list_limits(double s) const;
+    double find_force(double s) const;
+  };
+  std::vector<double> list_kinks(const Line& line) const;
+  bounds::BarHead make_head(const Line& line, int node, const bounds::Problem& problem) const;
+
+  std::vector<Line> lines_;
+};
+
+}  // namespace talus::run
