@@ -217,7 +217,7 @@ class KinematicSum {
       const auto& n = bar.force;
       (bar.is_reduced ? passive_ : active_) += (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
     }
-    // Against the sides under its head a bar slips in one direction only.
+    // Between a head and the end of its bar there is no more tension either.
     for (const BarHead& head : problem_.heads) {
       double mean = 0, width = 0;
       for (const auto& [from, to] : head.sides) {
@@ -228,7 +228,7 @@ class KinematicSum {
           mean += share * length / 6 * dot(get_velocity(node), head.direction);
       }
       (head.is_reduced ? passive_ : active_) +=
-          head.force * std::max(mean / width, dot(get_velocity(head.node), head.direction));
+          head.force * std::max(0.0, dot(get_velocity(head.node), head.direction) - mean / width);
     }
   }
 

@@ -181,9 +181,8 @@ TEST(LemDrawdown, UndrainedClayKeepsItsStrength) {
   };
   const auto by_stress = [](const StrengthPlane& plane) { return 0.25 * plane.vertical; };
   for (const Surface& circle : list_circles(make(by_stress, 10))) {
-    const CutSurface before = cut_surface(make(by_stress, 18), circle, 30, report_only()),
-                     after = cut_surface(make(by_stress, 10), circle, 30, report_only());
-    ASSERT_EQ(before.slices.size(), after.slices.size());
+    const CutSurface after = cut_surface(make(by_stress, 10), circle, 30, report_only());
+    ASSERT_EQ(after.before.size(), after.slices.size());
     for (std::size_t i = 0; i < after.slices.size(); ++i)
       EXPECT_NEAR(after.slices[i].cohesion, after.before[i].cohesion, 1e-12);
     EXPECT_LT(find_factor(make(by_stress, 10), circle, Method::bishop),

@@ -235,6 +235,7 @@ TEST(LemSuction, DoesNotMoveAlongACurvedEnvelopeByItself) {
     const Slope full{Section(section)};
     CutSurface cut = cut_surface(full, arc, 30, report_only());
     const double factor = solve(full, cut, method, report_only(), true).factor;
+    ASSERT_GT(factor, 0) << to_word(method);
     for (const Slice& s : cut.slices) {
       const double effective = s.normal / s.length - s.pore_pressure;
       if (effective > 1) {
