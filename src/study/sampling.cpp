@@ -402,6 +402,9 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
     set.factor = known->factors;
   else
     sampling.calculate();
+  if (!set.factor.empty() &&
+      std::none_of(set.factor.begin(), set.factor.end(), [](double f) { return std::isfinite(f); }))
+    fail_input("no sample of [study] has a factor of safety; `talus run` shows why the means have one or none");
   const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
   result.surfaces = slices.count_surfaces();

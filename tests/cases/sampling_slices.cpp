@@ -195,6 +195,21 @@ coefficient = )";
   EXPECT_NEAR(with.at("first_order").at("deviation").get<double>(), std::sqrt(v + cross), 0.003);
 }
 
+/// Areas are those of the slices themselves, whatever a crack or the limits of the search do with other unit weights.
+TEST(SamplingSlices, KeepItsMassesUnderCracksAndLimits) {
+  const std::string study = sample + "samples = 40\n" + deviations;
+  const auto find = [&](const char* name, const std::vector<input::Override>& changes) {
+    return run(study, name, 1, changes).at("factor").at("mean").get<double>();
+  };
+  const double free = find("free", {});
+  EXPECT_NEAR(find("weight", {{"lem.smallest_weight", "5"}}), free, 1e-3 * free);
+  for (const char* depth : {"0.4", "1.2", "5"}) {
+    const double cracked = find((std::string("crack") + depth).c_str(), {{"lem.tension_crack.depth", depth}});
+    EXPECT_GT(cracked, 0.8 * free) << depth;
+    EXPECT_LT(cracked, 1.02 * free) << depth;
+  }
+}
+
 TEST(SamplingSlices, ReportsUnsupportedSettings) {
   const std::string study = sample + "samples = 20\n" + deviations;
   StudyOptions options;

@@ -127,10 +127,8 @@ void Candidates::keep_areas() {
     for (const bool wet : {false, true}) {
       const Slope one(weigh(section, soil, wet));
       for (std::size_t k = 0; k < kept_.size(); ++k) {
-        const CutSurface base = cut_surface(unit, kept_[k].cut.surface, slices_, checks_);
-        const CutSurface more = cut_surface(one, kept_[k].cut.surface, slices_, checks_);
-        for (std::size_t i = 0; i < std::min(base.slices.size(), more.slices.size()); ++i) {
-          const Slice &a = base.slices[i], &b = more.slices[i];
+        for (std::size_t i = 0; i < kept_[k].cut.slices.size(); ++i) {
+          const Slice a = weigh_slice(unit, kept_[k].cut.slices[i]), b = weigh_slice(one, kept_[k].cut.slices[i]);
           const double area = b.weight - a.weight, moment = b.weight * b.centroid - a.weight * a.centroid;
           if (area < 1e-12 * a.weight) continue;
           auto& own = parts[k][i];

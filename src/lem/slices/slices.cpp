@@ -57,15 +57,14 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   return slice;
 }
 
-/// Returns the same slice of the slope before drawdown. All breaks of that slope are breaks of the slope after it as
-/// well.
-Slice make_slice_before(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b) {
+/// Returns the slice over a base in another slope whose breaks are breaks of the own one as well. `near`: see below.
+Slice make_slice_of(const Slope::Strips& strips, const Point& a, const Point& b, double near) {
   const double x = 0.5 * (a[0] + b[0]), y = 0.5 * (a[1] + b[1]);
-  Stretch own = stretch;
+  Stretch own;
   own.strip = strips.find(x);
   const Strip& strip = strips.strip(own.strip);
   // As in BaseLine::divide(): along a boundary of layers the upper layer counts.
-  own.layer = strips.find_layer(strip, x - strip.left, y + 1e-6 * (stretch.to - stretch.from));
+  own.layer = strips.find_layer(strip, x - strip.left, y + near);
   return make_slice(strips, own, a, b);
 }
 
@@ -78,6 +77,10 @@ Point snap_end(const Slope::Strips& strips, const BaseLine& base, const Stretch&
 }
 
 }  // namespace
+
+Slice weigh_slice(const Slope& slope, const Slice& slice) {
+  return make_slice_of(slope.strips(), slice.base_left, slice.base_right, 1e-6 * (slice.right - slice.left));
+}
 
 void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, CutSurface& cut) {
   const Stretch &front = base.stretches.front(), &back = base.stretches.back();
@@ -97,7 +100,7 @@ void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, C
     for (int k = 1; k <= parts; ++k) {
       const double x = k == parts ? stretch.to : stretch.from + length * k / parts;
       const Point b = k == parts && &stretch == &back ? last : place(stretch, x);
-      if (strips.before) cut.before.push_back(make_slice_before(strips.before->strips(), stretch, a, b));
+      if (strips.before) cut.before.push_back(make_slice_of(strips.before->strips(), a, b, 1e-6 * length));
       cut.slices.push_back(make_slice(strips, stretch, a, b, strips.before ? &cut.before.back() : nullptr));
       const Slice& slice = cut.slices.back();
       cut.area += 0.5 * (b[0] - a[0]) * (slice.top_left - a[1] + slice.top_right - b[1]);
@@ -231,12 +234,14 @@ double set_law_strengths(const Slope::Strips& strips, std::vector<Slice>& slices
     StrengthPlane plane;
     plane.at = {0.5 * (slice.left + slice.right), 0.5 * (slice.base_left[1] + slice.base_right[1])};
     plane.depth = 0.5 * (slice.top_left + slice.top_right) - plane.at[1];
-    plane.vertical = std::max(0.0, total - u);
+    const double middle = 0.5 * (slice.left + slice.right);
+    const Strip& strip = strips.strip(strips.find(middle));
+    plane.vertical = std::max(0.0, total - strip.variable_load.at(middle - strip.left) - u);
     plane.inclination = std::atan2(slice.base_right[1] - slice.base_left[1], width);
     plane.dip = dip;
     // Suction adds its strength to the cohesion, but only as an effective stress does it move along the envelope.
     const double net = has_forces ? slice.normal / slice.length - std::max(0.0, slice.pore_pressure)
-                                  : plane.vertical * std::cos(dip) * std::cos(dip);
+                                  : std::max(0.0, total - u) * std::cos(dip) * std::cos(dip);
     plane.normal = net + find_suction_stress(soil, slice);
     const StrengthTangent tangent = soil.law->find_tangent(plane);
     const double before = slice.cohesion + net * slice.tan_friction;

@@ -25,6 +25,9 @@ void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, Cra
 /// Finds the bars that the base of the mass crosses, with their forces. Bars that the sliding would shorten have none.
 void cross_bars(const Slope& slope, CutSurface& cut);
 
+/// Returns the slice over the same base in a slope that differs in its weights and pressures only.
+Slice weigh_slice(const Slope& slope, const Slice& slice);
+
 // Pore pressure and strength at the base of a slice.
 
 /// Sets u, c and tanφ of a slice with known geometry; `weight` of the soil above its base [N/m²]. `before`: the same
