@@ -349,6 +349,24 @@ TEST_F(StrengthLaws, UndrainedStrengthsAgreeInAllMethods) {
   }
 }
 
+/// Soil does not consolidate under a variable load: its strength is that without the load.
+TEST_F(StrengthLaws, VariableLoadsDoNotConsolidate) {
+  const std::string clay =
+      "model = \"shansep\"\nstrength_ratio = 0.25\nstrength_exponent = 0.8\nadded_strength = 8\nocr = 1\n";
+  const auto find = [&](const std::string& load) {
+    const nlohmann::json summary = run(write_deforming(R"("lem", "fem")", clay + load));
+    return std::pair{summary.at("lem").at("critical")[0].at("factor").get<double>(),
+                     summary.at("fem").at("runs")[0].at("factor").get<double>()};
+  };
+  const auto write = [](bool variable) {
+    return fmt::format("[[surcharge]]\nname = \"lorry\"\nx = [24, 36]\nload = [30, 30]\nvariable = {}\n", variable);
+  };
+  const auto variable = find(write(true)), permanent = find(write(false));
+  EXPECT_LT(variable.first, 0.97 * permanent.first);
+  EXPECT_LT(variable.second, 0.98 * permanent.second);
+  EXPECT_NEAR(variable.second, variable.first, 0.06 * variable.first);
+}
+
 TEST_F(StrengthLaws, BoundsOfACurvedStrengthEncloseThoseOfFinerMeshes) {
   // The strength bends below crest and toe and at the water table. Coarse triangles must not cut the bends off.
   const auto find_bounds = [&](double size) {

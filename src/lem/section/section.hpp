@@ -73,6 +73,7 @@ struct PressureGrid {
 /// A load on the ground, per horizontal metre, linear between its points and zero outside.
 struct Surcharge {
   std::vector<std::array<double, 3>> load;  ///< x [m], component downwards and component towards larger x [Pa]
+  bool is_variable = false;                 ///< soil does not consolidate under it
 };
 
 /// A uniform load on a vertical step of the ground.

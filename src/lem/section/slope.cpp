@@ -277,8 +277,9 @@ class Closure {
     const double vertical = soil_weight + strip_.load.at(dx) + section.water_unit_weight * standing;
     // The stress on the side of a crack vanishes, and the active plane is steep.
     constexpr double steep = std::numbers::pi / 3;
-    const double held =
-        soil.law ? std::max(0.0, vertical - std::max(0.0, slope_.pore_pressure({x_, y}, soil, soil_weight))) : 0;
+    const double held = soil.law ? std::max(0.0, vertical - strip_.variable_load.at(dx) -
+                                                     std::max(0.0, slope_.pore_pressure({x_, y}, soil, soil_weight)))
+                                 : 0;
     // The plane rises to either side, and the stronger one has the deeper crack.
     double stress = std::numeric_limits<double>::infinity();
     for (const double inclination : {steep, -steep}) {

@@ -140,12 +140,12 @@ StripLine cut_line(const std::vector<Point>& line, double left, double right) {
   return {line.back()[1], 0};
 }
 
-/// Sums the loads over a strip. `part` 1: component downwards, 2: component towards larger x.
-StripLine sum_loads(const Section& section, std::size_t part, double left, double right) {
+/// Sums the loads over a strip, or its variable ones. `part` 1: component downwards, 2: component towards larger x.
+StripLine sum_loads(const Section& section, std::size_t part, double left, double right, bool variable_alone = false) {
   StripLine sum;
   const double middle = 0.5 * (left + right);
   for (const Surcharge& surcharge : section.surcharges)
-    for (std::size_t i = 1; i < surcharge.load.size(); ++i) {
+    for (std::size_t i = 1; i < surcharge.load.size() && (surcharge.is_variable || !variable_alone); ++i) {
       const auto &a = surcharge.load[i - 1], &b = surcharge.load[i];
       if (middle < a[0] || middle >= b[0]) continue;
       const double slope = (b[part] - a[part]) / (b[0] - a[0]);
@@ -205,6 +205,7 @@ void build_strips(Slope::Strips& strips) {
     for (const std::vector<Point>& line : piezometric)
       strip.piezometric.push_back(line.empty() ? StripLine{no_water, 0} : cut_line(line, strip.left, strip.right));
     strip.load = sum_loads(section, 1, strip.left, strip.right);
+    strip.variable_load = sum_loads(section, 1, strip.left, strip.right, true);
     strip.thrust = sum_loads(section, 2, strip.left, strip.right);
     const double half = 0.5 * (strip.right - strip.left);
     strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);

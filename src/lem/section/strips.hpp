@@ -36,6 +36,7 @@ struct Strip {
   StripLine floor;                     ///< top of impenetrable soil; the base of the section where there is none
   bool is_firm = false;                ///< it has impenetrable soil
   StripLine load, thrust;              ///< loads on the ground, down and towards larger x [Pa]
+  StripLine variable_load;             ///< part of `load` under which soil does not consolidate [Pa]
   int first = 0, last = 0;             ///< its layers, from the ground down: [first, last)
   bool ponded = false;                 ///< ponded water on the ground
 

@@ -237,6 +237,7 @@ void add_surcharges(const input::Case& data, lem::Section& section) {
   for (const input::Surcharge& s : data.surcharges) {
     lem::Surcharge load;
     for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i), 0});
+    load.is_variable = s.variable;
     section.surcharges.push_back(std::move(load));
   }
 }

@@ -24,7 +24,8 @@ StrengthPlane SoilColumns::find(const Vec<2>& x) const {
   int soil = -1;
   const double weight = slope_->weight_above(x[0], x[1], soil),
                water = strip.ponded ? std::max(0.0, strip.water.at(dx) - ground) : 0,
-               above = weight + (strips.loads ? strip.load.at(dx) : 0) + strips.section.water_unit_weight * water;
+               above = weight + (strips.loads ? strip.load.at(dx) - strip.variable_load.at(dx) : 0) +
+                       strips.section.water_unit_weight * water;
   const lem::Point p{x[0], x[1]};
   const double u = soil < 0 ? slope_->pore_pressure(p)
                             : slope_->pore_pressure(p, strips.section.soils[static_cast<std::size_t>(soil)], weight);
