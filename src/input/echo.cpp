@@ -169,7 +169,12 @@ std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std:
     const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
     if (found == words.end())
       fail_input("the result '{}' has a material of the model '{}', which this version does not know", source, word);
-    models.push_back(found->value);
+    // The points of soil whose cohesion grows have the law with a cohesion of their own.
+    const auto growth = material.find("cohesion_gradient");
+    const bool grows = growth != material.end() && growth->at("value").is_number() && growth->at("value") != 0.0;
+    models.push_back(found->value == material::model_of<material::MohrCoulomb> && grows
+                         ? material::model_of<material::RootedMohrCoulomb>
+                         : found->value);
   }
   return models;
 }

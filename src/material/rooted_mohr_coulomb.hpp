@@ -63,7 +63,7 @@ class RootedMohrCoulomb {
   using Local = RootedMohrCoulomb;
   static bool varies(const Input&) { return true; }
   void set_initial_state(const Input& in, const StateStart& start, double* state) const {
-    state[1] = in.get<CohesionGradient>().find_extra(start.level) + start.root_cohesion;
+    state[1] = start.strength_growth.value_or(in.get<CohesionGradient>().find_extra(start.level) + start.root_cohesion);
   }
 
   /// `strength` is already reduced; `root_factor` divides c_r (strength reduction). The tensile strength is unchanged;
@@ -87,7 +87,7 @@ class RootedMohrCoulomb {
                                    soil_.widen_bounds<T>(state[1] * root_share_), around);
   }
 
-  static void read_start(const double* state, StateStart& start) { start.root_cohesion = state[1]; }
+  static void read_start(const double* state, StateStart& start) { start.strength_growth = state[1]; }
   static std::vector<StateField> fields() { return {{"root_cohesion", "Pa", 0}, separation_field}; }
   static void show(const double* state, double /*saturation*/, double* values) {
     values[0] = state[1];

@@ -65,12 +65,17 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
   // If the previous run ended before its preconsolidation was set, the next case that gives one sets it.
   const bool lacks_one =
       stays_in_family && lacks_preconsolidation(law, point.state.data()) && soil.preconsolidation.has_value();
-  if (soil.model == before && !lacks_one && (same_roots || now.roots == material::RootEffect::none)) return point.state;
-  // The fresh state has the water content or cohesion of the new law in the right place.
-  const auto kept = static_cast<std::size_t>(stays_in_family ? now.family_states : material::common_state_size);
+  // The fresh state has the water content, and the cohesion or strength of the place, of the new law.
   material::StateStart start{point.stress.data(), find_void_ratio(point, soil), find_saturation(point)};
   start.level = point.position[1];
   material::read_start(law, fresh.data(), start);
+  const bool is_same = material::find_local_model(soil.model, soil).value_or(soil.model) == before;
+  if (is_same && !lacks_one && (same_roots || start.strength_growth || now.roots == material::RootEffect::none)) {
+    State state = point.state;
+    if (start.strength_growth) state[1] = *start.strength_growth;
+    return state;
+  }
+  const auto kept = static_cast<std::size_t>(stays_in_family ? now.family_states : material::common_state_size);
   State renewed = make_state(law, soil, start);
   const double preconsolidation = renewed[1];
   std::copy_n(point.state.begin(), kept, renewed.begin());
