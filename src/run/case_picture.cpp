@@ -35,6 +35,7 @@ input::Case make_drawable(const input::Sketch& sketch) {
   drop_unsound(data.hydraulics, "hydraulic");
   drop_unsound(data.roots, "roots");
   drop_unsound(data.surcharges, "surcharge");
+  std::erase_if(data.supports, [&](const auto& entry) { return !sketch.is_sound("support." + entry.first); });
   drop_unsound(data.lem.surfaces, "lem.surface");
   drop_unsound(data.lem.block.windows, "lem.block.window");
   drop_unsound(data.lem.excluded, "lem.exclude");

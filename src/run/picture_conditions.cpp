@@ -236,6 +236,19 @@ void add_loads(const PictureSource& source, Picture& picture, std::set<std::stri
   }
 }
 
+void add_bars(const PictureSource& source, Picture& picture) {
+  if (source.ground.size() < 2) return;
+  for (const auto& [name, support] : source.data.supports) {
+    const input::BarLayout layout = input::lay_bars(support, source.ground, source.data.units().length);
+    for (const input::BarLine& line : layout.bars) {
+      const double length = line.length();
+      if (!(length > 0)) continue;
+      const double free = support.free_length ? *support.free_length : length - support.bond_length.value_or(length);
+      picture.bars.push_back({line.row == 1 ? name : "", line.head, line.end, std::clamp(free / length, 0.0, 1.0)});
+    }
+  }
+}
+
 }  // namespace
 
 void add_conditions(const PictureSource& source, Picture& picture) {
@@ -244,6 +257,7 @@ void add_conditions(const PictureSource& source, Picture& picture) {
   add_water(source, picture);
   add_water_sides(source, picture, named);
   add_loads(source, picture, named);
+  add_bars(source, picture);
   for (const mesh::Line& line : source.data.mesh.lines)
     picture.lines.push_back({named.contains(line.name) ? "" : line.name, line.points});
 }

@@ -114,7 +114,8 @@ std::vector<Point> list_heads(const Support& support, const mesh::Polyline& grou
   if (!support.first) return heads;
   heads.push_back(*support.first);
   for (int row = 2; row <= support.rows; ++row) {
-    const auto next = step_down(ground, heads.front(), (row - 1) * *support.row_spacing, support.spacing_along);
+    const auto next =
+        step_down(ground, heads.front(), (row - 1) * support.row_spacing.value_or(0), support.spacing_along);
     if (!next) {
       out.fault = fmt::format(
           "row {} of {} lies beyond the foot of the slope below `first`, {}: fewer rows, or a smaller 'row_spacing'",
@@ -132,6 +133,12 @@ std::vector<Point> list_heads(const Support& support, const mesh::Polyline& grou
 BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const ShownUnit& unit) {
   BarLayout out;
   const std::vector<Point> heads = list_heads(support, ground, unit, out);
+  // A case that was checked has one length or end for each head, and a spacing of its rows.
+  const bool has_lengths =
+      support.lengths.empty() ? support.length.has_value() : support.lengths.size() == heads.size();
+  if (out.fault.empty() && (support.ends.empty() ? !has_lengths : support.ends.size() != heads.size()))
+    out.fault = "bars without a length";
+  if (!out.fault.empty()) return out;
   const bool is_pile = support.kind == SupportKind::pile;
   const double dip = support.inclination.value_or(is_pile ? std::numbers::pi / 2 : 0);
   const bool is_upright = std::cos(dip) < 1e-9;
@@ -384,10 +391,11 @@ void warn_of_crossings(const Case& data, Findings& findings) {
       const bool is_pile =
           data.supports.at(*name).kind == SupportKind::pile || data.supports.at(*other_name).kind == SupportKind::pile;
       if (is_pile || !do_cross(bar, other)) continue;
-      return findings.warn("support." + *name,
-                           "the bar of support '{}' in row {} crosses that of '{}' in row {}: their forces add up "
-                           "where both are at one place only in the section, not along the slope",
-                           *name, bar.row, *other_name, other.row);
+      return findings.warn(
+          "support." + *name,
+          "the bar of support '{}' in row {} crosses that of '{}' in row {} in the section. Both count "
+          "with their full resistance, as bars that stand side by side along the slope",
+          *name, bar.row, *other_name, other.row);
     }
 }
 

@@ -49,6 +49,7 @@ class Drawing {
   void draw_mesh();
   void draw_water();
   void draw_loads();
+  void draw_bars();
   void draw_search();
   void draw_zones();
   void mark_messages();
@@ -91,6 +92,7 @@ Rectangle Drawing::fit() {
   for (const auto& pond : picture_.ponds) include(pond);
   for (const auto& load : picture_.loads) include(load.line);
   for (const auto& surface : picture_.surfaces) include(surface.points);
+  for (const auto& bar : picture_.bars) include({bar.head, bar.end});
   if (picture_.centres) include({picture_.centres->from, picture_.centres->to});
   for (const auto& zone : picture_.zones) include(zone.points);
   const double width = box.x1 - box.x0, height = box.y1 - box.y0, frame_width = page_width - frame_left - frame_right;
@@ -273,6 +275,15 @@ void Drawing::draw_zones() {
   }
 }
 
+void Drawing::draw_bars() {
+  for (const auto& bar : picture_.bars) {
+    drawn_ += draw_bar(bar, view_);
+    if (!bar.text.empty()) name_line(bar.text, {view_(bar.head), view_(bar.end)}, colour::bar);
+  }
+  if (!picture_.bars.empty())
+    legend_.push_back({draw_bar({"", {0, 0}, {28, 0}, 0.4}, View{1, 0, 0}), "bar with its bonded part"});
+}
+
 void Drawing::draw_search() {
   for (const auto& zone : picture_.roots) {
     drawn_ += draw_roots(zone, view_);
@@ -411,6 +422,7 @@ void Drawing::draw_section() {
   // Numbers of messages take their places first, and names of soils, which the legend repeats, take theirs last.
   mark_messages();
   draw_loads();
+  draw_bars();
   draw_water();
   draw_search();
   draw_zones();

@@ -80,6 +80,12 @@ struct CasePicture {
     Polyline ground;
     double depth = 0;  ///< normal to the ground
   };
+  /// A bar in the soil: a nail, an anchor, a sheet or a pile.
+  struct Bar {
+    std::string text;  ///< name of the support; empty for all of its bars but one
+    Point head{}, end{};
+    double free_share = 0;  ///< part of its length behind the head that has no bond
+  };
   using Side = std::array<Point, 2>;
   struct Message {
     bool is_error = false;
@@ -102,6 +108,7 @@ struct CasePicture {
   std::vector<Load> loads;
   std::vector<Shaking> shaking;
   std::vector<RootZone> roots;
+  std::vector<Bar> bars;
   std::vector<GroundRange> ranges;
   std::optional<CentreGrid> centres;
   std::vector<SearchZone> zones;

@@ -212,6 +212,19 @@ std::string draw_load(const CasePicture::Load& load, double most, const View& vi
   return group("load", write_line(tails, stroke(colour::load, 1.4)) + text);
 }
 
+std::string draw_bar(const CasePicture::Bar& bar, const View& view) {
+  const Pixel head = view(bar.head), end = view(bar.end);
+  const Pixel from{head.x + bar.free_share * (end.x - head.x), head.y + bar.free_share * (end.y - head.y)};
+  std::string text =
+      write_line({head, end}, stroke(colour::bar, 1.4)) + write_line({from, end}, stroke(colour::bar, 3));
+  const double length = std::hypot(end.x - head.x, end.y - head.y), plate = 5;
+  if (length > 0) {
+    const Pixel across{-(end.y - head.y) / length, (end.x - head.x) / length};
+    text += write_line({move(head, across, plate), move(head, across, -plate)}, stroke(colour::bar, 2));
+  }
+  return group("bar", text);
+}
+
 std::string draw_roots(const CasePicture::RootZone& roots, const View& view) {
   const std::vector<Pixel> line = view(roots.ground);
   const double depth = roots.depth * view.scale;

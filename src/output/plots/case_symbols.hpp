@@ -21,8 +21,8 @@ struct View {
 
 namespace colour {
 inline constexpr const char *ink = "#1b2330", *muted = "#5b6675", *water = "#1565c0", *later_water = "#26a0da",
-                            *load = "#b3261e", *roots = "#2e7d32", *entry = "#7b1fa2", *exit = "#00796b",
-                            *surface = "#c2185b", *error = "#c62828", *warning = "#b26a00";
+                            *load = "#b3261e", *roots = "#2e7d32", *bar = "#37474f", *entry = "#7b1fa2",
+                            *exit = "#00796b", *surface = "#c2185b", *error = "#c62828", *warning = "#b26a00";
 }  // namespace colour
 
 /// Points at equal distances along a line, with the unit normal to the left of its direction on the page.
@@ -49,6 +49,7 @@ std::string draw_load(const CasePicture::Load& load, double most, const View& vi
 double find_largest_load(const std::vector<CasePicture::Load>& loads);
 /// Length of the arrow of the largest load [px].
 inline constexpr double load_arrow = 40;
+std::string draw_bar(const CasePicture::Bar& bar, const View& view);
 std::string draw_roots(const CasePicture::RootZone& roots, const View& view);
 std::string draw_range(const CasePicture::GroundRange& range, const View& view);
 std::string draw_zone(const CasePicture::SearchZone& zone, const View& view);

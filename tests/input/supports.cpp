@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// [support.NAME]: patterns on slopes to either side, and the message on each fault.
+
+#include "input/case/support.hpp"
+
+#include <cmath>
+
+#include "methods_slope.hpp"
+
+namespace talus::input {
+namespace {
+
+/// Nails in the slope of slices_alone, which rises from (30, 25) to (50, 35).
+std::string write_nails(const std::string& where = "first = [48, 34]\nrows = 3\nrow_spacing = 3\n",
+                        const std::string& length = "inclination = 15\nlength = 8\n",
+                        const std::string& resistance =
+                            "out_of_plane_spacing = 1.5\ntensile_strength = 100\nplate = "
+                            "50\nbond = 20\n") {
+  return slices_alone + "[support.nails]\nkind = \"nail\"\n" + where + length + resistance;
+}
+
+const mesh::Polyline rising{{0, 25}, {30, 25}, {50, 35}, {90, 35}};
+const ShownUnit metre{"m", 1};
+
+TEST(Supports, RowsGoDownTheSlope) {
+  const Case data = read(write_nails());
+  const BarLayout layout = lay_bars(data.supports.at("nails"), rising, metre);
+  ASSERT_EQ(layout.bars.size(), 3u);
+  EXPECT_NEAR(layout.bars[1].head[0], 42, 1e-9);
+  EXPECT_NEAR(layout.bars[2].head[1], 28, 1e-9);
+  for (const BarLine& bar : layout.bars) {
+    EXPECT_NEAR(bar.length(), 8, 1e-9);
+    EXPECT_NEAR(bar.end[0] - bar.head[0], 8 * std::cos(15 * 0.017453292519943295), 1e-9);
+    EXPECT_LT(bar.end[1], bar.head[1]);
+  }
+}
+
+TEST(Supports, SpacingAlongTheFace) {
+  Support support;
+  support.first = std::array{48.0, 34.0};
+  support.rows = 2;
+  support.row_spacing = std::sqrt(5.0);
+  support.spacing_along = RowSpacing::face;
+  support.inclination = 0;
+  support.lengths = {4, 6};
+  const BarLayout layout = lay_bars(support, rising, metre);
+  ASSERT_EQ(layout.bars.size(), 2u);
+  EXPECT_NEAR(layout.bars[1].head[0], 46, 1e-9);
+  EXPECT_NEAR(layout.bars[1].head[1], 33, 1e-9);
+  EXPECT_NEAR(layout.bars[1].end[0], 52, 1e-9);
+}
+
+TEST(Supports, MirroredSlopeHasMirroredBars) {
+  const Case data = read(write_nails());
+  Support mirrored = data.supports.at("nails");
+  mirrored.first = std::array{90.0 - 48, 34.0};
+  const mesh::Polyline falling{{0, 35}, {40, 35}, {60, 25}, {90, 25}};
+  const BarLayout right = lay_bars(data.supports.at("nails"), rising, metre), left = lay_bars(mirrored, falling, metre);
+  ASSERT_EQ(left.bars.size(), right.bars.size());
+  for (std::size_t i = 0; i < left.bars.size(); ++i) {
+    EXPECT_NEAR(left.bars[i].head[0], 90 - right.bars[i].head[0], 1e-9);
+    EXPECT_NEAR(left.bars[i].end[0], 90 - right.bars[i].end[0], 1e-9);
+    EXPECT_NEAR(left.bars[i].end[1], right.bars[i].end[1], 1e-9);
+  }
+}
+
+TEST(Supports, RowsOnAVerticalFace) {
+  Support support;
+  support.first = std::array{0.0, 5.0};
+  support.rows = 3;
+  support.row_spacing = 2;
+  support.inclination = 0;
+  support.length = 4;
+  const BarLayout layout = lay_bars(support, {{-10, 0}, {0, 0}, {0, 6}, {20, 6}}, metre);
+  ASSERT_EQ(layout.bars.size(), 3u);
+  EXPECT_NEAR(layout.bars[2].head[1], 1, 1e-9);
+  EXPECT_NEAR(layout.bars[2].head[0], 0, 1e-9);
+  EXPECT_NEAR(layout.bars[2].end[0], 4, 1e-9);
+  support.rows = 4;
+  EXPECT_NE(lay_bars(support, {{-10, 0}, {0, 0}, {0, 6}, {20, 6}}, metre).fault.find("beyond the foot"),
+            std::string::npos);
+}
+
+TEST(Supports, NeedOnePlace) {
+  expect_one_fault(write_nails(""), "support 'nails': it has no place; give either 'heads', or 'first' and 'rows'");
+  expect_one_fault(write_nails("first = [48, 34]\nheads = [[46, 33]]\n"), "its place is given twice");
+  expect_one_fault(write_nails("first = [48, 34]\nrows = 2\n"), "2 rows need a 'row_spacing'");
+  expect_fault(write_nails("heads = [[48, 34]]\nrows = @@2\n"), "rows need their 'first' head");
+  expect_one_fault(write_nails("x = [40]\n"), "'x'");
+  expect_fault(write_nails("first = [48, 34]\nrows = @@20\nrow_spacing = 3\n"), "lies beyond the foot of the slope");
+}
+
+TEST(Supports, NeedOneLength) {
+  const std::string where = "heads = [[48, 34], [44, 32]]\n";
+  expect_one_fault(write_nails(where, "inclination = 15\n"),
+                   "it has no length; give 'length', or 'lengths' of each row");
+  expect_one_fault(write_nails(where, "length = 8\n"), "it needs an 'inclination', or 'ends'");
+  expect_fault(write_nails(where, "inclination = 15\nlength = 8\nlengths = @@[8, 8]\n"), "given twice");
+  expect_fault(write_nails(where, "inclination = 15\nlengths = @@[8]\n"), "'lengths' has 1 values for 2 heads");
+  expect_fault(write_nails(where, "ends = @@[[56, 30]]\n"), "'ends' has 1 points for 2 heads");
+  expect_fault(write_nails(where, "ends = [[56, 30], [52, 28]]\ninclination = @@10\n"),
+               "belongs to bars without 'ends'");
+  expect_fault(write_nails(where, "inclination = 15\nlength = @@-8\n"), "it must be above 0");
+}
+
+TEST(Supports, LieInTheSoil) {
+  expect_fault(write_nails("heads = @@[[48, 36]]\n"), "the head (48, 36) m lies in the air");
+  expect_fault(write_nails("heads = @@[[48, 30]]\n"), "lies in the soil");
+  expect_fault(write_nails("heads = [[48, 34]]\n", "ends = @@[[40, 36]]\n"), "above the ground");
+  expect_fault(write_nails("heads = [[48, 34]]\n", "inclination = 80\nlength = @@30\n"), "below its bottom");
+  expect_fault(write_nails("heads = [[48, 34]]\n", "inclination = 0\nlength = @@60\n"), "the side of the section");
+  expect_fault(write_nails("heads = @@[[10, 25]]\n"), "it is not on an inclined part of the ground");
+}
+
+TEST(Supports, NeedResistance) {
+  const std::string where = "heads = [[48, 34]]\n", length = "inclination = 15\nlength = 8\n",
+                    bar = "out_of_plane_spacing = 1.5\nplate = 50\n";
+  expect_fault(write_nails(where, length, bar + "bond = 20\ntensile_strength = @@0\n"), "it must be above 0");
+  expect_fault(
+      write_nails(where, length, "out_of_plane_spacing = @@-1.5\nplate = 50\nbond = 20\ntensile_strength = 90\n"),
+      "it must be above 0");
+  expect_one_fault(write_nails(where, length, bar + "tensile_strength = 90\n"), "it has no resistance to pull-out");
+  expect_one_fault(write_nails(where, length, bar + "tensile_strength = 90\nbond_friction = 25\n"),
+                   "give its 'diameter'");
+  expect_fault(write_nails(where, length, bar + "tensile_strength = 90\nbond = @@20\nbond_adhesion = 5\n"),
+               "given twice");
+  expect_fault(write_nails(where, length, bar + "tensile_strength = 90\nbond = 20\nconnection = @@4\n"), "kind");
+}
+
+TEST(Supports, AnchorHasABondedPart) {
+  const auto write = [](const std::string& part) {
+    return slices_alone +
+           "[support.tie]\nkind = \"anchor\"\nheads = [[48, 34]]\ninclination = 20\nlength = 15\nout_of_plane_spacing "
+           "= "
+           "2\ntensile_strength = 400\nplate = 300\nbond = 60\n" +
+           part;
+  };
+  EXPECT_TRUE(find_faults(write("bond_length = 6\n")).empty());
+  expect_one_fault(write(""), "an anchor is bonded over a part of its length; give 'free_length' or 'bond_length'");
+  expect_fault(write("bond_length = @@16\n"), "the bond length, 16 m, exceeds the length of the anchor in row 1, 15 m");
+  expect_fault(write("free_length = @@15\n"), "leaves nothing bonded of the anchor in row 1");
+}
+
+TEST(Supports, PilesNeedAForce) {
+  const auto write = [](const std::string& law) {
+    return slices_alone + "[support.row]\nkind = \"pile\"\nx = [40]\nlength = 8\nout_of_plane_spacing = 2\n" + law;
+  };
+  EXPECT_TRUE(find_faults(write("lateral_resistance = 60\n")).empty());
+  EXPECT_TRUE(find_faults(write("lateral_law = \"ito_matsui\"\ndiameter = 0.8\n")).empty());
+  expect_one_fault(write(""), "needs a 'lateral_resistance' or a 'shear_strength'");
+  expect_one_fault(write("lateral_law = \"ito_matsui\"\n"), "needs the 'diameter' of the piles");
+  expect_fault(write("lateral_law = \"ito_matsui\"\ndiameter = @@2.5\n"), "must be less than the spacing of the axes");
+  expect_one_fault(slices_alone +
+                       "[support.row]\nkind = \"pile\"\nx = [99]\nlength = 8\nout_of_plane_spacing = 2\n"
+                       "lateral_resistance = 60\n",
+                   "x = 99 m is not on the ground");
+}
+
+TEST(Supports, SheetsMayLieInTheSoil) {
+  const auto write = [](const std::string& connection) {
+    return slices_alone +
+           "[support.grid]\nkind = \"geosynthetic\"\nheads = [[35, 24]]\nends = [[45, 24]]\nstrength = "
+           "40\nbond_friction = 25\nconnection = " +
+           connection + "\n";
+  };
+  EXPECT_TRUE(find_faults(write("0")).empty());
+  expect_fault(write("@@10"), "lies in the soil, where nothing connects it");
+}
+
+TEST(Supports, ServeLimitEquilibriumAlone) {
+  const std::string nails = write_nails().substr(slices_alone.size());
+  expect_one_fault(with_elements + nails, "'methods' has \"fem\", which does not take [support.nails] yet");
+}
+
+TEST(Supports, CrossingBarsBringAWarning) {
+  const std::string second = write_nails("heads = [[38, 29]]\n", "ends = [[56, 34]]\n").substr(slices_alone.size());
+  const LoadedCase loaded =
+      read_case_text(write_nails() + change(second, "[support.nails]", "[support.others]"), "slope.toml");
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_NE(loaded.warnings[0].sentence.find("crosses that of"), std::string::npos) << loaded.warnings[0].sentence;
+}
+
+}  // namespace
+}  // namespace talus::input
