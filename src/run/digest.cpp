@@ -11,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "results/governing.hpp"
+#include "results/supports.hpp"
 
 namespace talus::run {
 namespace {
@@ -85,6 +86,22 @@ std::string write_drawdown(const results::RunResult& run) {
                                  drawn.factor_before ? fmt::format("{:.3f}", *drawn.factor_before) : "none");
   if (drawn.undrained_factor) text += fmt::format(", by the second stage: {:.3f}", *drawn.undrained_factor);
   return text + "\n";
+}
+
+/// Formats the convention of the supports and the forces of those that the governing surface crosses.
+std::string write_supports(const results::RunResult& run) {
+  if (!run.slices) return "";
+  const std::string sense = results::describe_support_sense(*run.slices);
+  if (sense.empty()) return "";
+  std::string text = fmt::format("  with {}\n", sense);
+  const auto surface = results::find_governing_surface(run);
+  if (!surface || !surface->found->supports) return text;
+  const ShownUnits units = read_units(run);
+  for (const results::SupportForce& f : *surface->found->supports)
+    text += fmt::format("  {} row {}: crossed at {}, force {:.4g} kN/m of {:.4g} kN/m, {}\n", f.support, f.row,
+                        format_point(f.crossing, units.length), f.force / 1e3, f.resistance / 1e3,
+                        results::get_title(f.limit));
+  return text;
 }
 
 /// "1.441"; "1.432–1.446" for the interval of limit analysis; "none".
@@ -332,6 +349,7 @@ std::string write_digest(const results::RunResult& run) {
   text += write_design_check(run);
   text += write_main_factor(run);
   text += write_drawdown(run);
+  text += write_supports(run);
   if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
   if (run.timeline) text += write_timeline(*run.timeline, units);

@@ -80,21 +80,7 @@ class Drawing {
 
 /// Sets view and frame, so that everything that belongs to the section is visible.
 Rectangle Drawing::fit() {
-  Box box;
-  const auto include = [&](const std::vector<Point>& line) {
-    for (const Point& p : line)
-      if (std::isfinite(p[0]) && std::isfinite(p[1])) box.include(p[0], p[1]);
-  };
-  for (const auto& soil : picture_.soils) include(soil.outline);
-  for (const auto& line : picture_.lines) include(line.points);
-  include(picture_.box);
-  for (const auto& side : picture_.soil_sides) include({side[0], side[1]});
-  for (const auto& pond : picture_.ponds) include(pond);
-  for (const auto& load : picture_.loads) include(load.line);
-  for (const auto& surface : picture_.surfaces) include(surface.points);
-  for (const auto& bar : picture_.bars) include({bar.head, bar.end});
-  if (picture_.centres) include({picture_.centres->from, picture_.centres->to});
-  for (const auto& zone : picture_.zones) include(zone.points);
+  const Box box = find_extent(picture_);
   const double width = box.x1 - box.x0, height = box.y1 - box.y0, frame_width = page_width - frame_left - frame_right;
   frame_ = {frame_left, heading, page_width - frame_right, heading + 60};
   if (!(width >= 0) || !(height >= 0) || !(std::max(width, height) > 0) || !std::isfinite(width + height))

@@ -212,6 +212,25 @@ std::string draw_load(const CasePicture::Load& load, double most, const View& vi
   return group("load", write_line(tails, stroke(colour::load, 1.4)) + text);
 }
 
+Box find_extent(const CasePicture& picture) {
+  Box box;
+  const auto include = [&](const std::vector<results::Point>& line) {
+    for (const results::Point& p : line)
+      if (std::isfinite(p[0]) && std::isfinite(p[1])) box.include(p[0], p[1]);
+  };
+  for (const auto& soil : picture.soils) include(soil.outline);
+  for (const auto& line : picture.lines) include(line.points);
+  include(picture.box);
+  for (const auto& side : picture.soil_sides) include({side[0], side[1]});
+  for (const auto& pond : picture.ponds) include(pond);
+  for (const auto& load : picture.loads) include(load.line);
+  for (const auto& surface : picture.surfaces) include(surface.points);
+  for (const auto& bar : picture.bars) include({bar.head, bar.end});
+  if (picture.centres) include({picture.centres->from, picture.centres->to});
+  for (const auto& zone : picture.zones) include(zone.points);
+  return box;
+}
+
 std::string draw_bar(const CasePicture::Bar& bar, const View& view) {
   const Pixel head = view(bar.head), end = view(bar.end);
   const Pixel from{head.x + bar.free_share * (end.x - head.x), head.y + bar.free_share * (end.y - head.y)};

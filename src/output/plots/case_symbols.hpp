@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/plots/case_picture.hpp"
+#include "output/plots/field_plot.hpp"
 #include "output/plots/svg.hpp"
 
 namespace talus::output {
@@ -49,6 +50,8 @@ std::string draw_load(const CasePicture::Load& load, double most, const View& vi
 double find_largest_load(const std::vector<CasePicture::Load>& loads);
 /// Length of the arrow of the largest load [px].
 inline constexpr double load_arrow = 40;
+/// Returns the box around everything that belongs to the section [m].
+Box find_extent(const CasePicture& picture);
 std::string draw_bar(const CasePicture::Bar& bar, const View& view);
 std::string draw_roots(const CasePicture::RootZone& roots, const View& view);
 std::string draw_range(const CasePicture::GroundRange& range, const View& view);

@@ -14,6 +14,7 @@
 #include "report/folder/numbers.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"
+#include "results/supports.hpp"
 
 namespace talus::report {
 
@@ -132,6 +133,13 @@ void format_drawdown(const results::RunResult& run, json& sentences) {
   if (surface && surface->found->drawdown && surface->found->drawdown->undrained_factor)
     text += fmt::format(", and {:.3f} with undrained strengths alone", *surface->found->drawdown->undrained_factor);
   sentences.push_back(text + ".");
+}
+
+/// Adds the convention of the supports.
+void format_supports(const results::RunResult& run, json& sentences) {
+  if (!run.slices) return;
+  const std::string sense = results::describe_support_sense(*run.slices);
+  if (!sense.empty()) sentences.push_back(fmt::format("The factors by LEM have {}.", sense));
 }
 
 /// Adds the factors of MPM. `lone`: the case has no other method; otherwise the table of the methods has the details.
@@ -382,6 +390,7 @@ json make_answer(const ResultFolder& folder) {
   const bool lone = !asks_for_others(folder);
   if (!lone) format_methods(run, factors, sentences);
   format_drawdown(run, sentences);
+  format_supports(run, sentences);
   format_factor(run, own, lone, sentences);
   format_flow(run, sentences);
   format_runouts(run, sentences);

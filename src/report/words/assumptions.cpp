@@ -157,6 +157,9 @@ class Assumptions {
     add("A factor of Spencer or Morgenstern–Price is not shown with λ above {:g}, since the forces between the slices "
         "would be steeper than soil can bear, nor with λ below {:g}, since the upper part would hold up the lower.",
         data_.lem.largest_lambda, data_.lem.smallest_lambda);
+    if (!data_.supports.empty())
+      add("Supports act where the slip surface crosses them, each with its resistance there: their deformation is "
+          "neglected. They have no force where the sliding would shorten them, and none across an open tension crack.");
     if (data_.lem.drawdown)
       add("The drawdown is instantaneous: no soil that holds its water drains or swells while the level falls, and "
           "soil "
