@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/error.hpp"
 #include "input/case/boundary.hpp"
 #include "input/echo.hpp"
 #include "mesh/planar.hpp"
@@ -21,6 +22,7 @@
 #include "report/content/water.hpp"
 #include "report/folder/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
+#include "site/supports.hpp"
 
 namespace talus::report {
 
@@ -179,6 +181,22 @@ double find_added_crack(const results::RunResult& run) {
 json list_surcharges(const input::Case& data) {
   json list = json::array();
   for (const input::Surcharge& s : data.surcharges) list.push_back({{"name", s.name}, {"x", s.x}, {"load", s.load}});
+  return list;
+}
+
+/// Returns the bars of the supports; none where the section has no ground for them.
+json list_bars(const input::Case& data) {
+  json list = json::array();
+  try {
+    for (const site::Bar& bar : site::list_bars(site::Site(data)))
+      list.push_back({{"support", bar.support},
+                      {"row", bar.row},
+                      {"head", bar.head},
+                      {"end", bar.end},
+                      {"bonded", std::min(bar.free_length, bar.length())}});
+  } catch (const Error&) {
+    return json::array();
+  }
   return list;
 }
 
@@ -383,6 +401,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
              {"boundaries", list_boundaries(data, dimension, plane, units.speed())},
              {"loads", loads},
              {"surcharges", list_surcharges(data)},
+             {"bars", list_bars(data)},
              {"water", list_water_states(folder)},
              {"monitors", list_monitors(folder, dimension)},
              {"materials", list_materials(folder, factor_of_safety)},

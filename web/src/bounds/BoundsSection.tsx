@@ -5,7 +5,7 @@ import { useMemo, useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { BoundsDrawn, BoundsResult } from "../contract";
-import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { drawBars, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey, useOpacity } from "../drawing/Keys";
 import { findSoilBox, paintTriangles } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -72,6 +72,7 @@ function Figure({ bounds, drawn }: { bounds: BoundsResult; drawn: BoundsDrawn })
             paintTriangles(pen, fields.moves.mesh, fields.moves.shear_rate, colours, scale, opacity);
           drawOutlines(pen);
           drawSurcharges(pen);
+          drawBars(pen);
         }}
         depends={[fields, field, opacity]}
         drawOver={(pen) => {

@@ -4,7 +4,7 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { Choice, useSwitches } from "../charts/base/Legend";
-import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawBars, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineSwatch, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -85,6 +85,7 @@ export function Overview() {
           drawOutlines(pen);
           layer.drawOver(pen);
           drawSurcharges(pen);
+          drawBars(pen);
         }}
         depends={[fields, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {

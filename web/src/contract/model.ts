@@ -14,6 +14,8 @@ export interface Model {
   loads: { name: string; text: string }[];
   /** Vertical loads on the ground: x [m], and loads there [Pa]; linear between, down positive. */
   surcharges: { name: string; x: number[]; load: number[] }[];
+  /** Straight bars of the supports [m]; `bonded`: distance from the head from which on they have bond. */
+  bars: { support: string; row: number; head: number[]; end: number[]; bonded: number }[];
   /** Vertical crack at the upper end of the surfaces of LEM: its depth, and that of the water in it [m]. */
   crack?: { depth: number; water: number };
   /** Of `water_states` of the results, in their order. */

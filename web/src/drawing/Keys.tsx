@@ -53,7 +53,7 @@ export function LineKey(props: { colour: string; dash?: string; width?: number; 
 
 /** Soils and water tables. */
 export function GroundKeys() {
-  const { polygons, surcharges, crack } = report.value.model;
+  const { polygons, surcharges, bars, crack } = report.value.model;
   const used = findUsedWater();
   const soils = [...new Set(polygons.map((p) => p.material).filter(Boolean))];
   return (
@@ -87,6 +87,11 @@ export function GroundKeys() {
       )}
       {used && used.exits.length > 0 && <li>○ Exit of the seepage</li>}
       {surcharges.length > 0 && <li>↓ Surcharge</li>}
+      {bars.length > 0 && (
+        <LineKey colour="currentColor" width={2.2}>
+          Support; thick: bonded part
+        </LineKey>
+      )}
       {crack && (
         <LineKey colour="currentColor" dash="3 2" width={2.2}>
           Tension crack{crack.water > 0 && ", blue: water in it"}

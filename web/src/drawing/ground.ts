@@ -197,6 +197,21 @@ export function drawCrack({ context, place, theme }: Pick<Pen, "context" | "plac
   }
 }
 
+/** Supports: a bar with its bonded part and a plate at its head. */
+export function drawBars({ context, place, theme }: Pen): void {
+  for (const { head, end, bonded } of report.value.model.bars) {
+    const [a, b] = [place(head), place(end)];
+    const length = Math.hypot(end[0]! - head[0]!, end[1]! - head[1]!);
+    const pixels = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (!(length > 0 && pixels > 0)) continue;
+    const from: Pixel = [a[0] + (bonded / length) * (b[0] - a[0]), a[1] + (bonded / length) * (b[1] - a[1])];
+    const across: Pixel = [(-4 * (b[1] - a[1])) / pixels, (4 * (b[0] - a[0])) / pixels];
+    strokeLine(context, [a, b], { colour: theme.ink, width: 1.1 });
+    strokeLine(context, [from, b], { colour: theme.ink, width: 2.2 });
+    strokeLine(context, [[a[0] + across[0], a[1] + across[1]], [a[0] - across[0], a[1] - across[1]]], { colour: theme.ink, width: 1.8 });
+  }
+}
+
 /** Arrows as long as the load is large. */
 export function drawSurcharges({ context, place, theme }: Pen): void {
   const { surcharges } = report.value.model;

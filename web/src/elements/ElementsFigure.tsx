@@ -4,7 +4,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice, useToggles } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
-import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawBars, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -113,6 +113,7 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
           drawOutlines(pen);
           layer.drawOver(pen);
           drawSurcharges(pen);
+          drawBars(pen);
         }}
         depends={[fields, quantity, nodes, on.mesh, ...layer.depends, opacity]}
         drawOver={(pen) => {

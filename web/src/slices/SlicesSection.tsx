@@ -9,6 +9,7 @@ import { formatCoordinate, formatSentence } from "../page/format";
 import { report } from "../state";
 import { MapFigure } from "./MapFigure";
 import { SliceTable } from "./SliceTable";
+import { SupportTable } from "./SupportTable";
 import { SurfaceTable } from "./SurfaceTable";
 import { TrialFigure } from "./TrialFigure";
 import { listRestrictions } from "./restrictions";
@@ -156,6 +157,7 @@ export function SlicesSection() {
             </div>
             {hasMap && <MapFigure slices={slices} selected={selected} />}
           </div>
+          <SupportTable surface={selected} />
           <SliceTable surface={selected} />
         </>
       ) : (

@@ -8,7 +8,7 @@ import type { Slices, SlipSurface } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
 import { GroundKeys, LineKey, useDark } from "../drawing/Keys";
 import {
-  clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater,
+  clipToSoil, drawBars, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater,
 } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -18,7 +18,7 @@ import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
 import { drawRestrictions } from "./restrictions";
 import {
-  criticalLook, drawCritical, drawRanges, drawSlices, drawThrust, hasThrust, thrustLook,
+  criticalLook, drawCritical, drawRanges, drawSlices, drawSupportForces, drawThrust, hasThrust, thrustLook,
 } from "./surfacePainter";
 import { chooseLimit, drawTrials, findTrial, makeBands, trialWidth, useTrials } from "./trialPainter";
 import {
@@ -115,6 +115,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
             clipToSoil(pen, () => drawTrials(pen, arrays.circles, trials, bands, below, show === "banded"));
           drawOutlines(pen);
           drawSurcharges(pen);
+          drawBars(pen);
         }}
         depends={[trials, show, bands, dark]}
         drawOver={(pen) => {
@@ -125,6 +126,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
           if (on.others) for (const s of others) drawSurface(context, s.points.map(place), otherLook, 1.6);
           drawCrack(pen, selected.points);
           drawCritical(pen, selected, false);
+          drawSupportForces(pen, selected);
           if (on.thrust) drawThrust(pen, selected);
           if (lit) drawSurface(context, lit.points.map(place), minimumLook, 2.6);
           if (on.ranges) drawRanges(pen, exit, entry);

@@ -30,6 +30,21 @@ export function drawRanges({ context, camera, place, theme }: Pen, exit?: number
 export const criticalLook = { colour: "#c2185b", dash: [] };
 export const thrustLook = { colour: "#00755a", dash: [7, 3] };
 
+export const supportLook = { colour: "#d9480f", dash: [] };
+
+/** Bars that the surface crosses, as thick as their resistance is used, with the force on the mass. */
+export function drawSupportForces({ context, place, theme }: Pen, { supports }: CriticalSurface): void {
+  const largest = Math.max(0, ...(supports ?? []).map((s) => s.resistance ?? 0));
+  for (const { head, end, crossing, direction, resistance } of supports ?? []) {
+    const fraction = largest > 0 ? (resistance ?? 0) / largest : 0;
+    strokeLine(context, [head, end].map((p) => place(p as number[])), { colour: supportLook.colour, width: 1 + 4 * fraction });
+    const at = place(crossing as number[]);
+    const to: [number, number] = [at[0] + 34 * fraction * direction[0]!, at[1] - 34 * fraction * direction[1]!];
+    strokeLine(context, [at, to], { colour: criticalLook.colour, width: 1.6 });
+    drawDot(context, at, 3, { fill: criticalLook.colour, colour: theme.ground, width: 1 });
+  }
+}
+
 export function drawSlices({ context, place, theme }: Pen, { slices }: CriticalSurface): void {
   const { left, base_left, base_right, top_left, top_right, right } = slices;
   context.globalAlpha = 0.45;

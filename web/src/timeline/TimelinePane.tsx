@@ -5,7 +5,7 @@ import { useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { useDark, useOpacity } from "../drawing/Keys";
-import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawBars, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { formatFactor } from "../page/format";
@@ -58,6 +58,7 @@ function MomentFigure({ timeline, chosen }: { timeline: ShownTimeline; chosen: n
           clipToSoil(pen, () => layer.paint(pen, opacity));
           drawOutlines(pen);
           drawSurcharges(pen);
+          drawBars(pen);
         }}
         depends={[dark, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {
