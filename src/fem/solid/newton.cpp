@@ -33,7 +33,7 @@ double find_norm(const std::vector<double>& v) {
   return std::sqrt(s);
 }
 
-/// Adds the product of a matrix and x to y.
+/// Adds the product of a matrix and x to y; without bars, as in 3D.
 template <int D>
 void add_product(const SolidSystem<D>& system, const std::vector<double>& matrix, const std::vector<double>& x,
                  std::vector<double>& y) {
@@ -67,8 +67,7 @@ SolidNewton<D>::SolidNewton(const SolidSystem<D>& system, const SolidOptions& op
 template <int D>
 void SolidNewton<D>::look(const SolidAssembly<D>& assembly, const SolidState<D>& from, const std::vector<double>& q,
                           const std::vector<double>& target, Place& to) {
-  system_.to_nodes(q, u_);
-  assembly.evaluate(from, u_, true, to.state, to.sums);
+  assembly.evaluate(from, q, true, to.state, to.sums);
   to.residual.resize(target.size());
   for (std::size_t i = 0; i < target.size(); ++i) to.residual[i] = target[i] - to.sums.force[i];
   to.fault = find_norm(to.residual);

@@ -67,7 +67,6 @@ class SolidNewton {
   double elastic_displacement_ = -1;   ///< negative: not computed yet
   std::vector<double> elastic_;        ///< stiffness matrix of the elastic soil
   std::vector<double> matrix_, lack_;  ///< work arrays
-  std::vector<Vec<D>> u_;
   SolidState<D> last_motion_;
   std::vector<std::array<double, 2>> way_;  ///< displacement and out-of-balance force of each step so far
 };

@@ -29,7 +29,7 @@ SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton,
                            const SolidOptions& options, const SolidState<D>& start) {
   SolidResult<D> result;
   SolidState<D> now = start, end;
-  const std::vector<Vec<D>> still(system.mesh.nodes.size(), Vec<D>{});
+  const std::vector<double> still(system.load.size(), 0);
   SolidSums sums;
   assembly.evaluate(start, still, false, end, sums);
   const int before = newton.factorisations();
@@ -67,9 +67,13 @@ template <int D>
 SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& options, double factor,
                                 const SolidState<D>* start) {
   const SolidSystem<D> system(model);
-  const SolidAssembly<D> assembly(system, make_laws(model, factor), options.threads);
+  const SolidAssembly<D> assembly(system, make_laws(model, factor), options.threads, {factor, start == nullptr});
   SolidNewton<D> newton(system, options);
   return apply_loads(system, newton, assembly, options, start ? *start : assembly.make_start());
+}
+
+std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor) {
+  return compute_bar_forces(model.bars, SolidSystem<2>(model).springs.list, state.bars, factor);
 }
 
 template std::vector<material::Law> make_laws(const SolidModel<2>&, double);

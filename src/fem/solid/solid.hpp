@@ -12,6 +12,7 @@
 
 #include "base/shown_units.hpp"
 #include "base/vec.hpp"
+#include "fem/solid/bars.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
 
@@ -44,6 +45,7 @@ struct SolidModel {
   Vec<D> direction{};                ///< of the body force per unit weight: gravity and earthquake [-]
   std::vector<Support<D>> supports;  ///< several on one side fix the directions of all of them
   std::vector<SurfaceLoad<D>> loads;
+  std::vector<Bar> bars;  ///< plane strain only
   /// χ p at the corners of each element, positive in tension [Pa]; empty: dry.
   std::vector<std::array<double, D + 1>> pore_stress;
   /// S_w per element, for laws that depend on it; empty: 1.
@@ -73,6 +75,7 @@ struct SolidState {
   std::vector<double> state;                  ///< state variables; per point the largest number of any law
   std::vector<std::array<double, 6>> strain;  ///< total, per integration point [-]; shear components are γ
   std::vector<char> yields;                   ///< per integration point: has yielded since the start, or in this trial
+  std::vector<double> bars;                   ///< elastic deformation of each spring of the bars (T19.12)
 };
 
 template <int D>
@@ -117,6 +120,7 @@ struct ReductionResult {
   double elastic_displacement = 0;     ///< u_el, largest of the elastic soil under all loads [m]
   std::vector<ReductionTrial> trials;  ///< in the order of the factors
   SolidState<D> at_full_strength;
+  SolidState<D> at_stable;   ///< of the trial `stable`; displacements and strains since full strength
   SolidState<D> at_failure;  ///< of the trial `failed`; displacements and strains since full strength
   SolidState<D> mechanism;   ///< of the same trial: displacements and strains of its last creep step alone
   int iterations = 0, factorisations = 0;
@@ -152,6 +156,9 @@ ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOp
 /// Returns true if there is equilibrium with the strengths divided by `factor`. Throws as reduce_strength().
 template <int D>
 bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, double factor);
+
+/// Returns the forces of each bar in a state at a factor.
+std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor = 1);
 
 /// A slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest.
 struct SlipLine {

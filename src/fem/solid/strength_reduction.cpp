@@ -82,7 +82,7 @@ class Reduction {
   void find_base() {
     double factor = 1;
     while (factor >= options_.smallest) {
-      const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads);
+      const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads, {factor, true});
       auto found = apply_loads(system_, newton_, assembly, options_.solid, assembly.make_start());
       result_.iterations += found.iterations;
       if (found.converged) {
@@ -130,7 +130,7 @@ class Reduction {
   bool try_factor(double factor) {
     throw_if_interrupted();
     const auto begin = Clock::now();
-    const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads);
+    const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads, {factor, false});
     SolidState<D> start = result_.at_full_strength, end;
     std::fill(start.displacement.begin(), start.displacement.end(), Vec<D>{});
     std::fill(start.yields.begin(), start.yields.end(), 0);
@@ -140,7 +140,9 @@ class Reduction {
         factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
-    if (!out.converged) {  // the failed trials come in the order of decreasing factors
+    if (out.converged) {  // the stable trials come in the order of increasing factors
+      result_.at_stable = std::move(end);
+    } else {  // the failed trials come in the order of decreasing factors
       result_.at_failure = std::move(end);
       result_.mechanism = newton_.last_motion();
     }

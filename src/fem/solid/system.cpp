@@ -49,6 +49,16 @@ void add_stiffness(const std::array<Vec<D>, Quadratic<D>::nodes>& g,
     });
 }
 
+/// Adds the tangent of a spring to the global matrix.
+void add_spring(const Spring& spring, double tangent, std::vector<double>& matrix) {
+  const std::size_t count = spring.unknown.size();
+  if (tangent == 0) return;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j)
+      matrix[static_cast<std::size_t>(spring.slots[i * count + j])] +=
+          spring.weight * tangent * spring.rate[i] * spring.rate[j];
+}
+
 }  // namespace
 
 template <int D>
@@ -61,8 +71,9 @@ struct SolidAssembly<D>::Element {
 };
 
 template <int D>
-SolidAssembly<D>::SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads)
-    : system_(system), laws_(std::move(laws)), threads_(threads > 0 ? threads : default_threads()) {
+SolidAssembly<D>::SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads,
+                                const SpringStage& stage)
+    : system_(system), laws_(std::move(laws)), threads_(threads > 0 ? threads : default_threads()), stage_(stage) {
   for (const auto& law : laws_) state_size_ = std::max(state_size_, material::state_size(law));
 }
 
@@ -76,6 +87,7 @@ SolidState<D> SolidAssembly<D>::make_start() const {
   s.strain.assign(points, {});
   s.yields.assign(points, 0);
   s.state.assign(points * size, 0);
+  s.bars.assign(system_.springs.list.size(), 0);
   for (std::size_t p = 0; p < points; ++p) {
     const std::size_t k = p / Quadratic<D>::points;
     if (!system_.model.initial_stress.empty())
@@ -188,8 +200,31 @@ void SolidAssembly<D>::for_batches(bool with_matrix, Work&& work, SolidSums& sum
 }
 
 template <int D>
-void SolidAssembly<D>::evaluate(const SolidState<D>& start, const std::vector<Vec<D>>& u, bool with_matrix,
+void SolidAssembly<D>::evaluate_springs(const SolidState<D>& start, const std::vector<double>& q, bool with_matrix,
+                                        SolidState<D>& end, SolidSums& sums) const {
+  const auto& list = system_.springs.list;
+  end.bars.resize(list.size());
+  for (std::size_t s = 0; s < list.size(); ++s) {
+    const Spring& spring = list[s];
+    const std::size_t count = spring.unknown.size();
+    double deformation = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      deformation += spring.rate[i] * q[static_cast<std::size_t>(spring.unknown[i])];
+    const SpringAnswer answer = update_spring(spring, stage_, start.bars[s], deformation);
+    end.bars[s] = answer.elastic;
+    // A spring without tangent makes the matrix singular unless viscosity is added, as does yielding soil.
+    sums.yielding += answer.tangent == 0;
+    for (std::size_t i = 0; i < count; ++i)
+      sums.force[static_cast<std::size_t>(spring.unknown[i])] += spring.weight * answer.force * spring.rate[i];
+    if (with_matrix) add_spring(spring, answer.tangent, sums.matrix);
+  }
+}
+
+template <int D>
+void SolidAssembly<D>::evaluate(const SolidState<D>& start, const std::vector<double>& q, bool with_matrix,
                                 SolidState<D>& end, SolidSums& sums) const {
+  std::vector<Vec<D>> u;
+  system_.to_nodes(q, u);
   end.stress.resize(start.stress.size());
   end.strain.resize(start.strain.size());
   end.state.resize(start.state.size());
@@ -199,6 +234,7 @@ void SolidAssembly<D>::evaluate(const SolidState<D>& start, const std::vector<Ve
     for (std::size_t d = 0; d < D; ++d) end.displacement[n][d] = start.displacement[n][d] + u[n][d];
   for_batches(
       with_matrix, [&](std::size_t k, Element& sum) { evaluate_element(k, start, u, with_matrix, end, sum); }, sums);
+  evaluate_springs(start, q, with_matrix, end, sums);
   throw_failure();
 }
 
@@ -226,6 +262,7 @@ void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<
         if (system_.turned[k]) turn(k, true, sum);
       },
       sums);
+  for (const Spring& spring : system_.springs.list) add_spring(spring, spring.stiffness, sums.matrix);
   matrix = std::move(sums.matrix);
 }
 
@@ -321,11 +358,14 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
       for (std::size_t i = 0; i < Q::corners; ++i) pore[k][q] += l[i] * p[i];
     }
   }
+  if constexpr (D == 2) springs = make_springs(model.bars, mesh, nodes, unknowns);
+  unknowns += springs.unknowns;
   to_unknowns(find_loads(model, mesh), load);
+  for (const auto& [unknown, force] : springs.loads) load[static_cast<std::size_t>(unknown)] += force;
   make_pattern();
 }
 
-/// Builds the pattern of the matrix, in which all unknowns of an element are coupled.
+/// Builds the pattern of the matrix, in which all unknowns of an element or of a spring are coupled.
 template <int D>
 void SolidSystem<D>::make_pattern() {
   const auto list_unknowns = [&](std::size_t k) {
@@ -343,6 +383,10 @@ void SolidSystem<D>::make_pattern() {
         for (int i : list)
           if (i >= 0) columns[static_cast<std::size_t>(j)].push_back(i);
   }
+  for (const Spring& spring : springs.list)
+    for (int j : spring.unknown)
+      columns[static_cast<std::size_t>(j)].insert(columns[static_cast<std::size_t>(j)].end(), spring.unknown.begin(),
+                                                  spring.unknown.end());
   column_start.assign(1, 0);
   for (auto& column : columns) {
     std::sort(column.begin(), column.end());
@@ -350,6 +394,14 @@ void SolidSystem<D>::make_pattern() {
     row.insert(row.end(), column.begin(), column.end());
     column_start.push_back(static_cast<int>(row.size()));
   }
+  const auto find_slot = [&](int i, int j) {
+    const auto begin = row.begin() + column_start[static_cast<std::size_t>(j)],
+               end = row.begin() + column_start[static_cast<std::size_t>(j) + 1];
+    return static_cast<int>(std::lower_bound(begin, end, i) - row.begin());
+  };
+  for (Spring& spring : springs.list)
+    for (int i : spring.unknown)
+      for (int j : spring.unknown) spring.slots.push_back(find_slot(i, j));
   slots.resize(mesh.elements.size());
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
     const auto list = list_unknowns(k);
@@ -357,10 +409,7 @@ void SolidSystem<D>::make_pattern() {
       for (std::size_t a = 0; a < locals; ++a) {
         int& slot = slots[k][a * locals + b];
         slot = -1;
-        if (list[a] < 0 || list[b] < 0) continue;
-        const auto begin = row.begin() + column_start[static_cast<std::size_t>(list[b])],
-                   end = row.begin() + column_start[static_cast<std::size_t>(list[b]) + 1];
-        slot = static_cast<int>(std::lower_bound(begin, end, list[a]) - row.begin());
+        if (list[a] >= 0 && list[b] >= 0) slot = find_slot(list[a], list[b]);
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "fem/solid/shape.hpp"
 #include "fem/solid/solid.hpp"
+#include "fem/solid/springs.hpp"
 #include "material/law.hpp"
 
 namespace talus::fem {
@@ -30,6 +31,7 @@ struct SolidSystem {
   const SolidModel<D>& model;
   QuadraticMesh<D> mesh;
   std::vector<NodeUnknowns<D>> nodes;
+  SpringSet springs;  ///< of the bars, whose unknowns follow those of the nodes
   int unknowns = 0;
   std::vector<std::array<Vec<D>, D + 1>> gradients;  ///< of the barycentric coordinates, per element
   std::vector<std::array<double, Q::points>> pore;   ///< χ p at the integration points [Pa]
@@ -87,15 +89,16 @@ class SolidAssembly {
   static constexpr int strains = static_cast<int>(Quadratic<D>::strains);
 
   /// `laws` per region.
-  SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads);
+  SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads,
+                const SpringStage& stage = {});
 
   /// Number of state variables per point.
   int state_size() const { return state_size_; }
   /// Returns the initial state: stress and state variables of the model.
   SolidState<D> make_start() const;
 
-  /// Computes stress and state in `end` after the displacement `u` (per node) since `start`, and the sums.
-  void evaluate(const SolidState<D>& start, const std::vector<Vec<D>>& u, bool with_matrix, SolidState<D>& end,
+  /// Computes stress and state in `end` after the change `q` of the unknowns since `start`, and the sums.
+  void evaluate(const SolidState<D>& start, const std::vector<double>& q, bool with_matrix, SolidState<D>& end,
                 SolidSums& sums) const;
   /// Computes the elastic stiffness matrix at a state.
   void find_elastic_matrix(const SolidState<D>& at, std::vector<double>& matrix) const;
@@ -108,12 +111,15 @@ class SolidAssembly {
                         SolidState<D>& end, Element& sum) const;
   void add(std::size_t k, const Element& sum, bool with_matrix, SolidSums& sums) const;
   void turn(std::size_t k, bool with_matrix, Element& sum) const;
+  void evaluate_springs(const SolidState<D>& start, const std::vector<double>& q, bool with_matrix, SolidState<D>& end,
+                        SolidSums& sums) const;
   template <class Work>
   void for_batches(bool with_matrix, Work&& work, SolidSums& sums) const;
 
   const SolidSystem<D>& system_;
   std::vector<material::Law> laws_;
   int threads_;
+  SpringStage stage_;
   int state_size_ = 1;
 };
 
