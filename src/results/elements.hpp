@@ -63,6 +63,48 @@ void describe(auto& v, As<ElementInterval> auto& r) {
   v.key("upper", r.upper, {"", "upper end of the interval of mesh and search"});
 }
 
+/// Limit of a support that is reached at failure.
+enum class ElementBarLimit { none, tension, pull_out, stripping, bending, shear };
+template <>
+inline constexpr auto words<ElementBarLimit> =
+    std::array{"none", "tension", "pull_out", "stripping", "bending", "shear"};
+
+/// Forces of a support along its length, per metre of slope; tension is positive.
+struct ElementBar {
+  std::string support;                  ///< name in the case
+  std::string kind;                     ///< word of the case
+  int row = 1;                          ///< from the top of the pattern
+  Point head{}, end{};                  ///< [m]
+  std::vector<double> place;            ///< distance from the head [m]
+  std::vector<double> force, at_start;  ///< axial at failure, and at full strength [N/m]
+  double largest = 0;                   ///< of `force` [N/m]
+  double plate = 0;                     ///< force of plate, facing or connection at failure [N/m]
+  double moment = 0;                    ///< largest at failure [N m/m]; piles
+  /// Force over its limit at failure: tensile strength; bond behind the largest force; bond and plate in front of it;
+  /// plastic moment; shear strength. nullopt: there is no such limit.
+  std::optional<double> tension, pull_out, stripping, bending, shear;
+  ElementBarLimit limit = ElementBarLimit::none;
+};
+void describe(auto& v, As<ElementBar> auto& r) {
+  v.key("support", r.support, {"", "name of the support"});
+  v.key("kind", r.kind, {"", "kind of the support"});
+  v.key("row", r.row, {"", "row from the top of the pattern"});
+  v.key("head", r.head, {"m", "head of the bar"});
+  v.key("end", r.end, {"m", "end of the bar"});
+  v.key("place", r.place, {"m", "distances from the head"});
+  v.key("force", r.force, {"N/m", "axial force there at failure, per metre of slope"});
+  v.key("at_start", r.at_start, {"N/m", "axial force there at full strength of the soil"});
+  v.key("largest", r.largest, {"N/m", "largest axial force at failure"});
+  v.key("plate", r.plate, {"N/m", "force of plate, facing or connection at failure"});
+  v.key("moment", r.moment, {"N.m/m", "largest bending moment at failure"});
+  v.maybe("tension", r.tension, {"", "largest force over tensile strength"});
+  v.maybe("pull_out", r.pull_out, {"", "utilisation of the bond behind the largest force"});
+  v.maybe("stripping", r.stripping, {"", "utilisation of plate and bond in front of the largest force"});
+  v.maybe("bending", r.bending, {"", "largest moment over plastic moment"});
+  v.maybe("shear", r.shear, {"", "largest shear force over shear strength"});
+  v.key("limit", r.limit, {"", "which limit is reached at failure"});
+}
+
 /// Strength reduction with one flow rule.
 struct ElementRun {
   Flow flow = Flow::as_given;
@@ -79,6 +121,7 @@ struct ElementRun {
   std::optional<EarthquakeSide> earthquake;  ///< nullopt without earthquake or if the case gives its direction
   std::optional<ElementInterval> interval;   ///< nullopt if the discretisation error is unknown, as with one mesh
   std::optional<Verdict> verdict;            ///< by bounds for the soil with ψ = φ; nullopt if none apply
+  std::optional<std::vector<ElementBar>> supports;  ///< on the fine mesh; nullopt in a case without supports
 };
 void describe(auto& v, As<ElementRun> auto& r) {
   v.key("flow", r.flow, {"", "flow rule"});
@@ -91,6 +134,7 @@ void describe(auto& v, As<ElementRun> auto& r) {
   v.maybe("interval", r.interval, {"", "interval of the factor: mesh and search; left out where there is one mesh"});
   v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
   v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
+  v.maybe("supports", r.supports, {"", "forces of the supports"});
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});
   v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});

@@ -59,7 +59,7 @@ struct BarForces {
   BarCurve shear;                   ///< [N]; beams
   BarCurve moment;                  ///< [N m]; beams
   BarCurve lateral;                 ///< force of the soil on the beam across it, per metre [Pa]; beams
-  double plate = 0, anchorage = 0;  ///< [N]
+  double plate = 0, plate_limit = 0, anchorage = 0;  ///< [N]
   double energy = 0;                ///< elastic energy of bar, bond, plate and anchorage [J]
 };
 

@@ -120,7 +120,6 @@ struct ReductionResult {
   double elastic_displacement = 0;     ///< u_el, largest of the elastic soil under all loads [m]
   std::vector<ReductionTrial> trials;  ///< in the order of the factors
   SolidState<D> at_full_strength;
-  SolidState<D> at_stable;   ///< of the trial `stable`; displacements and strains since full strength
   SolidState<D> at_failure;  ///< of the trial `failed`; displacements and strains since full strength
   SolidState<D> mechanism;   ///< of the same trial: displacements and strains of its last creep step alone
   int iterations = 0, factorisations = 0;

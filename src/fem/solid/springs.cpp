@@ -423,6 +423,7 @@ std::vector<BarForces> compute_bar_forces(const std::vector<Bar>& bars, const st
         break;
       case SpringKind::plate:
         forces.plate = force;
+        forces.plate_limit = spring.upper;
         break;
       case SpringKind::anchorage:
         forces.anchorage = force;

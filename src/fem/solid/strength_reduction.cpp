@@ -140,9 +140,7 @@ class Reduction {
         factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
-    if (out.converged) {  // the stable trials come in the order of increasing factors
-      result_.at_stable = std::move(end);
-    } else {  // the failed trials come in the order of decreasing factors
+    if (!out.converged) {  // the failed trials come in the order of decreasing factors
       result_.at_failure = std::move(end);
       result_.mechanism = newton_.last_motion();
     }

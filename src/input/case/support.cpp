@@ -414,24 +414,37 @@ std::optional<std::string> find_support_obstacle(const Case& data) {
 
 namespace {
 
+/// Reports stiffness that FEM needs.
+void check_stiffness(const Case& data, Findings& findings) {
+  for (const auto& [name, support] : data.supports) {
+    const BlockFindings block(findings, "support." + name);
+    if (!block.is_sound("kind")) continue;
+    const auto need = [&, name = name](const char* key, bool is_given, const char* words) {
+      if (!is_given && block.is_sound(key))
+        findings.add(block.path, fmt::format("support '{}': FEM needs its '{}', {}", name, key, words));
+    };
+    if (support.kind == SupportKind::geosynthetic)
+      need("sheet_stiffness", support.sheet_stiffness.has_value(), "the stiffness J per metre of width");
+    else
+      need("axial_stiffness", support.axial_stiffness.has_value(), "E A of one bar");
+    if (support.kind == SupportKind::pile)
+      need("bending_stiffness", support.bending_stiffness.has_value(), "E I of one pile");
+  }
+}
+
 /// Reports methods that do not take supports.
 void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
+  if (uses(data, Method::fem)) check_stiffness(data, findings);
   if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
     findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
-  for (const Method method : {Method::fem, Method::mpm})
-    if (uses(data, method))
-      findings.add(
-          "analysis.methods",
-          "'methods' has \"{0}\", which does not take [support.{1}] yet; take \"{0}\" out of 'methods', or the "
-          "support out of the case",
-          get_word(method), data.supports.begin()->first);
+  if (uses(data, Method::mpm))
+    findings.add("analysis.methods",
+                 "'methods' has \"mpm\", which does not take [support.{}]; take \"mpm\" out of 'methods', or the "
+                 "support out of the case",
+                 data.supports.begin()->first);
   if (data.lem.drawdown)
     findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
-                 data.supports.begin()->first);
-  if (data.lem.referee && findings.places.is_given("lem.referee"))
-    findings.add("lem.referee",
-                 "not with [support.{}]: limit analysis does not take supports yet, and would rule out their factors",
                  data.supports.begin()->first);
   if (data.mesh.dimension != 2)
     findings.add("support." + data.supports.begin()->first, "supports need a plane section, with dimension = 2");

@@ -11,6 +11,7 @@
 #include "base/extrapolate.hpp"
 #include "mesh/quality.hpp"
 #include "run/common/head.hpp"
+#include "run/fem/bars_of_case.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
@@ -360,6 +361,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   run.seconds = found.seconds;
   for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(make_trial_result(t));
   if constexpr (D == 2) {
+    if (!model_->solid.model.bars.empty()) run.supports = make_bar_results(site_, model_->solid.model, found);
     std::vector<results::SideLine> lines;
     for (fem::SlipLine& line : fem::find_slip_lines(model_->solid.model, model_->mesh, found.mechanism))
       lines.push_back({line.direction, std::move(line.points)});

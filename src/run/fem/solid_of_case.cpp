@@ -10,6 +10,7 @@
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/common/soil_column.hpp"
+#include "run/fem/bars_of_case.hpp"
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
@@ -96,6 +97,7 @@ class SolidBuilder {
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
     set_water();
     model.loads = site::make_surface_loads<D>(site_, mesh_);
+    if constexpr (D == 2) add_bars();
     if (data_.initial.stress != input::InitialStress::none) set_k0_stress();
     set_start();
   }
@@ -112,6 +114,12 @@ class SolidBuilder {
     model.saturation.assign(mesh_.elements.size(), 1.0);
     pore_ = std::move(water.pore);
     if (water.acts) model.pore_stress = pore_;
+  }
+
+  void add_bars() {
+    if (data_.supports.empty()) return;
+    solid_.model.bars = make_bars(site_);
+    solid_.notes.push_back(describe_bars(data_));
   }
 
   /// Sets the vertical effective stress of the overburden of soil and water, and K0 times it horizontally.

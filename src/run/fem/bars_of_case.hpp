@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The supports of a case as bars and beams of FEM, and their forces as results.
+
+#include <string>
+#include <vector>
+
+#include "fem/solid/solid.hpp"
+#include "results/elements.hpp"
+#include "site/site.hpp"
+
+namespace talus::run {
+
+/// Makes the bars of a plane case, with the bond of LEM along them. Throws what site::list_bars() and, where the bond
+/// depends on σ'_v, make_section() throw.
+std::vector<fem::Bar> make_bars(const site::Site& site);
+
+/// Returns the sentence on what the factor divides.
+std::string describe_bars(const input::Case& data);
+
+/// Returns the forces of the bars at failure and at full strength.
+std::vector<results::ElementBar> make_bar_results(const site::Site& site, const fem::SolidModel<2>& model,
+                                                  const fem::ReductionResult<2>& found);
+
+/// Returns the forces of one bar, and the limit that it has reached. `start`: at full strength.
+results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::BarForces& start);
+
+}  // namespace talus::run
