@@ -98,6 +98,27 @@ def write_loads(lines, problem):
         lines.append("")
 
 
+# Keys of [support.NAME] that are lengths or points in the unit of the problem.
+SUPPORT_POINTS = ("heads", "ends")
+SUPPORT_LENGTHS = ("x", "length", "lengths", "out_of_plane_spacing", "diameter", "free_length", "bond_length")
+
+
+def write_supports(lines, problem):
+    scale = problem.units.length
+    for name, support in (problem.entry.get("supports") or {}).items():
+        lines.append(f"[support.{name}]")
+        for key, value in support.items():
+            if key in SUPPORT_POINTS:
+                value = points_text(problem.scale(value))
+            elif key in SUPPORT_LENGTHS:
+                scaled = [round(v * scale, 9) for v in (value if isinstance(value, list) else [value])]
+                value = f"[{', '.join(number(v) for v in scaled)}]" if isinstance(support[key], list) else number(scaled[0])
+            else:
+                value = json.dumps(value)
+            lines.append(f"{key} = {value}")
+        lines.append("")
+
+
 def write_search_ranges(lines, problem):
     ranges = find_search_ranges(problem)
     if any(ranges):
@@ -171,6 +192,7 @@ def make_case(problem, slices=100, search=True, noncircular=False, surfaces=None
     write_geometry(lines, problem)
     write_materials(lines, problem, finite_elements)
     write_loads(lines, problem)
+    write_supports(lines, problem)
     write_slices(lines, problem, slices, search, noncircular)
     for name, surface in read_given_surfaces(problem) if surfaces is None else surfaces:
         write_surface(lines, name, surface)

@@ -28,7 +28,7 @@ KNOWN = {
     "id", "title", "units", "ground", "ground_full", "materials", "material", "base_elev", "layer_lines", "polygons", "piezo",
     "mirror", "extend", "search_exit", "search_entry", "dloads", "tension_crack", "circles", "surfaces", "composite", "mindepth",
     "kh", "kv", "nsearch", "ru", "published", "recomputed", "source", "notes", "caveat", "recomputed_fem_srm_bracket",
-    "log_spiral_upper_bound", "seepage_bc", "search", "drawdown",
+    "log_spiral_upper_bound", "seepage_bc", "search", "drawdown", "supports",
 }
 
 

@@ -20,8 +20,8 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// Distances below this fraction of the width of the section count as zero.
-constexpr double near_ground = 1e-4;
+/// A head within this fraction of the width of the section lies on the ground: its coordinates are rounded.
+constexpr double near_ground = 1e-3;
 
 double measure_width(const mesh::Polyline& ground) {
   return ground.back()[0] - ground.front()[0];
