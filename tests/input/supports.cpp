@@ -167,9 +167,15 @@ TEST(Supports, SheetsMayLieInTheSoil) {
   expect_fault(write("@@10"), "lies in the soil, where nothing connects it");
 }
 
-TEST(Supports, ServeLimitEquilibriumAlone) {
-  const std::string nails = write_nails().substr(slices_alone.size());
-  expect_one_fault(with_elements + nails, "'methods' has \"fem\", which does not take [support.nails] yet");
+TEST(Supports, NeedWhatTheMethodsTake) {
+  const std::string nails =
+      "[[boundary]]\non = \"bottom\"\nfix = \"full\"\n" + write_nails().substr(slices_alone.size());
+  expect_one_fault(with_elements + nails, "FEM needs its 'axial_stiffness'");
+  EXPECT_TRUE(find_faults(with_elements + nails + "axial_stiffness = 1e5\n").empty());
+  const std::string with_bounds = change(slices_alone, "[\"lem\"]", "[\"lem\", \"bounds\"]");
+  EXPECT_TRUE(find_faults(with_bounds + nails).empty());
+  expect_one_fault(with_bounds + nails + "direction = \"tangent\"\n",
+                   "is not axial, as that of a bar in limit analysis");
 }
 
 TEST(Supports, CrossingBarsBringAWarning) {

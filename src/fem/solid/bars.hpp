@@ -54,13 +54,13 @@ struct BarCurve {
 
 /// Forces of a bar in a state, tension positive.
 struct BarForces {
-  BarCurve axial;                   ///< [N]
-  BarCurve bond;                    ///< force of the soil on the bar towards its end, per metre [Pa]
-  BarCurve shear;                   ///< [N]; beams
-  BarCurve moment;                  ///< [N m]; beams
-  BarCurve lateral;                 ///< force of the soil on the beam across it, per metre [Pa]; beams
+  BarCurve axial;                                    ///< [N]
+  BarCurve bond;                                     ///< force of the soil on the bar towards its end, per metre [Pa]
+  BarCurve shear;                                    ///< [N]; beams
+  BarCurve moment;                                   ///< [N m]; beams
+  BarCurve lateral;                                  ///< force of the soil on the beam across it, per metre [Pa]; beams
   double plate = 0, plate_limit = 0, anchorage = 0;  ///< [N]
-  double energy = 0;                ///< elastic energy of bar, bond, plate and anchorage [J]
+  double energy = 0;                                 ///< elastic energy of bar, bond, plate and anchorage [J]
 };
 
 }  // namespace talus::fem

@@ -446,6 +446,11 @@ void check_support_methods(const Case& data, Findings& findings) {
   if (data.lem.drawdown)
     findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
                  data.supports.begin()->first);
+  if (data.lem.referee && findings.places.is_given("lem.referee"))
+    findings.add("lem.referee",
+                 "not with [support.{}]: the soil below its heads may fail in limit analysis and not in LEM; add "
+                 "\"bounds\" to 'methods' for the interval",
+                 data.supports.begin()->first);
   if (data.mesh.dimension != 2)
     findings.add("support." + data.supports.begin()->first, "supports need a plane section, with dimension = 2");
 }
