@@ -211,6 +211,11 @@ std::vector<int> find_corners(const Problem& problem) {
                        std::abs(p.traction[1] - q.traction[1]) > rounding * largest;
     if ((turns && free) || jumps || p.holds_along != q.holds_along) corners.push_back(node);
   }
+  // At the end of a bar its traction jumps to zero: two triangles beside a head could not balance it.
+  std::map<int, int> uses;
+  for (const BarEdge& bar : problem.bars) ++uses[bar.from], ++uses[bar.to];
+  for (const auto& [node, count] : uses)
+    if (count == 1) corners.push_back(node);
   return corners;
 }
 
