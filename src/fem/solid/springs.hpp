@@ -28,10 +28,10 @@ struct Spring {
   bool slackens = false;        ///< below zero its force is zero and its deformation is elastic
   bool is_jacked = false;       ///< keeps the prestress while the loads are applied
   double prestress = 0;
-  bool is_reduced = false;   ///< its strengths are divided by the factor
-  std::vector<int> unknown;  ///< unknowns of its deformation, each once
-  std::vector<double> rate;  ///< derivative of the deformation by each of them
-  std::vector<int> slots;    ///< index of each pair of unknowns in the global matrix
+  bool is_reduced = false;     ///< its strengths are divided by the factor
+  std::vector<int> unknown{};  ///< unknowns of its deformation, each once
+  std::vector<double> rate{};  ///< derivative of the deformation by each of them
+  std::vector<int> slots{};    ///< index of each pair of unknowns in the global matrix
 };
 
 struct SpringSet {
