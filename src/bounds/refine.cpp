@@ -211,11 +211,19 @@ std::vector<int> find_corners(const Problem& problem) {
                        std::abs(p.traction[1] - q.traction[1]) > rounding * largest;
     if ((turns && free) || jumps || p.holds_along != q.holds_along) corners.push_back(node);
   }
-  // At the end of a bar its traction jumps to zero: two triangles beside a head could not balance it.
+  // The tractions of bars and heads jump to zero at their ends, where two triangles could not balance them.
+  const auto add_ends = [&](const std::map<int, int>& uses) {
+    for (const auto& [node, count] : uses)
+      if (count == 1) corners.push_back(node);
+  };
   std::map<int, int> uses;
   for (const BarEdge& bar : problem.bars) ++uses[bar.from], ++uses[bar.to];
-  for (const auto& [node, count] : uses)
-    if (count == 1) corners.push_back(node);
+  add_ends(uses);
+  for (const BarHead& head : problem.heads) {
+    uses.clear();
+    for (const auto& [from, to] : head.sides) ++uses[from], ++uses[to];
+    add_ends(uses);
+  }
   return corners;
 }
 

@@ -18,7 +18,6 @@
 namespace talus {
 namespace {
 
-
 /// A cut of 8 m at 60° with five rows of nails that break at 30 kN each, on a spacing of 1.5 m.
 std::string write_cut(const std::string& sense, double plate = 0) {
   return fmt::format(R"(
