@@ -104,7 +104,7 @@ TEST(Supports, NeedOneLength) {
 }
 
 TEST(Supports, LieInTheSoil) {
-  expect_fault(write_nails("heads = @@[[48, 36]]\n"), "the head (48, 36) m lies in the air");
+  expect_fault(write_nails("heads = @@[[48, 36]]\n"), "the head (48, 36) lies in the air");
   expect_fault(write_nails("heads = @@[[48, 30]]\n"), "lies in the soil");
   expect_fault(write_nails("heads = [[48, 34]]\n", "ends = @@[[40, 36]]\n"), "above the ground");
   expect_fault(write_nails("heads = [[48, 34]]\n", "inclination = 80\nlength = @@30\n"), "below its bottom");

@@ -293,6 +293,10 @@ class SupportCheck {
     } catch (const Error&) {
       return;  // the methods that need the ground report its fault
     }
+    std::vector<Point> heads = s_.heads;
+    if (s_.first) heads.push_back(*s_.first);
+    for (const Point& head : heads)
+      if (!check_head(head, ground)) return;
     const BarLayout layout = lay_bars(s_, ground, data_.units().length);
     if (!layout.fault.empty()) return fail(layout.key, "{}", std::string(layout.fault));
     for (const BarLine& bar : layout.bars) {
@@ -315,28 +319,34 @@ class SupportCheck {
     return false;
   }
 
-  bool check_place(const BarLine& bar, const mesh::Polyline& ground) const {
+  bool check_head(const Point& head, const mesh::Polyline& ground) const {
     const ShownUnit& unit = data_.units().length;
     const double near = near_ground * measure_width(ground);
-    const std::string head_key = s_.heads.empty() ? (s_.first ? "first" : "x") : "heads";
-    const auto levels = find_levels(ground, bar.head[0]);
-    const double off = mesh::compute_distance(bar.head, ground);
+    const std::string head_key = s_.heads.empty() ? "first" : "heads";
+    const auto levels = find_levels(ground, head[0]);
+    const double off = mesh::compute_distance(head, ground);
     const bool may_be_buried = s_.kind == SupportKind::geosynthetic || s_.kind == SupportKind::pile;
-    if (!levels || (bar.head[1] > (*levels)[1] && off > near)) {
-      fail(head_key, "the head {} lies in the air, {} from the ground", format_point(bar.head, unit),
+    if (!levels || (head[1] > (*levels)[1] && off > near)) {
+      fail(head_key, "the head {} lies in the air, {} from the ground", format_point(head, unit),
            format_value(off, unit, 3));
       return false;
     }
     if (off > near && !may_be_buried) {
       fail(head_key, "the head {} lies in the soil, {} below the ground; heads of nails, anchors and bolts lie on it",
-           format_point(bar.head, unit), format_value(off, unit, 3));
+           format_point(head, unit), format_value(off, unit, 3));
       return false;
     }
     if (off > near && s_.connection > 0) {
       fail("connection", "the head {} lies in the soil, where nothing connects it: connection = 0",
-           format_point(bar.head, unit));
+           format_point(head, unit));
       return false;
     }
+    return true;
+  }
+
+  bool check_place(const BarLine& bar, const mesh::Polyline& ground) const {
+    const ShownUnit& unit = data_.units().length;
+    const double near = near_ground * measure_width(ground);
     const double bottom = SoilOutline(data_.mesh).bottom();
     constexpr int places = 50;
     for (int i = 1; i <= places; ++i) {
