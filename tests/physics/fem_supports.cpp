@@ -18,8 +18,6 @@
 namespace talus {
 namespace {
 
-constexpr double degree = 0.017453292519943295;
-
 /// A cut of 8 m at 60° with five rows of nails that break at 30 kN each, on a spacing of 1.5 m. The soil has the
 /// tension of its cone, as in LEM; without it, blocks fall from between the heads at 1.08.
 std::string write_cut(const std::string& sense, double plate = 0) {

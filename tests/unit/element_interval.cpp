@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The interval of the factor by FEM: hand calculations of (T19.11), and layers too thin for it.
+// The interval of the factor by FEM: hand calculations of (T19.12), and layers too thin for it.
 
 #include <gtest/gtest.h>
 

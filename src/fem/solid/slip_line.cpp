@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The slip lines of a failed trial: the path of least cost through the mesh between the two ends of the moving ground
-// of a side, where the cost of a length decreases with the shear strain (T19.10); then moved onto the ridge of the
+// of a side, where the cost of a length decreases with the shear strain (T19.11); then moved onto the ridge of the
 // shear strain and smoothed.
 
 #include <algorithm>

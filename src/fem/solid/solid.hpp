@@ -75,7 +75,7 @@ struct SolidState {
   std::vector<double> state;                  ///< state variables; per point the largest number of any law
   std::vector<std::array<double, 6>> strain;  ///< total, per integration point [-]; shear components are γ
   std::vector<char> yields;                   ///< per integration point: has yielded since the start, or in this trial
-  std::vector<double> bars;                   ///< elastic deformation of each spring of the bars (T19.12)
+  std::vector<double> bars;                   ///< elastic deformation of each spring of the bars (T19.10)
 };
 
 template <int D>

@@ -38,7 +38,7 @@ struct LeastMeshError {
   double above = 0;  ///< the limit may be higher by this; displacement elements with ψ = φ never underestimate it
 };
 
-/// Returns the interval (T19.11) of the factor extrapolated from a mesh and one of about twice its element size;
+/// Returns the interval (T19.12) of the factor extrapolated from a mesh and one of about twice its element size;
 /// nullopt if a mesh has no trial that failed by flow.
 std::optional<results::ElementInterval> find_mesh_interval(const results::ElementMeshFactor& coarse,
                                                            const results::ElementMeshFactor& fine,
