@@ -271,7 +271,12 @@ void check_end(const SlipSurface& s, const Point& end, const std::string& path, 
   if (!soil.spans(end[0]))
     return findings.add(path, "surface '{}' begins or ends at x = {}, outside the ground, {}", s.name,
                         format_coordinate(end[0], length), soil.write_span());
-  const double above = end[1] - soil.find_ground(end[0]);
+  // On a vertical step a surface may end at any level of it.
+  const double hair = 1e-7 * (soil.right() - soil.left());
+  double low = soil.find_ground(end[0]);
+  for (const double x : {end[0] - hair, end[0] + hair})
+    if (soil.spans(x)) low = std::min(low, soil.find_ground(x));
+  const double above = end[1] - std::clamp(end[1], low, soil.find_ground(end[0]));
   if (std::abs(above) > end_slack * (s.points.back()[0] - s.points.front()[0]))
     findings.add(path, "the end {} of surface '{}' is {} {} the ground; a surface goes from ground to ground",
                  format_point(end, length), s.name, format_value(std::abs(above), length, 3),

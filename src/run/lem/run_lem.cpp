@@ -32,7 +32,15 @@ void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Su
   constexpr double farthest = 0.02;  // over the radius
   const ShownUnit& length = slope.section().units.length;
   lem::Circle& circle = *surface.circle;
-  const lem::Point a{surface.from, slope.ground(surface.from)}, b{surface.to, slope.ground(surface.to)};
+  // At a vertical step of the ground the end is the point of it that is nearest to the circle.
+  const auto find_end = [&](double x) {
+    const double hair = 1e-9 * (slope.right() - slope.left()), off = std::abs(x - circle.centre[0]);
+    const auto [low, high] = std::minmax({slope.ground(x - hair), slope.ground(x + hair)});
+    const double y =
+        circle.centre[1] - (off < circle.radius ? std::sqrt(circle.radius * circle.radius - off * off) : 0);
+    return lem::Point{x, std::clamp(y, low, high)};
+  };
+  const lem::Point a = find_end(surface.from), b = find_end(surface.to);
   const double dx = b[0] - a[0], dy = b[1] - a[1], chord = std::hypot(dx, dy), r = circle.radius,
                height = r > chord / 2 ? std::sqrt(r * r - chord * chord / 4) : -1;
   const lem::Point centre{(a[0] + b[0]) / 2 - height * dy / chord, (a[1] + b[1]) / 2 + height * dx / chord};
