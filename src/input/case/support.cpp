@@ -392,8 +392,6 @@ void warn_of_crossings(const Case& data, Findings& findings) {
   std::vector<std::pair<const std::string*, BarLine>> bars;
   for (const auto& [name, support] : data.supports)
     for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars) bars.emplace_back(&name, bar);
-  constexpr std::size_t most = 2000;
-  if (bars.size() > most) return;
   for (std::size_t i = 0; i < bars.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto& [name, bar] = bars[i];
@@ -469,6 +467,15 @@ void check_support_methods(const Case& data, Findings& findings) {
 
 void check_supports(const Case& data, Findings& findings) {
   if (data.supports.empty()) return;
+  constexpr std::size_t most = 2000;
+  std::size_t bars = 0;
+  for (const auto& [name, support] : data.supports)
+    bars += std::max({support.heads.size(), support.x.size(), static_cast<std::size_t>(std::max(1, support.rows))});
+  if (bars > most)
+    return findings.add("support." + data.supports.begin()->first,
+                        "the case has {} bars in [support], and at most {} are read; the forces of bars that lie close "
+                        "together can be given as those of one",
+                        bars, most);
   for (const auto& [name, support] : data.supports) SupportCheck(data, name, support, findings).run();
   check_support_methods(data, findings);
   if (findings.is_sound("support") && findings.is_sound("geometry") && data.mesh.dimension == 2 &&
