@@ -245,6 +245,17 @@ TEST(LemDirection, KeepsTheSideThatIsAskedFor) {
   EXPECT_GT(to_right.refused.front().at(Refusal::direction), 0);
 }
 
+/// Circles pass through the foot of a vertical cut, whichever way it faces. Taylor (1937): F = 3.83 c/(γ H) with φ = 0.
+TEST(LemDirection, ThroughTheFootOfAVerticalCut) {
+  const Section section = make_section({{0, 5}, {20, 5}, {20, 10}, {45, 10}}, make_soil(30, 0, 20), 0);
+  SearchOptions options = make_circle_options();
+  options.checks.most_tension = 1;
+  const double here = search(Slope(section), options).circular.front().solution.factor,
+               there = search(Slope(mirror(section)), options).circular.front().solution.factor;
+  EXPECT_NEAR(here, there, 2e-3 * here);
+  EXPECT_NEAR(here, 3.83 * 30 / (20 * 5), 0.02 * here);
+}
+
 /// An exit alone, on a section whose toe lies beyond its middle: the entries are those of the whole ground.
 TEST(LemDirection, OfExitsAloneIsThatOfTheGround) {
   const Section section = make_section({{0, 8}, {32, 8}, {48, 16}, {60, 16}}, make_soil(5, 25, 19), 0);

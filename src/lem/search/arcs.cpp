@@ -139,7 +139,7 @@ double Arcs::measure_half_angle(const Surface& arc) {
 }
 
 Surface Arcs::make_arc(double left, double right, double half_angle) const {
-  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  const Chord chord({left, slope_->lower_ground(left)}, {right, slope_->lower_ground(right)});
   Surface s;
   s.circle = chord.circle(half_angle);
   s.from = left;
@@ -148,7 +148,7 @@ Surface Arcs::make_arc(double left, double right, double half_angle) const {
 }
 
 double Arcs::find_depth(double left, double right, double half_angle) const {
-  const Circle c = Chord({left, slope_->ground(left)}, {right, slope_->ground(right)}).circle(half_angle);
+  const Circle c = Chord({left, slope_->lower_ground(left)}, {right, slope_->lower_ground(right)}).circle(half_angle);
   const auto& ground = slope_->section().ground;
   double depth = 0;
   auto next = std::upper_bound(ground.begin(), ground.end(), left, [](double x, const Point& p) { return x < p[0]; });
@@ -170,7 +170,7 @@ double Arcs::find_depth(double left, double right, double half_angle) const {
 
 std::optional<AngleRange> Arcs::find_range(double left, double right) const {
   if (!(right - left > 1e-9 * (slope_->right() - slope_->left()))) return {};
-  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  const Chord chord({left, slope_->lower_ground(left)}, {right, slope_->lower_ground(right)});
   const double steepness = std::asin(std::min(1.0, std::abs(chord.along[1])));
   AngleRange range{flattest, pi / 2 - steepness, false};
   const auto& ground = slope_->section().ground;
@@ -200,7 +200,7 @@ std::optional<AngleRange> Arcs::find_range(double left, double right) const {
 }
 
 std::optional<double> Arcs::find_touch(double left, double right, const Region& region) const {
-  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  const Chord chord({left, slope_->lower_ground(left)}, {right, slope_->lower_ground(right)});
   std::optional<double> best;
   const auto& corners = region.polygon;
   for (std::size_t i = 0; i < corners.size(); ++i) {

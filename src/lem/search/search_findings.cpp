@@ -25,7 +25,7 @@ std::array<double, 2> find_ends(const Surface& surface) {
 
 bool falls_left(const Slope& slope, const Surface& surface) {
   const auto [left, right] = find_ends(surface);
-  return slope.ground(left) <= slope.ground(right);
+  return slope.lower_ground(left) <= slope.lower_ground(right);
 }
 
 double find_elevation(const Slope& slope, const Surface& surface, double x) {

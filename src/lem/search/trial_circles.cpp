@@ -71,7 +71,7 @@ std::vector<int> list_directions(const Slope& slope, const EntryExitSearch& rang
     for (int i = 0; i <= samples && !has_pair; ++i)
       for (int k = 0; k <= samples && !has_pair; ++k) {
         const double exit = place(ranges.exit, i), entry = place(ranges.entry, k);
-        has_pair = direction * (exit - entry) > 0 && slope.ground(exit) < slope.ground(entry);
+        has_pair = direction * (exit - entry) > 0 && slope.lower_ground(exit) < slope.ground(entry);
       }
     if (has_pair) directions.push_back(direction);
   }
@@ -105,7 +105,7 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
     throw_if_search_is_interrupted(options.ends_at_signal);
     for (double entry : entries) {
       const double left = exit_left ? exit : entry, right = exit_left ? entry : exit;
-      const bool falls = circles.whole_ground || slope.ground(exit) <= slope.ground(entry);
+      const bool falls = circles.whole_ground || slope.lower_ground(exit) <= slope.ground(entry);
       const auto range = left < right && falls ? arcs.find_range(left, right) : std::nullopt;
       for (int k = 1; k <= used.depths; ++k) {
         circles.first.push_back(static_cast<int>(circles.surfaces.size()));

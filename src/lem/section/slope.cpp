@@ -71,6 +71,15 @@ double Slope::floor(double x) const {
   return strip.floor.at(x - strip.left);
 }
 
+double Slope::lower_ground(double x) const {
+  const int i = strips_->find(x);
+  const Strip& strip = strips_->strip(i);
+  const double own = strip.ground.at(x - strip.left);
+  if (i == 0 || x != strip.left) return own;
+  const Strip& before = strips_->strip(i - 1);
+  return std::min(own, before.ground.at(x - before.left));
+}
+
 int Slope::soil_at(const Point& p) const {
   const Strip& strip = strips_->strip(strips_->find(p[0]));
   const double dx = p[0] - strip.left;

@@ -20,10 +20,11 @@ class Slope {
   Slope(const Slope&) = delete;
 
   const Section& section() const;
-  double left() const;                 ///< x of the first point of the ground [m]
-  double right() const;                ///< x of its last point [m]
-  double ground(double x) const;       ///< elevation of the ground [m]
-  double water_table(double x) const;  ///< elevation; -infinity without a water table [m]
+  double left() const;                  ///< x of the first point of the ground [m]
+  double right() const;                 ///< x of its last point [m]
+  double ground(double x) const;        ///< elevation of the ground [m]
+  double lower_ground(double x) const;  ///< the same, at a vertical step the foot of it [m]
+  double water_table(double x) const;   ///< elevation; -infinity without a water table [m]
   /// Elevation of the top of impenetrable soil at x; that of the base of the section where there is none [m].
   double floor(double x) const;
   int soil_at(const Point& p) const;  ///< index of the soil; -1 outside all regions

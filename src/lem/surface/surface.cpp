@@ -185,7 +185,7 @@ double measure_turn(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 Surface hang_polyline(const Slope& slope, double left, double right, const std::vector<Point>& points) {
-  std::vector<Point> all{{left, slope.ground(left)}, {right, slope.ground(right)}};
+  std::vector<Point> all{{left, slope.lower_ground(left)}, {right, slope.lower_ground(right)}};
   const double gap = 1e-9 * (right - left);
   auto add = [&](const Point& p) {
     if (p[0] > left + gap && p[0] < right - gap) all.push_back({p[0], std::max(p[1], slope.floor(p[0]))});
