@@ -30,7 +30,12 @@ function renderFormula(content, isDisplay) {
   const tag = /\\tag\{([^}]*)\}/.exec(content)?.[1];
   // A "…" between symbols is no fault; everything else that KaTeX doubts is.
   const strict = (code) => (code === "unknownSymbol" || code === "unicodeTextInMathMode" ? "ignore" : "error");
-  const html = katex.renderToString(content.replace(/\\tag\{[^}]*\}/, ""), { displayMode: isDisplay, strict });
+  // The MathML without what HTML does not need: its TeX source and the name space.
+  const html = katex
+    .renderToString(content.replace(/\\tag\{[^}]*\}/, ""), { displayMode: isDisplay, strict })
+    .replace(/<annotation [^>]*>.*?<\/annotation>/s, "")
+    .replace(/<\/?semantics>/g, "")
+    .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "");
   if (!isDisplay) return html;
   const id = tag && `eq-${tag.toLowerCase().replace(".", "-")}`;
   const number = tag ? `<a class="number" href="#${id}">(${tag})</a>` : "";
