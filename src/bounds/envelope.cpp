@@ -18,14 +18,14 @@ struct Touch {
 class Enclosure {
  public:
   Enclosure(const std::function<StrengthTangent(double)>& find_tangent, const EnvelopeRange& range)
-      : find_tangent_(find_tangent), range_(range), least_(range.tolerance / 5 * touch(range.usual).find_strength()) {}
+      : find_tangent_(find_tangent), range_(range), least_(range.tolerance / 2 * touch(range.usual).find_strength()) {}
 
   EnvelopePolygons run() {
-    // Stresses above the last chord are those of no field in practice; the horizontal line makes it safe there.
-    constexpr double beyond = 10;
+    // Above the usual stresses one chord is near enough, and above it a horizontal line makes it safe.
+    constexpr double largest = 1.5, beyond = 10;
     points_.push_back(touch(range_.lowest));
-    split(touch(range_.usual), 0);
-    split(touch(beyond * range_.usual), 0);
+    split(touch(largest * range_.usual), 0);
+    if (beyond * range_.usual > points_.back().normal) points_.push_back(touch(beyond * range_.usual));
     std::vector<StrengthTangent> inner{points_.front().tangent}, outer{points_.front().tangent};
     for (std::size_t i = 1; i < points_.size(); ++i) {
       const Touch &a = points_[i - 1], &b = points_[i];

@@ -15,7 +15,7 @@ namespace talus::bounds {
 struct EnvelopeRange {
   double lowest = 0;  ///< σ'_n below which the envelope is straight [Pa]
   double usual = 0;   ///< largest σ'_n of the section, about; at this one the strength defines small differences [Pa]
-  double tolerance = 0;  ///< of the strength between both polygons: of itself, and a fifth of that at `usual`
+  double tolerance = 0;  ///< of the strength between both polygons: of itself, and half of that at `usual`
 };
 
 struct EnvelopePolygons {

@@ -203,7 +203,7 @@ TEST(LemInvariance, CrackOfDirectedSoilMirrored) {
   StrengthLaw law;
   law.is_directed = true;
   law.find_tangent = [](const StrengthPlane& plane) { return StrengthTangent{plane.inclination > 0 ? 10.0 : 25.0, 0}; };
-  section.crack = TensionCrack{6, 0};
+  section.crack = TensionCrack{6, 0, true};
   section.soils[0].law = std::make_shared<const StrengthLaw>(law);
   mirrored.crack = section.crack;
   mirrored.soils[0].law = section.soils[0].law;

@@ -22,11 +22,11 @@ double find_least(const Strength& polygon, double normal) {
 }
 
 void expect_encloses(const auto& envelope, double usual) {
-  constexpr double tolerance = 0.005;
+  constexpr double tolerance = 0.01;
   const auto find_tangent = [&](double normal) { return envelope.find_tangent(normal); };
   const auto [inner, outer] = enclose_envelope(find_tangent, {envelope.straight_below(), usual, tolerance});
   ASSERT_TRUE(inner.further && outer.further);
-  EXPECT_LE(inner.further->size(), 24u);
+  EXPECT_LE(inner.further->size(), 20u);
   for (const Strength* polygon : {&inner, &outer}) {
     double last = polygon->tan_friction;
     for (const FurtherLine& line : *polygon->further) EXPECT_LT(line.tan_friction, last), last = line.tan_friction;
@@ -38,9 +38,9 @@ void expect_encloses(const auto& envelope, double usual) {
     const double strength = t.cohesion + normal * t.tan_friction, rounding = 1e-9 * usual;
     EXPECT_LE(find_least(inner, normal), strength + rounding) << normal;
     EXPECT_GE(find_least(outer, normal), strength - rounding) << normal;
-    if (normal < 10 * usual && normal > lowest) {
+    if (normal < 1.5 * usual && normal > lowest) {
       EXPECT_LE(find_least(outer, normal) - find_least(inner, normal),
-                std::max(tolerance * find_least(outer, normal), tolerance / 5 * find_least(outer, usual)) + rounding)
+                std::max(tolerance * find_least(outer, normal), tolerance / 2 * find_least(outer, usual)) + rounding)
           << normal;
     }
   }

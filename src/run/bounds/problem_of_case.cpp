@@ -32,7 +32,7 @@ constexpr double vertical = 1e-9;
 constexpr int lattice = 8;
 constexpr double rounding = 1e-9;
 /// Relative difference of the polygons inside and outside a curved envelope.
-constexpr double tolerance_of_envelopes = 0.005;
+constexpr double tolerance_of_envelopes = 0.01;
 
 class ProblemBuilder {
  public:
