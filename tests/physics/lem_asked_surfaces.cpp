@@ -296,7 +296,7 @@ TEST(LemCrack, NeverRaisesTheFactor) {
   const SearchResult without = search(Slope(section), options);
   double last = find_smallest(without, Method::spencer);
   for (const double depth : {1.0, 2.0, 6.0, 12.0}) {
-    section.crack = TensionCrack{depth, 0};
+    section.crack = TensionCrack{depth, 0, true};
     const double factor = find_smallest(search(Slope(section), options), Method::spencer);
     EXPECT_LE(factor, last * 1.002) << depth;
     last = std::min(last, factor);
