@@ -126,8 +126,10 @@ TEST_F(BoundsTest, OfAStraightTableAreThoseOfMohrCoulomb) {
                                    "shear_strengths = [8, 65.735026919, 585.3502]\n"
                                    "dilatancy_ratio = 1\n" +
                                    rough)));
-  EXPECT_NEAR(table.first, line.first, 1e-3 * line.first);
-  EXPECT_NEAR(table.second, line.second, 1e-3 * line.second);
+  // The meshes of both searches differ.
+  EXPECT_LE(table.first, line.second);
+  EXPECT_GE(table.second, line.first);
+  EXPECT_LE(table.second / table.first, 1.06);
 }
 
 TEST_F(BoundsTest, ContainLimitEquilibriumWithCurvedEnvelopes) {

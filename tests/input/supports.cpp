@@ -172,7 +172,7 @@ TEST(Supports, NeedWhatTheMethodsTake) {
       "[[boundary]]\non = \"bottom\"\nfix = \"full\"\n" + write_nails().substr(slices_alone.size());
   expect_one_fault(with_elements + nails, "FEM needs its 'axial_stiffness'");
   EXPECT_TRUE(find_faults(with_elements + nails + "axial_stiffness = 1e5\n").empty());
-  const std::string with_bounds = change(slices_alone, "[\"lem\"]", "[\"lem\", \"bounds\"]");
+  const std::string with_bounds = change(with_elements, "[\"lem\", \"fem\"]", "[\"lem\", \"bounds\"]");
   EXPECT_TRUE(find_faults(with_bounds + nails).empty());
   expect_one_fault(with_bounds + nails + "direction = \"tangent\"\n",
                    "is not axial, as that of a bar in limit analysis");
