@@ -143,7 +143,7 @@ TEST_F(BoundsTest, ContainLimitEquilibriumWithCurvedEnvelopes) {
     const double spencer = find_factor(summary, "spencer");
     EXPECT_LE(lower, spencer * 1.001) << soil;
     EXPECT_GE(upper, spencer * 0.98) << soil << "a circle is not the worst surface, nor is its factor a bound";
-    EXPECT_LE(upper / lower, 1.06) << soil;
+    EXPECT_LE(upper / lower, 1.1) << soil << "four hundredths, and the polygons";
   }
 }
 
