@@ -16,8 +16,9 @@ namespace talus::bounds {
 namespace {
 
 constexpr int most_changes = 8;
-/// Limits of the local variables: a variable in more cones, or in a larger group, is not eliminated.
-constexpr int most_cones = 2;
+/// Limits of the local variables: a variable in more cones, or in a larger group, is not eliminated. A corner with a
+/// curved envelope has a cone for every line.
+constexpr int most_cones = 24;
 constexpr std::size_t largest_group = 6;
 
 double measure_square(const std::vector<double>& u) {
