@@ -26,10 +26,10 @@ struct StrengthTangent {
 
 struct StrengthLaw {
   std::function<StrengthTangent(const StrengthPlane&)> find_tangent;
-  bool is_curved = false;    ///< the tangent depends on σ'_n, so that a factor of safety needs iterations
-  bool is_directed = false;  ///< the strength depends on the inclination
-  // Of a curved envelope: σ'_n below which it is straight, and its largest tension [Pa].
-  double straight_below = 0, tensile_strength = 0;
+  bool is_curved = false;       ///< the tangent depends on σ'_n, so that a factor of safety needs iterations
+  bool is_directed = false;     ///< the strength depends on the inclination
+  double straight_below = 0;    ///< σ'_n below which a curved envelope is straight [Pa]
+  double tensile_strength = 0;  ///< largest tension of a curved envelope [Pa]
 };
 
 }  // namespace talus

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength.
+/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength and no supports.
 void judge_elements(const input::Case& data, results::RunResult& run) {
-  if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis ||
+  if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis || !data.supports.empty() ||
       data.bounds.tension != input::BoundsTension::as_given)
     return;
   results::Referee referee;

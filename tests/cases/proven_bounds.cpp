@@ -75,6 +75,17 @@ TEST_F(BoundsTest, ReportAFactorOutsideTheInterval) {
   EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("upper")) << "it is proven to be no higher";
 }
 
+/// F divides the forces of passive supports in limit analysis and not in FEM, so that its larger factor is no error.
+TEST_F(BoundsTest, DoNotJudgeAnotherMethodThatHasSupports) {
+  const std::string coarse = "[fem]\nsize = 6\nmeshes = 1\nflow = \"associated\"\nresolution = 0.02\n";
+  const std::string nail =
+      "[support.nail]\nkind = \"nail\"\nheads = [[22, 8.5]]\ninclination = 10\nlength = 12\ntensile_strength = 100\n"
+      "plate = 30\nbond = 20\naxial_stiffness = 1e5\n";
+  const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough + nail));
+  EXPECT_EQ(find_text(summary.at("warnings"), "above the upper bound"), "");
+  EXPECT_NE(find_text(summary.at("methods").at("remarks"), "are not judged"), "");
+}
+
 TEST_F(BoundsTest, ReportAnIntervalWiderThanTheGap) {
   const json summary = run(write_case("\"bounds\"", "[bounds]\ngap = 0.001\ntriangles = 300\n"));
   read_interval(summary);

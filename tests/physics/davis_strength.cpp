@@ -80,7 +80,17 @@ TEST_F(DavisSlope, IsTheAssociatedFactorOfTheWeakerSoil) {
 
 /// β acts in soil that F does not divide: with ψ = 0 and φ = 30° it has tan φ cos φ.
 TEST(DavisStrength, ActsInSoilThatIsNotReduced) {
-  const input::Case data = input::read_case_text(R"(
+  const std::string soil = R"(
+model = "mohr_coulomb"
+unit_weight = 18
+young_modulus = 20000
+poisson_ratio = 0.3
+cohesion = 5
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = 0
+)";
+  const std::string text = R"(
 analysis.methods = ["fem"]
 mesh.size = 2
 fem.davis = "a"
@@ -88,28 +98,11 @@ geometry.polygon = [
   { name = "fill", points = [[0, 2], [4, 2], [4, 4], [0, 4]] }, { name = "clay", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
 regions = { fill = "fill", clay = "clay" }
 boundary = [{ on = "bottom", fix = "full" }]
-[materials.fill]
-model = "mohr_coulomb"
-unit_weight = 18
-young_modulus = 20000
-poisson_ratio = 0.3
-cohesion = 5
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = 0
-reduced = false
-[materials.clay]
-model = "mohr_coulomb"
-unit_weight = 18
-young_modulus = 20000
-poisson_ratio = 0.3
-cohesion = 5
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = 0
-)",
-                                                 "slope.toml")
-                               .data;
+)";
+  const input::Case data =
+      input::read_case_text(text + "[materials.clay]" + soil + "[materials.fill]" + soil + "reduced = false\n",
+                            "slope.toml")
+          .data;
   const site::Site site(data);
   run::SolidOfCase<2> solid = run::make_solid<2>(site);
   run::set_trial_laws<2>(site, solid, false);

@@ -124,8 +124,6 @@ TEST(LemSupports, LongSlopeWithNails) {
   EXPECT_NEAR(find_factor(Slope(make(false)), surface, Method::janbu, 1000), passive, 0.001 * passive);
 }
 
-// Where and how bars hold.
-
 /// Pulls of one bar on the wedge.
 std::vector<BarPull> find_pulls(const Section& section, const Surface& surface) {
   const Slope slope{Section(section)};

@@ -409,6 +409,10 @@ void warn_of_crossings(const Case& data, Findings& findings) {
 
 }  // namespace
 
+bool has_passive_supports(const Case& data) {
+  return std::any_of(data.supports.begin(), data.supports.end(), [](const auto& s) { return !s.second.is_active(); });
+}
+
 std::optional<std::string> find_support_obstacle(const Case& data) {
   for (const auto& [name, support] : data.supports) {
     if (support.kind == SupportKind::pile || support.kind == SupportKind::bolt)

@@ -26,7 +26,7 @@ enum class LateralLaw { given, ito_matsui };
 /// Resistances of nails, anchors, bolts and piles are those of one bar, those of geosynthetics per metre of width.
 struct Support {
   SupportKind kind = SupportKind::nail;
-  // Where the bars lie:
+  // The place of the bars is given by heads and ends, by x, or by a pattern of rows.
   std::vector<std::array<double, 2>> heads, ends;  ///< [m]
   std::vector<double> x;                           ///< of piles from the ground down [m]
   std::optional<std::array<double, 2>> first;      ///< head of the top row [m]
@@ -237,6 +237,8 @@ struct BarLayout {
 /// alike: bars lead into the soil.
 BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const ShownUnit& length);
 
+/// Returns true if the factor divides the force of a support in limit equilibrium and limit analysis.
+bool has_passive_supports(const Case& data);
 /// Returns why limit analysis does not take the supports of a case; nullopt if it does.
 std::optional<std::string> find_support_obstacle(const Case& data);
 

@@ -12,7 +12,7 @@ namespace talus::lem {
 
 namespace {
 
-/// Where a bar crosses the border between the mass and the soil that is stable.
+/// Crossing of a bar with the border between the mass and the stable soil.
 struct Crossing {
   double distance = 0;  ///< from the head [m]
   int slice = 0;

@@ -292,9 +292,8 @@ class ProblemBuilder {
   Supports supports_;
   const BarsOfCase bars_;
   const mesh::Mesh<2> mesh_;
-  // Of the regions of the mesh; a straight envelope has no polygons.
-  std::vector<input::Material> soils_;
-  std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;
+  std::vector<input::Material> soils_;                              ///< of the regions of the mesh
+  std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;  ///< of the regions; none for a straight envelope
   std::vector<std::array<bounds::Strength, 3>> outer_;  ///< of the triangles, with tangents; empty without polygons
   std::vector<int> number_;                             ///< of the nodes of the mesh; -1: not in soil
   ProblemOfCase made_;

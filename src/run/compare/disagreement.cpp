@@ -162,9 +162,10 @@ class Warnings {
             : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
   }
 
-  /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it.
+  /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it, and with
+  /// supports the methods differ in what F divides and in the soil below heads.
   void warn_of_bounds() {
-    if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis) return;
+    if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis || !data_.supports.empty()) return;
     const bool flows_less = is_nonassociated(data_);
     const results::BoundsResult& bounds = *run_.bounds;
     const std::string tension =
@@ -218,6 +219,8 @@ class Warnings {
     if (given && associated && differ(given->factor, associated->factor) > difference / 3)
       causes.push_back(fmt::format("the flow rule, which makes {:.0f} % in FEM and which LEM does not have",
                                    100 * differ(given->factor, associated->factor)));
+    if ((given || associated) && input::has_passive_supports(data_))
+      causes.push_back("passive supports, whose forces the factor divides in LEM and not in FEM");
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)
       causes.push_back(
           "the mesh of MPM, which is one and not extrapolated ([strength_reduction.frozen] meshes = 2 "

@@ -120,6 +120,12 @@ class Reading {
     if (associated_ != nullptr) add(associated_->factor, "FEM with ψ = φ");
     add(frozen_, "MPM");
     if (!inside.empty()) say("The interval holds {}.", fmt::join(inside, ", "));
+    if (!data_.supports.empty())
+      say("Factors outside the interval are not judged: in limit analysis the soil below the heads of supports may "
+          "fail{}.",
+          input::has_passive_supports(data_)
+              ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM"
+              : "");
     for (const results::ElementRun* run : {given_, associated_})
       if (run != nullptr && run->verdict == results::Verdict::too_low)
         say("The factor by FEM with {} ({:.3f}) lies below the lower bound and is impossible.", describe_flow(*run),
@@ -303,7 +309,10 @@ class Reading {
           format_share(f / *slices_ - 1));
     else
       say("FEM ({}, {:.3f}) lies {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_, *slices_,
-          f > *slices_ ? "; a finer mesh ([fem] size) shows whether the elements are too stiff" : "");
+          f <= *slices_ ? ""
+          : input::has_passive_supports(data_)
+              ? "; the factor divides the forces of passive supports in LEM only"
+              : "; a finer mesh ([fem] size) shows whether the elements are too stiff");
   }
 
   void read_points_mesh() {
