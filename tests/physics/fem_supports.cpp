@@ -12,7 +12,7 @@
 #include "input/read.hpp"
 #include "lem/search/search.hpp"
 #include "run/common/section_of_case.hpp"
-#include "run/fem/bars_of_case.hpp"
+#include "run/common/bars_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
 
 namespace talus {

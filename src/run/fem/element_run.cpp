@@ -11,7 +11,7 @@
 #include "base/extrapolate.hpp"
 #include "mesh/quality.hpp"
 #include "run/common/head.hpp"
-#include "run/fem/bars_of_case.hpp"
+#include "run/common/bars_of_case.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"

@@ -10,7 +10,7 @@
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/common/soil_column.hpp"
-#include "run/fem/bars_of_case.hpp"
+#include "run/common/bars_of_case.hpp"
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/fem/bars_of_case.hpp"
+#include "run/common/bars_of_case.hpp"
 
 #include <fmt/format.h>
 
