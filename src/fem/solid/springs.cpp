@@ -384,12 +384,9 @@ SpringSet make_springs(const std::vector<Bar>& bars, const QuadraticMesh<2>& mes
 
 SpringAnswer update_spring(const Spring& spring, const SpringStage& stage, double start, double deformation) {
   if (spring.is_jacked && stage.is_jacked) return {spring.prestress / spring.stiffness, spring.prestress, 0};
-  const double share = spring.is_reduced ? stage.factor : 1, trial = start + deformation;
-  const double force = spring.stiffness * trial;
-  if (force > spring.upper / share) return {spring.upper / share / spring.stiffness, spring.upper / share, 0};
-  if (force < 0 && spring.slackens) return {trial, 0, 0};
-  if (force < spring.lower / share) return {spring.lower / share / spring.stiffness, spring.lower / share, 0};
-  return {trial, force, spring.stiffness};
+  const double share = spring.is_reduced ? stage.factor : 1;
+  return deform_spring({spring.stiffness, spring.lower / share, spring.upper / share, spring.slackens}, start,
+                       deformation);
 }
 
 std::vector<BarForces> compute_bar_forces(const std::vector<Bar>& bars, const std::vector<Spring>& springs,

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/spring.hpp"
 #include "fem/solid/bars.hpp"
 
 namespace talus::fem {
@@ -46,12 +47,7 @@ struct SpringStage {
   bool is_jacked = false;  ///< loads are being applied: anchors keep their prestress
 };
 
-/// Response of a spring to a deformation since its elastic deformation was `start`.
-struct SpringAnswer {
-  double elastic = 0;  ///< deformation afterwards
-  double force = 0;
-  double tangent = 0;
-};
+/// Returns the answer of a spring to a deformation since its elastic deformation was `start`.
 SpringAnswer update_spring(const Spring& spring, const SpringStage& stage, double start, double deformation);
 
 /// Makes the springs of bars in a mesh; unknowns of the bars are numbered from `first`. Throws Error (wrong_input) for
