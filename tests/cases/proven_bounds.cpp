@@ -79,8 +79,8 @@ TEST_F(BoundsTest, ReportAFactorOutsideTheInterval) {
 TEST_F(BoundsTest, DoNotJudgeAnotherMethodThatHasSupports) {
   const std::string coarse = "[fem]\nsize = 6\nmeshes = 1\nflow = \"associated\"\nresolution = 0.02\n";
   const std::string nail =
-      "[support.nail]\nkind = \"nail\"\nheads = [[22, 8.5]]\ninclination = 10\nlength = 12\ntensile_strength = 100\n"
-      "plate = 30\nbond = 20\naxial_stiffness = 1e5\n";
+      "[support.nail]\nkind = \"nail\"\nheads = [[22, 10]]\ninclination = 10\nlength = 12\ntensile_strength = 100\n"
+      "plate = 30\nout_of_plane_spacing = 1.5\nbond = 20\naxial_stiffness = 1e5\n";
   const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough + nail));
   EXPECT_EQ(find_text(summary.at("warnings"), "above the upper bound"), "");
   EXPECT_NE(find_text(summary.at("methods").at("remarks"), "are not judged"), "");
