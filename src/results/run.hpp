@@ -10,6 +10,7 @@
 #include "base/json_tree.hpp"
 #include "base/shown_units.hpp"
 #include "results/about.hpp"
+#include "results/bars.hpp"
 #include "results/bounds.hpp"
 #include "results/comparison.hpp"
 #include "results/elements.hpp"
@@ -168,6 +169,7 @@ struct Budgets {
   double plastic_work = 0, damping_work = 0, external_work = 0;         ///< [J]
   double wall_work = 0, mapping_loss = 0;                               ///< [J]
   std::optional<double> drag_work, pore_water_work;                     ///< with pore water only [J]
+  std::optional<double> support_work;                                   ///< with supports only [J]
   std::vector<double> momentum;                                         ///< [kg m/s]
   LostPoints lost;
 };
@@ -183,6 +185,7 @@ void describe(auto& v, As<Budgets> auto& r) {
   v.key("mapping_loss", r.mapping_loss, {"J", "energy lost between points and nodes"});
   v.key("drag_work", r.drag_work, {"J", "work of the drag between water and grains"});
   v.key("pore_water_work", r.pore_water_work, {"J", "work done on the pore water"});
+  v.maybe("support_work", r.support_work, {"J", "work done on the supports"});
   v.key("external_work", r.external_work, {"J", "external work"});
   v.key("momentum", r.momentum, {"kg m/s", "momentum"});
   v.key("lost", r.lost, {"", "points that left the grid"});
@@ -259,6 +262,7 @@ struct RunResult {
   std::optional<Motion> motion;
   std::optional<std::vector<SectionLine>> sections;
   std::optional<Budgets> budgets;
+  std::optional<std::vector<PointBar>> supports;
   std::optional<WaterBudget> water;
   std::optional<Seepage> seepage;
   std::optional<Season> season;
@@ -312,6 +316,7 @@ void describe(auto& v, As<RunResult> auto& r) {
   v.maybe("motion", r.motion, {"", "movement of the monitored places"});
   v.maybe("sections", r.sections, {"", "lines along which fields were taken"});
   v.maybe("budgets", r.budgets, {"", "energy, momentum and mass"});
+  v.maybe("supports", r.supports, {"", "supports in MPM at the end of the stages"});
   v.maybe("water", r.water, {"", "budget of the pore water"});
   v.maybe("seepage", r.seepage, {"", "steady seepage"});
   v.maybe("season", r.season, {"", "rain and transpiration before the run"});

@@ -426,14 +426,15 @@ std::optional<std::string> find_support_obstacle(const Case& data) {
 
 namespace {
 
-/// Reports stiffness that FEM needs.
+/// Reports stiffness that FEM and MPM need.
 void check_stiffness(const Case& data, Findings& findings) {
+  const char* method = uses(data, Method::fem) ? "FEM" : "MPM";
   for (const auto& [name, support] : data.supports) {
     const BlockFindings block(findings, "support." + name);
     if (!block.is_sound("kind")) continue;
     const auto need = [&, name = name](const char* key, bool is_given, const char* words) {
       if (!is_given && block.is_sound(key))
-        findings.add(block.path, fmt::format("support '{}': FEM needs its '{}', {}", name, key, words));
+        findings.add(block.path, fmt::format("support '{}': {} needs its '{}', {}", name, method, key, words));
     };
     if (support.kind == SupportKind::geosynthetic)
       need("sheet_stiffness", support.sheet_stiffness.has_value(), "the stiffness J per metre of width");
@@ -447,14 +448,17 @@ void check_stiffness(const Case& data, Findings& findings) {
 /// Reports methods that do not take supports.
 void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
-  if (uses(data, Method::fem)) check_stiffness(data, findings);
+  if (uses(data, Method::fem) || uses(data, Method::mpm)) check_stiffness(data, findings);
   if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
     findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
   if (uses(data, Method::mpm))
-    findings.add("analysis.methods",
-                 "'methods' has \"mpm\", which does not take [support.{}]; take \"mpm\" out of 'methods', or the "
-                 "support out of the case",
-                 data.supports.begin()->first);
+    for (const auto& [name, support] : data.supports)
+      if (support.kind == SupportKind::pile)
+        findings.add(
+            "support." + name,
+            "support '{}' is a pile, and MPM takes bars in tension only; take \"mpm\" out of 'methods', or the "
+            "pile out of the case",
+            name);
   if (data.lem.drawdown)
     findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
                  data.supports.begin()->first);

@@ -63,6 +63,7 @@ struct Support {
   std::optional<double> sheet_stiffness;    ///< of a geosynthetic [N/m]
   std::optional<double> bending_stiffness;  ///< E I of one bar [N m²]
   std::optional<double> plastic_moment;     ///< of one bar [N m]
+  std::optional<double> rupture_strain;     ///< plastic strain at which a bar tears in MPM [-]
 
   /// Returns true if the force is a load that the factor does not divide; usual for anchors and bolts.
   bool is_active() const {
@@ -218,6 +219,13 @@ void describe(auto& v, Support& s) {
   v.key("plastic_moment", s.plastic_moment,
         quantity("kN.m").above(0).allowed_with("kind", s.kind, {K::nail, K::pile}).example("150"),
         "Plastic moment M_p of one bar, for FEM and limit analysis.");
+  v.key("rupture_strain", s.rupture_strain,
+        plain()
+            .above(0)
+            .at_most(10)
+            .allowed_with("kind", s.kind, {K::nail, K::anchor, K::bolt, K::geosynthetic})
+            .example("0.05"),
+        "Plastic strain at which a bar tears in MPM. Without it a bar yields and holds its tensile strength.");
 }
 
 /// A bar of a support in the section.

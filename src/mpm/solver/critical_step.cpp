@@ -50,6 +50,18 @@ std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
   return shortest;
 }
 
+/// Critical step of soil with bars: the rates of both add up.
+template <int D>
+CriticalStep add_bars(const Body<D>& body, CriticalStep soil, double mass_scaling) {
+  if constexpr (D == 2) {
+    if (body.bars.empty() || soil.element < 0) return soil;
+    // Twice the rate at small slip, since a bent bar also holds the soil across its length.
+    const double rate = 2 * find_bar_rate(body) / mass_scaling;
+    soil.dt = 1 / std::sqrt(1 / (soil.dt * soil.dt) + rate / 4);
+  }
+  return soil;
+}
+
 /// The smallest critical step of all ranks; NaN wins over any number.
 template <int D>
 CriticalStep find_least(const Body<D>& body, const CriticalStep& critical) {
@@ -80,7 +92,7 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
   StepSquare least;
   const auto [begin, end] = own_elements(body);
   for (int e = begin; e < end; ++e) least.add(find_step_square(body, e));
-  return find_least(body, {std::sqrt(least.dt2 * mass_scaling), least.element});
+  return add_bars(body, find_least(body, {std::sqrt(least.dt2 * mass_scaling), least.element}), mass_scaling);
 }
 
 template <int D>
@@ -112,7 +124,7 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
       if (critical.element < 0 || !(dt >= critical.dt)) critical = {dt, shortest};
     }
   }
-  return find_least(body, critical);
+  return add_bars(body, find_least(body, critical), o.mass_scaling);
 }
 
 template CriticalStep find_critical_step<2>(const Body<2>&, double);

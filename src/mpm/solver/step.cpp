@@ -10,6 +10,7 @@
 #include "mpm/kernels/free_node_kernels.hpp"
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/grid_solve_kernels.hpp"
+#include "mpm/solver/bars.hpp"
 #include "mpm/state/body.hpp"
 #include "mpm/state/node_rows.hpp"
 #include "mpm/state/partition.hpp"
@@ -39,7 +40,10 @@ void run_phases(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch t
   body.time += o.dt;
   ++body.step_count;
   timed(t.relocate, [&] { relocate(body, o, movers); });
-  timed(t.relocate, [&] { gather_loads(body); });
+  timed(t.relocate, [&] {
+    advance_bars(body, o);
+    gather_loads(body);
+  });
 }
 
 /// The step of the Darcy formulation (theory 22): contents and coefficients, pressure solve between two grid solves,
@@ -72,7 +76,10 @@ void run_darcy_phases(Body<D>& body, const StepOptions<D>& o) {
   timed(t.advance_points, [&] { movers = advance_points(Darcy{}, body, o); });
   body.time += o.dt;
   ++body.step_count;
-  timed(t.relocate, [&] { relocate(body, o, movers); });
+  timed(t.relocate, [&] {
+    relocate(body, o, movers);
+    advance_bars(body, o);
+  });
 }
 
 }  // namespace

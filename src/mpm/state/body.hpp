@@ -19,6 +19,7 @@
 #include "input/case/case.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
+#include "mpm/state/bars.hpp"
 #include "mpm/state/conditions.hpp"
 #include "mpm/state/water.hpp"
 
@@ -126,10 +127,11 @@ struct Work {
   double mapping = 0;     ///< mapping loss between points and nodes (T9.1)
   double drag = 0;        ///< drag between water and grains
   double pore_water = 0;  ///< work on the pore water: stored by compression or suction, or carried out with it (T9.2)
+  double supports = 0;    ///< work on the bars in the soil: stored, or dissipated by bond and yielding
 
   Work operator-(const Work& o) const {
     return {external - o.external, damped - o.damped, dissipated - o.dissipated, walls - o.walls,
-            mapping - o.mapping,   drag - o.drag,     pore_water - o.pore_water};
+            mapping - o.mapping,   drag - o.drag,     pore_water - o.pore_water, supports - o.supports};
   }
 };
 
@@ -188,6 +190,7 @@ struct Body {
   std::vector<material::Law> laws;  ///< by material number
   std::vector<std::string> material_names;
   Conditions<D> conditions;
+  std::vector<Bar> bars;  ///< in plane soil only
   Points<D> points;
   std::shared_ptr<const Partition<D>> partition;          ///< part of this rank; null: the whole body is computed here
   std::shared_ptr<const SofteningReach> softening_reach;  ///< null: softening is local
@@ -218,6 +221,7 @@ struct StepOptions {
   bool moving = true;     ///< false: frozen geometry, small strain
   bool objective = true;  ///< rotate stresses with the soil
   bool monitor = false;   ///< fill Body::monitor in this step
+  bool jacks = false;     ///< anchors keep their prestress
   int threads = 1;
   // The options below are for soil with pore water.
   bool darcy = false;                ///< Darcy (u-p) formulation: one velocity, pressures at the nodes (darcy_step.hpp)

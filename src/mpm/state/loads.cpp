@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nodal forces (2.37) of tractions on sides and on points, at body.time.
+// Nodal forces (2.37) of tractions on sides and on points, at body.time, and of bars.
 #include "mpm/state/body.hpp"
 
 #include <algorithm>
@@ -48,8 +48,9 @@ template <int D>
 void gather_loads(Body<D>& body) {
   // nodes.load of the Darcy step includes the pressure of outside water, which another step would count twice.
   body.nodes.load.clear();
-  if (body.conditions.loads.empty()) return;
+  if (body.conditions.loads.empty() && body.bars.empty()) return;
   body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
+  if constexpr (D == 2) add_bar_forces(body);
   for (const Load<D>& load : body.conditions.loads) {
     const double factor = load.factor.at(body.time);
     if (!load.on_points) {

@@ -44,6 +44,7 @@ const std::map<std::string_view, Known>& list_known() {
       {"mapping_loss", {energy, true, EnergyPart::mapping}},
       {"drag_work", {energy, true, EnergyPart::drag}},
       {"pore_water_work", {energy, true, EnergyPart::pore_water}},
+      {"support_work", {energy, true, EnergyPart::supports}},
       {"external_work", {energy, true, EnergyPart::external}},
       {"force_ratio", {force_ratio}},
       {"nodal_speed", {nodal_speed}},

@@ -41,7 +41,7 @@ enum class HistoryQuantity {
 };
 
 /// Terms of the energy balance: supplied energy and its forms.
-enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping, drag, pore_water };
+enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping, drag, pore_water, supports };
 
 struct HistoryColumn {
   HistoryQuantity quantity = HistoryQuantity::state;
@@ -60,8 +60,8 @@ HistoryColumn describe_column(const std::string& name);
 namespace talus::results {
 
 template <>
-inline constexpr auto words<output::EnergyPart> =
-    std::array{"external", "kinetic", "elastic", "plastic", "damping", "walls", "mapping", "drag", "pore_water"};
+inline constexpr auto words<output::EnergyPart> = std::array{
+    "external", "kinetic", "elastic", "plastic", "damping", "walls", "mapping", "drag", "pore_water", "supports"};
 
 template <>
 inline constexpr auto words<output::HistoryQuantity> =

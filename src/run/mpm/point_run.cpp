@@ -13,6 +13,7 @@
 #include "run/mpm/record/point_results.hpp"
 #include "run/mpm/record/sections.hpp"
 #include "run/mpm/reduction/strength_reduction.hpp"
+#include "run/mpm/start/bars.hpp"
 #include "run/mpm/start/body_archive.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/prepare.hpp"
@@ -107,6 +108,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   const mpm::Body<D>& body = points_.body;
   save_end_state(options_.folder, loaded_.echo, points_.mesh_input, hash_, body, site::write_root_input(data_));
   run.budgets = make_budgets_result<D>(body, find_gravity<D>(data_.gravity), points_.work_before);
+  if (!body.bars.empty()) run.supports = make_bar_results(body, data_);
   if (body.water.is_wet()) run.water = make_water_result<D>(data_, body, points_.initial_water);
   if (data_.analysis != input::AnalysisKind::run) return;
   run.runout = find_runout(body, points_.runout_start);

@@ -38,7 +38,7 @@ export interface Column {
 export interface TableColumn extends Column {
   quantity: HistoryQuantity;
   /** Of energy: what goes into the body, and what it becomes. */
-  part?: "external" | "kinetic" | "elastic" | "plastic" | "damping" | "walls" | "mapping" | "drag" | "pore_water";
+  part?: "external" | "kinetic" | "elastic" | "plastic" | "damping" | "walls" | "mapping" | "drag" | "pore_water" | "supports";
   /** Monitor, or side that water passes; empty: the whole body. */
   of: string;
   /** Of all points. */

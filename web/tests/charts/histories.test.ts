@@ -24,6 +24,7 @@ const energies: Partial<Record<string, TableColumn["part"]>> = {
   mapping_loss: "mapping",
   drag_work: "drag",
   pore_water_work: "pore_water",
+  support_work: "supports",
   external_work: "external",
 };
 

@@ -55,6 +55,7 @@ results::Budgets make_budgets_result(const mpm::Body<D>& body, const Vec<D>& gra
     result.drag_work = work.drag;
     result.pore_water_work = work.pore_water;
   }
+  if (!body.bars.empty()) result.support_work = work.supports;
   result.momentum.assign(t.momentum.begin(), t.momentum.end());
   result.lost.points = body.lost.size();
   result.lost.momentum.assign(D, 0.0);

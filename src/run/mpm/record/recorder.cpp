@@ -45,6 +45,7 @@ std::vector<output::Column> list_columns(const input::Case& data, bool wet, bool
   columns.push_back({"largest_displacement", data.output.displacement_unit});
   if (has_front)
     for (const char* name : {"front_advance", "toe_distance"}) columns.push_back({name, data.output.length_unit});
+  if (!data.supports.empty()) columns.push_back({"support_work", "J"});
   if (wet) columns.insert(columns.end(), {{"drag_work", "J"}, {"pore_water_work", "J"}});
   return columns;
 }
@@ -242,6 +243,7 @@ void Recorder<D>::write_rows(Pause<D>& now) {
     const results::Runout runout = find_runout(now.whole(), *settings_.runout_start);
     row.insert(row.end(), {runout.front_advance / length, runout.toe_distance / length});
   }
+  if (!settings_.data->supports.empty()) row.push_back(work.supports);
   if (water_) {
     row.insert(row.end(), {work.drag, work.pore_water});
     water_->append(body, seen.water, row);

@@ -124,6 +124,7 @@ void copy_from_auxiliary(const mpm::Body<D>& auxiliary, mpm::Body<D>& body) {
   body.elements = auxiliary.elements;
   body.elements.held_saturation = std::move(held_saturation);
   body.nodes = auxiliary.nodes;
+  body.bars = auxiliary.bars;
   body.work = auxiliary.work;
   body.monitor = auxiliary.monitor;
   body.timing = auxiliary.timing;
@@ -150,6 +151,7 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, c
   mpm::StepOptions<D> options = make_options(plan);
   options.gravity = plan.gravity;
   mpm::Body<D> still = wet;
+  still.bars.clear();
   still.time = state.started ? state.start_time : wet.time;
   mpm::gather_nodal_sums(still, options);
   const std::vector<Vec<D>> force = mpm::find_pore_force(still, options);

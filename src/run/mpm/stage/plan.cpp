@@ -44,6 +44,7 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   o.moving = step.geometry == input::Geometry::moving;
   o.objective = step.objective_rate;
   o.threads = plan.threads;
+  o.jacks = plan.gravity_ramp > 0;
   o.darcy = step.water == input::WaterMotion::seeps;
   o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
   o.water_damping = step.water_damping;

@@ -18,7 +18,12 @@ DeviceKind find_device_kind(const std::string& word) {
 }
 
 ChosenDevice::ChosenDevice(const input::Case& data, const RunOptions& options) {
+  const bool has_bars = !data.supports.empty() && input::uses(data, Method::mpm);
+  if (has_bars && get_ranks().size() > 1)
+    throw Error(ExitCode::wrong_input, "MPM takes supports on one process only; start the program without mpiexec");
   if (options.device == DeviceKind::cpu) return;
+  if (has_bars)
+    throw Error(ExitCode::wrong_input, "--device: MPM takes supports on the processor only; leave --device out");
   if (get_ranks().size() > 1)
     throw Error(ExitCode::wrong_input, "--device: a device calculates alone; start the program without mpiexec");
   for (const auto& [name, material] : data.materials)

@@ -114,6 +114,62 @@ void get_darcy(const ArchiveReader& archive, mpm::DarcyWater<D>& darcy) {
   copy_into(darcy.ponded, archive.integers("water/mixture/ponded"));
 }
 
+/// Visits the numbers of a place, and of the state of a bar.
+void visit_place(auto& place, auto&& visit) {
+  for (auto& x : place.x) visit(x);
+  for (auto& xi : place.xi) visit(xi);
+  for (auto& share : place.share) visit(share);
+  visit(place.element);
+  visit(place.is_joined);
+}
+void visit_bar(auto& bar, auto&& visit) {
+  visit(bar.divisor);
+  for (auto& node : bar.nodes) {
+    visit_place(node.soil, visit);
+    visit(node.slip);
+    visit(node.all_slip);
+    for (auto& f : node.force) visit(f);
+  }
+  for (auto& piece : bar.pieces) {
+    visit(piece.strain);
+    visit(piece.plastic);
+    visit(piece.tension);
+    visit(piece.is_torn);
+  }
+  for (auto& place : bar.plate.places) visit_place(place, visit);
+  visit(bar.plate.elastic);
+  visit(bar.plate.force);
+  for (auto& f : bar.plate.push) visit(f);
+}
+
+void put_bars(ArchiveWriter& archive, const std::vector<mpm::Bar>& bars) {
+  if (bars.empty()) return;
+  std::vector<double> flat;
+  std::string names;
+  for (const mpm::Bar& bar : bars) {
+    names += bar.name + '\n';
+    visit_bar(bar, [&](const auto& value) { flat.push_back(static_cast<double>(value)); });
+  }
+  archive.put("bars/names", names);
+  archive.put("bars/state", flat);
+}
+
+/// Sets the state of bars that the archive has; bars of other supports stay as they were installed.
+void get_bars(const ArchiveReader& archive, std::vector<mpm::Bar>& bars) {
+  if (bars.empty() || !archive.has("bars/state")) return;
+  std::string names;
+  std::size_t size = 0;
+  for (mpm::Bar& bar : bars) {
+    names += bar.name + '\n';
+    visit_bar(bar, [&](auto&) { ++size; });
+  }
+  const auto& flat = archive.reals("bars/state");
+  if (archive.text("bars/names") != names || flat.size() != size) return;
+  auto next = flat.begin();
+  for (mpm::Bar& bar : bars)
+    visit_bar(bar, [&](auto& value) { value = static_cast<std::remove_reference_t<decltype(value)>>(*next++); });
+}
+
 template <int D>
 void put_budgets(ArchiveWriter& archive, const mpm::Water<D>& water) {
   std::vector<double> flat{water.lost_between, water.left_grid, water.pressed_in};
@@ -207,6 +263,7 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
     lost.insert(lost.end(), l.momentum.begin(), l.momentum.end());
   }
   archive.put("lost", lost);
+  put_bars(archive, body.bars);
   const std::vector<double> scalars{body.time,
                                     body.work.external,
                                     body.work.damped,
@@ -219,7 +276,8 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
                                     body.monitor.out_of_balance,
                                     body.monitor.external,
                                     body.monitor.kinetic_energy,
-                                    body.monitor.speed};
+                                    body.monitor.speed,
+                                    body.work.supports};
   archive.put("scalars", scalars);
   const std::vector<std::int64_t> counts{body.step_count, lane_width, body.monitor.fastest_node};
   archive.put("counts", counts);
@@ -267,10 +325,12 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   }
   const auto& scalars = archive.reals("scalars");
   body.time = scalars[0];
-  body.work = {scalars[1], scalars[2], scalars[3], scalars[4], scalars[5], scalars[6], scalars[7]};
+  body.work = {scalars[1], scalars[2], scalars[3], scalars[4],
+               scalars[5], scalars[6], scalars[7], scalars.size() > 13 ? scalars[13] : 0};
   body.nodes.motion_step = scalars[8];
   body.monitor = {scalars[9], scalars[10], scalars[11], scalars[12], static_cast<int>(counts[2])};
   body.step_count = counts[0];
+  get_bars(archive, body.bars);
 }
 
 #define TALUS_INSTANTIATE(D)                                       \

@@ -15,6 +15,7 @@
 #include "mpm/kernels/softening.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/common/soil_column.hpp"
+#include "run/mpm/start/bars.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "site/initial_water.hpp"
@@ -358,6 +359,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
   resolve_root_uptakes(body, data);
+  add_bars(body, data);
   if (data.softening_length) mpm::set_softening_length(body, *data.softening_length);
   body.water.darcy.pressure = site::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
@@ -378,6 +380,7 @@ void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<dou
   body.laws.clear();
   for (const std::string& name : body.material_names)
     body.laws.push_back(make_point_law(data.materials.at(name), cohesion, factor));
+  for (mpm::Bar& bar : body.bars) bar.divisor = bar.reduces_bond ? factor : 1;
 }
 
 template <int D>

@@ -42,7 +42,7 @@ results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::
 /// Names of the materials of a case in alphabetical order, which is that of their numbers.
 std::vector<std::string> list_materials(const input::Case& data);
 
-/// Sets the strength of every material to that of a stage or trial.
+/// Sets the strength of every material, and the bond of bars that F divides, to that of a stage or trial.
 template <int D>
 void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<double> cohesion, double factor);
 

@@ -4,11 +4,12 @@ import type { Column, Report, Table, TableColumn } from "../../contract";
 import { findLargest, scaleUnit } from "../base/numbers";
 
 const stores = ["kinetic", "elastic", "plastic", "damping"] as const;
-/** Absent from results of 0.2.0 and earlier; the last two also without pore water. */
-const laterStores = ["walls", "mapping", "drag", "pore_water"] as const;
+/** Absent from results of 0.2.0 and earlier; drag and pore water also without pore water, supports without them. */
+const laterStores = ["walls", "mapping", "drag", "pore_water", "supports"] as const;
 
 interface EnergyBalance {
-  /** external work − (kinetic + elastic + plastic + damping + walls + mapping + drag + pore water), as changes since the first row [J]. */
+  /** external work − (kinetic + elastic + plastic + damping + walls + mapping + drag + pore water +
+   * supports), as changes since the first row [J]. */
   residual: (number | null)[];
   /** Largest change of the external work [J]. */
   work: number;

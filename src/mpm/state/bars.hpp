@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Bars in the soil of a body: nails, anchors, bolts and geosynthetics (theory 25). A bar is a chain of pieces that
+// carry tension; bond joins its nodes to the soil around them, through which they move. Its own mass is neglected, so
+// in each step the bar is in equilibrium with the bond. Values are per metre of slope.
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/spring.hpp"
+#include "base/vec.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+struct Body;
+
+/// A place in the soil on which a bar acts. Its motion is the mean of those of the nodes of its element, weighted with
+/// shape functions and masses, so that a node with little soil is not shaken.
+struct SoilPlace {
+  Vec<2> x{};        ///< [m]
+  int element = -1;  ///< holds the place, or did last; -1: none
+  Vec<2> xi{};
+  bool is_joined = false;         ///< there is soil in the element
+  std::array<double, 3> share{};  ///< of the nodes of the element in the motion of the place; their sum is 1
+};
+
+struct BarNode {
+  double place = 0;  ///< distance from the head along the bar as it was installed [m]
+  SoilPlace soil;
+  SpringLaw bond;       ///< over the length that the node stands for; its deformation is the slip [m]
+  double slip = 0;      ///< elastic slip of the bar in the soil, towards its end [m]
+  double all_slip = 0;  ///< [m]
+  Vec<2> force{};       ///< of the bar on the soil [N]
+};
+
+struct BarPiece {
+  double length = 0;   ///< as installed [m]
+  double strain = 0;   ///< elastic [-]
+  double plastic = 0;  ///< [-]
+  double tension = 0;  ///< [N]
+  bool is_torn = false;
+};
+
+/// Plate or facing, which presses on the ground around the head.
+struct BarPlate {
+  std::vector<SoilPlace> places;
+  SpringLaw law;
+  double elastic = 0;  ///< [m]
+  double force = 0;    ///< [N]
+  Vec<2> push{};       ///< the force on the soil [N]
+};
+
+struct Bar {
+  std::string name;            ///< of the support in the case
+  std::vector<BarNode> nodes;  ///< from the head to the end
+  std::vector<BarPiece> pieces;
+  SpringLaw tension;                                                ///< of a piece; its deformation is the strain
+  double rupture_strain = std::numeric_limits<double>::infinity();  ///< plastic strain at which a piece tears [-]
+  double prestress = 0;                                             ///< of the first piece [N]
+  BarPlate plate;
+  bool reduces_bond = false;  ///< divides the bond by the factor of a trial
+  double divisor = 1;         ///< of the bond
+};
+
+/// Joins the bars to the soil: finds the shares of the nodes from the present nodal sums.
+void join_bars(Body<2>& body);
+/// Adds the forces of the bars on the soil to the loads of the nodes.
+void add_bar_forces(Body<2>& body);
+
+/// Motion of a place in a field of the nodes.
+Vec<2> move_place(const Body<2>& body, const SoilPlace& place);
+
+/// Indices of the joined nodes of a bar around each node, with their weights: the node itself if it is joined.
+struct JoinedNodes {
+  std::array<int, 2> node{};
+  std::array<double, 2> weight{};
+};
+/// Returns them for each node; empty if no node is joined.
+std::vector<JoinedNodes> find_joined(const Bar& bar);
+
+/// Largest of the stiffness of the bars at a node over its mass [1/s²], which bounds the time step; 0 without bars.
+double find_bar_rate(const Body<2>& body);
+
+}  // namespace talus::mpm
