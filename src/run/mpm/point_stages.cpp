@@ -62,8 +62,7 @@ void PointStages<D>::run_one(int number, StageState& state, Recorder<D>& recorde
   }
   warn_before(plan);
   // Before the first stage no soil carries its weight.
-  const bool brings_weight = number == 0 && !state.started && body.water.is_wet() && data_.initial.result.empty() &&
-                             data_.initial.stress == input::InitialStress::none;
+  const bool brings_weight = plan.brings_weight && !state.started && body.water.is_wet();
   const std::optional<CarriedWeight> before = brings_weight ? std::optional(find_carried_weight(body)) : std::nullopt;
   const auto start = Clock::now();
   const StageHooks<D> hooks = watch_bands(body, recorder.begin_leg(number, plan, body, state));

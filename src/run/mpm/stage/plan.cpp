@@ -30,6 +30,8 @@ StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, doubl
   plan.strength_factor = stage.strength_factor.value_or(1);
   plan.until_rest = stage.until == input::Until::rest;
   plan.gravity_ramp = stage.gravity_ramp;
+  plan.brings_weight = !data.stages.empty() && stage.name == data.stages.front().name && data.initial.result.empty() &&
+                       data.initial.stress == input::InitialStress::none;
   return plan;
 }
 
@@ -44,7 +46,7 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   o.moving = step.geometry == input::Geometry::moving;
   o.objective = step.objective_rate;
   o.threads = plan.threads;
-  o.jacks = plan.gravity_ramp > 0;
+  o.jacks = plan.brings_weight;
   o.darcy = step.water == input::WaterMotion::seeps;
   o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
   o.water_damping = step.water_damping;

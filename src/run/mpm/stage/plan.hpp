@@ -30,6 +30,7 @@ struct StagePlan {
   double gravity_ramp = 0;         ///< [s]
   double soil_height = 0;          ///< H of the rest criterion [m]
   double failed_displacement = 0;  ///< the stage ends when a point has moved farther [m]; 0: never
+  bool brings_weight = false;      ///< first stage of soil without stress; anchors keep their prestress
   bool equalises_mass = false;     ///< small elements do not limit the step (auxiliary_body.hpp)
   int threads = 1;
   Helpers<D>* helpers = nullptr;  ///< the other ranks, if only this one has the body
