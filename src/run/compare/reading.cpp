@@ -124,7 +124,8 @@ class Reading {
       say("Factors outside the interval are not judged: in limit analysis the soil below the heads of supports may "
           "fail{}.",
           input::has_passive_supports(data_)
-              ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM"
+              ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM "
+                "and MPM"
               : "");
     for (const results::ElementRun* run : {given_, associated_})
       if (run != nullptr && run->verdict == results::Verdict::too_low)

@@ -2,6 +2,8 @@
 /** The sections of the page in their order: what each is called, when a report has it, and what draws it. */
 import type { ComponentChildren } from "preact";
 
+import { BarsSection } from "../bars/BarsSection";
+import { listBarTables } from "../bars/barData";
 import { BoundsSection } from "../bounds/BoundsSection";
 import "../charts/charts.css";
 import { CurveSection } from "../charts/curve/CurveSection";
@@ -113,6 +115,13 @@ const sections: Section[] = [
     has: ({ result }) => result.bounds !== undefined,
     draw: () => <BoundsSection />,
     chart: { title: "Limit analysis: lower and upper bound", height: 900 },
+  },
+  {
+    id: "supports",
+    label: "Supports",
+    has: (given) => listBarTables(given).length > 0,
+    draw: () => <BarsSection />,
+    chart: { title: "Supports in FEM and MPM", height: 700 },
   },
   {
     id: "curve",

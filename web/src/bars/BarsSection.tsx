@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+/** Supports in FEM and MPM: the axial force along each bar, and what limits it. */
+import * as Plot from "@observablehq/plot";
+
+import { layOut, makeAxis } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { CsvButton, Legend, useSwitches } from "../charts/base/Legend";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import { styleOf } from "../charts/base/styles";
+import { ChartTable } from "../page/DataTable";
+import { report } from "../state";
+import { type BarRow, type BarTable, listBarTables } from "./barData";
+
+interface BarPoint {
+  bar: number;
+  name: string;
+  /** In the unit of lengths. */
+  place: number;
+  /** [kN/m] */
+  force: number;
+}
+
+const kilo = (force: number | null) => (force === null ? "–" : formatNumber(force / 1e3, 4));
+const share = (used: number | null) => (used === null ? "–" : `${(100 * used).toFixed(0)} %`);
+
+function listPoints(rows: BarRow[], unit: number): BarPoint[] {
+  return rows.flatMap(({ name, place, force }, bar) =>
+    place.map((s, i) => ({ bar, name, place: (s ?? 0) / unit, force: (force[i] ?? 0) / 1e3 })),
+  );
+}
+
+function BarFigure({ table }: { table: BarTable }) {
+  const { length } = report.value.units;
+  const [hidden, toggle] = useSwitches();
+  const { rows } = table;
+  const points = listPoints(rows, length.si).filter(({ name }) => !hidden.has(name));
+  const draw = (width: number) =>
+    layOut({
+      height: Math.max(260, Math.min(340, width * 0.45)),
+      margins: [28, 20, 46, 62],
+      x: { label: `Distance from the head [${length.name}]`, ticks: Math.max(4, width / 90) },
+      y: makeAxis({
+        title: "Axial force",
+        unit: "kN/m",
+        domain: [Math.min(0, ...points.map((p) => p.force)), 1.05 * Math.max(1e-9, ...points.map((p) => p.force))],
+        log: false,
+      }),
+      marks: rows.map((_, bar) => {
+        const { colour, dash } = styleOf(bar);
+        const own = points.filter((p) => p.bar === bar);
+        return Plot.line(own, { x: "place", y: "force", stroke: colour, strokeWidth: 1.6, strokeDasharray: dash });
+      }),
+    });
+  return (
+    <figure class="chart-figure" aria-label={`Forces of supports, ${table.title}`}>
+      <div class="chart-head">
+        <h4>
+          {table.title}: axial force {table.state}
+        </h4>
+        <CsvButton
+          part={`supports-${table.id}`}
+          columns={() => [
+            { name: "support", values: rows.flatMap((r) => r.place.map(() => r.name)) },
+            { name: "place", unit: "m", values: rows.flatMap((r) => r.place) },
+            { name: "force", unit: "N/m", values: rows.flatMap((r) => r.force) },
+          ]}
+        />
+      </div>
+      <Legend
+        hidden={hidden}
+        onToggle={rows.length > 1 ? toggle : undefined}
+        items={rows.map(({ name }, bar) => ({ id: name, title: name, style: styleOf(bar) }))}
+      />
+      <Chart
+        label={`Axial force along the supports by ${table.title}`}
+        draw={draw}
+        depends={[hidden, table]}
+        stops={points.map((p) => p.place)}
+        hint="Point at a line to read it."
+        read={(i) => {
+          const p = points[i]!;
+          return {
+            text: `${p.name}, ${formatQuantity(p.place, length.name, 3)} from its head: ${formatQuantity(p.force, "kN/m", 3)}`,
+            marks: [{ value: p.force, at: p.place, colour: styleOf(p.bar).colour }],
+          };
+        }}
+      />
+      <ChartTable
+        label={`Forces of supports by ${table.title}`}
+        rows={rows}
+        columns={[
+          ["Support", (r) => r.name, "name"],
+          ["Largest force [kN/m]", (r) => kilo(r.largest), "number"],
+          ["Head [kN/m]", (r) => kilo(r.plate), "number"],
+          ["Tension", (r) => share(r.tension), "number"],
+          ["Pull-out", (r) => share(r.pullOut), "number"],
+          ["Stripping", (r) => share(r.stripping), "number"],
+          ["Limit reached", (r) => r.limit, "name"],
+        ]}
+      />
+    </figure>
+  );
+}
+
+export function BarsSection() {
+  return (
+    <>
+      {listBarTables(report.value).map((table) => (
+        <BarFigure key={table.id} table={table} />
+      ))}
+      <p class="chart-note">
+        Per metre of slope, tension positive. Percentages: the largest force over the tensile strength; the bond behind
+        it; bond and head in front of it.
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+/** Bars of FEM and MPM in one form: axial force along each, and how far its limits are used. */
+import type { Report } from "../contract";
+
+export interface BarRow {
+  name: string;
+  /** Distances from the head [m]. */
+  place: (number | null)[];
+  /** Axial force there [N/m]. */
+  force: (number | null)[];
+  largest: number | null;
+  plate: number | null;
+  tension: number | null;
+  pullOut: number | null;
+  stripping: number | null;
+  limit: string;
+}
+
+export interface BarTable {
+  id: string;
+  title: string;
+  /** When the forces act. */
+  state: string;
+  rows: BarRow[];
+}
+
+const limits: Record<string, string> = {
+  none: "–",
+  tension: "tensile strength",
+  pull_out: "pull-out",
+  stripping: "stripping",
+  bending: "plastic moment",
+  shear: "shear strength",
+  torn: "torn",
+};
+
+interface Bar {
+  support: string;
+  row: number | null;
+  place: (number | null)[];
+  force: (number | null)[];
+  largest: number | null;
+  plate: number | null;
+  tension?: number | null;
+  pull_out?: number | null;
+  stripping?: number | null;
+  limit: string;
+}
+
+const makeRow = (bar: Bar): BarRow => ({
+  name: `${bar.support} ${bar.row}`,
+  place: bar.place,
+  force: bar.force,
+  largest: bar.largest,
+  plate: bar.plate,
+  tension: bar.tension ?? null,
+  pullOut: bar.pull_out ?? null,
+  stripping: bar.stripping ?? null,
+  limit: limits[bar.limit] ?? bar.limit,
+});
+
+/** One table for each strength reduction by FEM with supports, and one for MPM. */
+export function listBarTables({ result }: Report): BarTable[] {
+  const tables: BarTable[] = [];
+  for (const run of result.fem?.runs ?? [])
+    if (run.supports && run.supports.length > 0)
+      tables.push({
+        id: `fem-${run.flow}`,
+        title: `FEM, ${run.flow === "associated" ? "ψ = φ" : "ψ as given"}`,
+        state: "at failure",
+        rows: run.supports.map(makeRow),
+      });
+  if (result.supports && result.supports.length > 0)
+    tables.push({ id: "mpm", title: "MPM", state: "at the end of the stages", rows: result.supports.map(makeRow) });
+  return tables;
+}
