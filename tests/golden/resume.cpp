@@ -52,11 +52,11 @@ class Resume : public testing::Test {
   void SetUp() override { std::ofstream(folder_ / "case.toml") << slope; }
 
   /// Starts `talus run` on the case; returns the process.
-  pid_t start(const std::string& result, const std::string& flag) {
+  pid_t start(const std::string& result, const std::string& flag, const char* threads = "2") {
     const pid_t child = fork();
     if (child == 0) {
       const std::string input = (folder_ / "case.toml").string(), output = (folder_ / result).string();
-      execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", output.c_str(), "-q", "--threads", "2",
+      execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", output.c_str(), "-q", "--threads", threads,
             flag.empty() ? nullptr : flag.c_str(), nullptr);
       _exit(127);
     }
@@ -126,6 +126,28 @@ TEST_F(Resume, AfterSignalsEqualsContinuousBitForBit) {
 
 TEST_F(Resume, AfterKillEqualsContinuousBitForBit) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, 0.3), 1) << "the case must be long enough to be killed";
+  expect_same_results("whole", "parts");
+}
+
+/// Nails that the soil carries, slip through it and yield are part of its state.
+TEST_F(Resume, WithSupportsEqualsContinuousBitForBitOnAnyThreads) {
+  std::ofstream(folder_ / "case.toml") << slope << R"(
+[support.nails]
+kind = "nail"
+heads = [[8, 5.75], [10.4, 4.25]]
+inclination = 10
+length = 4
+out_of_plane_spacing = 1.5
+tensile_strength = 60
+plate = 20
+bond = 10
+axial_stiffness = 5e4
+)";
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  EXPECT_NE(read("whole/history.csv").find("support_work"), std::string::npos);
+  ASSERT_EQ(wait_for(start("single", "", "1")), 0);
+  expect_same_results("whole", "single");
   EXPECT_GE(run_with_interruptions("parts", SIGKILL, 0.3), 1) << "the case must be long enough to be killed";
   expect_same_results("whole", "parts");
 }

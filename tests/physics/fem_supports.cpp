@@ -11,8 +11,8 @@
 #include "base/extrapolate.hpp"
 #include "input/read.hpp"
 #include "lem/search/search.hpp"
-#include "run/common/section_of_case.hpp"
 #include "run/common/bars_of_case.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
 
 namespace talus {
