@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr double stiffness = 1e7, strength = 50e3, bond = 4e3, bond_stiffness = 4e6;  ///< [N], [N], [N/m], [N/m²]
+constexpr double stiffness = 1e7, strength = 50e3, bond = 4e3, bond_stiffness = 4e8;  ///< [N], [N], [N/m], [N/m²]
 
 /// A bar of `pieces` pieces from `head` to `end`, joined to the soil at rest.
 mpm::Bar make_bar(const mpm::Body<2>& body, const Vec<2>& head, const Vec<2>& end, int pieces) {
@@ -37,8 +37,8 @@ mpm::Bar make_bar(const mpm::Body<2>& body, const Vec<2>& head, const Vec<2>& en
 }
 
 /// A block of 8 m × 4 m of elastic soil.
-mpm::Body<2> make_block() {
-  return support::fill_body<2>(support::make_mesh<2>({32, 16}, {8, 4}),
+mpm::Body<2> make_block(double jitter) {
+  return support::fill_body<2>(support::make_mesh<2>({32, 16}, {8, 4}, jitter),
                                {{material::LinearElastic::from_young(1e7, 0.3), 1800}}, 3,
                                [](const Vec<2>&) { return 0; });
 }
@@ -63,8 +63,8 @@ void move_bars(mpm::Body<2>& body, const std::function<Vec<2>(const Vec<2>&)>& v
   }
 }
 
-mpm::Body<2> make_body_with(const Vec<2>& head, const Vec<2>& end, int pieces) {
-  mpm::Body<2> body = make_block();
+mpm::Body<2> make_body_with(const Vec<2>& head, const Vec<2>& end, int pieces, double jitter = 0) {
+  mpm::Body<2> body = make_block(jitter);
   mpm::gather_nodal_sums(body, mpm::StepOptions<2>{});
   body.bars = {make_bar(body, head, end, pieces)};
   mpm::gather_loads(body);
@@ -83,7 +83,7 @@ double sum_energy(const mpm::Bar& bar) {
 
 /// With bond much stiffer than the bar, N(s) = min(bond s, E A ε, bond (L - s)).
 TEST(MpmBars, YieldAtTheEndsInSoilThatStretches) {
-  mpm::Body<2> body = make_body_with({7.1, 2.3}, {0.9, 1.7}, 40);
+  mpm::Body<2> body = make_body_with({7.1, 2.3}, {0.9, 1.7}, 40, 0.15);
   const double length = 6.229, strain = 1e-3;
   move_bars(
       body,
@@ -115,17 +115,17 @@ TEST(MpmBars, PullOutOfTheShorterLength) {
   for (const mpm::BarPiece& piece : bar.pieces) largest = std::max(largest, piece.tension);
   EXPECT_GE(largest, bond * 1.75 * 0.98);
   EXPECT_LE(largest, bond * 2.0) << "the soil shears in one row of elements";
-  EXPECT_NEAR(bar.nodes.back().all_slip, 0.2, 0.01) << "it follows the soil at its head";
+  EXPECT_NEAR(bar.nodes.back().all_slip, -0.2, 0.005) << "it follows the soil at its head";
   Vec<2> sum{};
   for (const Vec<2>& f : body.nodes.load)
     for (std::size_t d = 0; d < 2; ++d) sum[d] += f[d];
   EXPECT_NEAR(norm(sum), 0, 1e-6 * largest);
   EXPECT_NEAR(body.work.supports, sum_energy(bar), 0.01 * body.work.supports);
-  EXPECT_NEAR(body.work.external, -body.work.supports, 1e-9);
+  EXPECT_EQ(body.work.external, body.work.supports) << "what a step counts as work of the loads is taken off";
 }
 
 TEST(MpmBars, CarryNothingWhenTheyRotateWithTheSoil) {
-  mpm::Body<2> body = make_body_with({5.2, 2.6}, {2.8, 1.4}, 12);
+  mpm::Body<2> body = make_body_with({5.2, 2.6}, {2.8, 1.4}, 12, 0.15);
   constexpr int steps = 20000;
   const double angle = 1.2;
   move_bars(
@@ -141,8 +141,7 @@ TEST(MpmBars, CarryNothingWhenTheyRotateWithTheSoil) {
   EXPECT_NEAR(bar.nodes[0].soil.x[1], 2 + radius * std::sin(before + angle), 1e-3);
 }
 
-/// A bar whose bond is stronger than itself tears where the soil parts, and then carries what the bond of each part
-/// holds: nothing, as both parts rest in their soil.
+/// A bar whose bond is stronger than itself tears where the soil parts.
 TEST(MpmBars, TearAtTheirRuptureStrain) {
   mpm::Body<2> body = make_body_with({7.5, 2}, {0.5, 2}, 56);
   mpm::Bar& bar = body.bars[0];
@@ -157,7 +156,8 @@ TEST(MpmBars, TearAtTheirRuptureStrain) {
   move_bars(body, part, 1e-4, 2000, false);
   const auto torn = std::count_if(bar.pieces.begin(), bar.pieces.end(), [](const auto& p) { return p.is_torn; });
   EXPECT_GE(torn, 1);
-  for (const mpm::BarPiece& piece : bar.pieces) EXPECT_LT(piece.tension, strength * (1 - 1e-6));
+  for (const mpm::BarPiece& piece : bar.pieces)
+    if (piece.is_torn) EXPECT_EQ(piece.tension, 0);
 }
 
 TEST(MpmBars, PressOnTheGroundWithTheirPlate) {
@@ -187,7 +187,7 @@ TEST(MpmBars, PressOnTheGroundWithTheirPlate) {
   for (const Vec<2>& f : body.nodes.load)
     for (std::size_t d = 0; d < 2; ++d) sum[d] += f[d];
   EXPECT_NEAR(norm(sum), 0, 1e-6 * largest);
-  EXPECT_NEAR(body.work.external + body.work.supports, 0, 1e-9);
+  EXPECT_EQ(body.work.external, body.work.supports);
 }
 
 }  // namespace

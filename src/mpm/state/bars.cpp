@@ -9,6 +9,9 @@
 namespace talus::mpm {
 namespace {
 
+/// Mass of a node over the largest of its element below which its share is reduced.
+constexpr double light = 0.1;
+
 std::array<double, 3> find_shape(const Vec<2>& xi) {
   return {1 - xi[0] - xi[1], xi[0], xi[1]};
 }
@@ -26,9 +29,12 @@ void join(const Body<2>& body, SoilPlace& place) {
   place.share = {};
   if (place.element < 0 || !(body.points.count[static_cast<std::size_t>(place.element)] > 0)) return;
   const auto shape = find_shape(place.xi);
+  std::array<double, 3> mass;
+  for (std::size_t k = 0; k < 3; ++k) mass[k] = sum_mass(body, body.mesh().elements[place.element][k]);
+  const double enough = light * std::max({mass[0], mass[1], mass[2]});
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    place.share[k] = std::max(0.0, shape[k]) * sum_mass(body, body.mesh().elements[place.element][k]);
+    place.share[k] = std::max(0.0, shape[k]) * std::min(1.0, mass[k] / enough);
     sum += place.share[k];
   }
   if (!(sum > 0)) return;

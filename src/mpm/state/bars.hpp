@@ -17,8 +17,8 @@ namespace talus::mpm {
 template <int D>
 struct Body;
 
-/// A place in the soil on which a bar acts. Its motion is the mean of those of the nodes of its element, weighted with
-/// shape functions and masses, so that a node with little soil is not shaken.
+/// A place in the soil on which a bar acts. Its motion is that of the nodes of its element by shape functions, reduced
+/// at nodes with little soil (T25.1), which would be shaken.
 struct SoilPlace {
   Vec<2> x{};        ///< [m]
   int element = -1;  ///< holds the place, or did last; -1: none
