@@ -129,7 +129,8 @@ TEST(LemSupportsPublished, GeogridsInSand) {
 }
 
 // VP87 to VP94: walls in tiers after Leshchinsky and Han (2004), on the circles of Slide2. Geotextiles every 0.6 m,
-// with pull-out of 0.8 tan φ on both sides and a loose front end, as passive forces along the sheet.
+// with pull-out of 0.8 tan φ on both sides and a loose front end, as passive forces along the sheet. Slide2's values of
+// VP89 and VP93 belong to the strength of VP87, as xslope found; the paper has 11.4 and 11.6 kN/m.
 
 struct TieredWall {
   int tiers = 3;
@@ -138,6 +139,8 @@ struct TieredWall {
   bool is_wet = false;
   Circle circle;
   double published = 0;
+  double length = 6.3;   ///< of the sheets
+  double surcharge = 0;  ///< on the crest, behind the blocks
 };
 
 Section make_wall(const TieredWall& wall) {
@@ -159,22 +162,26 @@ Section make_wall(const TieredWall& wall) {
     for (int k = 0; k < layers; ++k) {
       Bar sheet;
       sheet.head = {x, y + 0.3 + 0.6 * k};
-      sheet.end = {x + 6.3, sheet.head[1]};
+      sheet.end = {x + wall.length, sheet.head[1]};
       sheet.tensile = static_cast<int>(section.bars.size()) < 7 ? wall.lower : wall.upper;
       sheet.bond_factor = 2 * 0.8 * std::tan(34 * degree);
       section.bars.push_back(sheet);
     }
   }
   if (wall.is_wet) section.water_table = {{0, 9}, {24, 9}};
+  const double crest = toe + wall.offset * (wall.tiers - 1) + 0.3;
+  if (wall.surcharge > 0) section.surcharges.push_back({{{crest, wall.surcharge, 0}, {24, wall.surcharge, 0}}});
   return section;
 }
 
 TEST(LemSupportsPublished, WallsInTiers) {
   const std::vector<TieredWall> walls{
-      {3, 3, 1.2, 10, 10, false, {{-5.713, 20.432}, 18.547}, 1.040},       // VP87
-      {3, 3, 1.2, 7.5, 11, false, {{-9.069, 23.079}, 22.754}, 1.004},      // VP90
-      {3, 3, 1.2, 9.25, 9.25, true, {{-4.903, 20.532}, 18.112}, 1.037},    // VP92
-      {5, 1.8, 0.6, 10.1, 10.1, false, {{-5.537, 20.452}, 18.450}, 1.040}  // VP94
+      {3, 3, 1.2, 10, 10, false, {{-5.713, 20.432}, 18.547}, 1.040},          // VP87
+      {3, 3, 1.2, 7.5, 11, false, {{-9.069, 23.079}, 22.754}, 1.004},         // VP90
+      {3, 3, 1.2, 9.25, 9.25, true, {{-4.903, 20.532}, 18.112}, 1.037},       // VP92
+      {5, 1.8, 0.6, 10.1, 10.1, false, {{-5.537, 20.452}, 18.450}, 1.040},    // VP94
+      {3, 3, 1.2, 10, 10, false, {{-17.531, 39.139}, 40.572}, 0.976, 4.2},    // VP89
+      {3, 3, 1.2, 10, 10, false, {{-8.825, 23.102}, 22.603}, 0.958, 6.3, 20}  // VP93
   };
   for (const TieredWall& wall : walls) {
     const Slope slope(make_wall(wall));
