@@ -233,6 +233,27 @@ TEST(LemSupportsWalls, TiedBackWallAfterDrawdown) {
   }
 }
 
+// VP110: an equivalent fluid pressure is a triangular load on the wall. Slide2 has one factor for both; its source
+// gives neither soil nor geometry.
+
+TEST(LemSupportsWalls, EquivalentFluidPressure) {
+  const double weight = 7, height = 5;
+  Section section = make_section({{0, 0}, {10, 0}, {10, height}, {30, height}}, make_soil(5, 30, 19), -6);
+  Section as_liquid(section), as_load(section);
+  as_liquid.slurries.push_back({0, 10, height, weight});
+  const int strips = 20;
+  for (int i = 0; i < strips; ++i) {
+    const double low = height * i / strips, high = height * (i + 1) / strips;
+    as_load.face_loads.push_back({10, low, high, {weight * (height - 0.5 * (low + high)), 0}});
+  }
+  const Surface arc = make_arc({6, 10}, std::sqrt(116.0), 10, 6 + std::sqrt(91.0));
+  const Slope bare(std::move(section)), liquid(std::move(as_liquid)), load(std::move(as_load));
+  EXPECT_GT(find_factor(liquid, arc, Method::janbu), 1.5 * find_factor(bare, arc, Method::janbu));
+  EXPECT_NEAR(find_factor(liquid, arc, Method::janbu), find_factor(load, arc, Method::janbu), 1e-6);
+  for (const Method method : {Method::bishop, Method::spencer})  // strips raise the resultant by 1/2400 of the height
+    EXPECT_NEAR(find_factor(liquid, arc, method), find_factor(load, arc, method), 1e-3) << to_word(method);
+}
+
 // VP107: a wall of gabions (Cao et al. 2016), whose mesh is a cohesion or sheets between the courses; the circle passes
 // below both.
 
