@@ -118,7 +118,7 @@ Drawing read_drawing(const std::string& path) {
 
 bool is_result_line(const DrawnLine& line) {
   if (line.closed) return false;
-  if (line.layer == pond_layer) return true;
+  if (line.layer == pond_layer || line.layer == support_layer) return true;
   // A soil may be called slip_zone, so the prefix alone does not count.
   constexpr std::array methods{"lem", "fem", "bounds", "mpm"};
   return std::any_of(methods.begin(), methods.end(), [&](const char* method) {

@@ -63,9 +63,9 @@ using ReadByGdal = void (*)(const char* path, const char* format, Message& out);
 // Drawings of results.
 
 /// Layers of a section of `talus export`, beside those of its soils. Slip surfaces are on layers of this prefix, a
-/// method, and their name: "slip_lem_spencer_1.434". `talus import` leaves ponds and slip surfaces out.
+/// method, and their name: "slip_lem_spencer_1.434". `talus import` leaves ponds, supports and slip surfaces out.
 inline constexpr const char *ground_layer = "ground", *water_layer = "water_table", *pond_layer = "ponds",
-                            *slip_prefix = "slip_";
+                            *support_layer = "supports", *slip_prefix = "slip_";
 
 /// Returns true for an open line on a layer of results, which is no boundary of soils.
 bool is_result_line(const DrawnLine& line);

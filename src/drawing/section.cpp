@@ -100,7 +100,7 @@ class SectionFinder {
     }
     if (result_lines_ > 0)
       section_.remarks.push_back(
-          fmt::format("{} slip surfaces and ponds of talus export were left out", result_lines_));
+          fmt::format("{} slip surfaces, supports and ponds of talus export were left out", result_lines_));
     for (const std::string& layer : options_.layers)
       if (std::none_of(all.begin(), all.end(), [&](const Chain& c) { return c.layer == layer; }))
         fail_input("the drawing has no lines on a layer '{}'", layer);
@@ -373,7 +373,7 @@ class SectionFinder {
   std::set<std::string> names_;
   double tolerance_ = 0;  ///< length below which distances count as zero [m]
   int used_texts_ = 0;
-  int result_lines_ = 0;  ///< of slip surfaces and ponds of an export
+  int result_lines_ = 0;  ///< of slip surfaces, supports and ponds of an export
   std::vector<Polyline> all_faces_;
   std::map<std::string, std::string> materials_;  ///< text → material
   std::optional<Point2> crossing_;                ///< of two boundaries

@@ -14,6 +14,7 @@
 #include "site/initial_water.hpp"
 #include "site/seepage_results.hpp"
 #include "site/site.hpp"
+#include "site/supports.hpp"
 
 namespace talus::exports {
 namespace {
@@ -21,7 +22,8 @@ namespace {
 using drawing::DrawnLine;
 using results::Point;
 
-constexpr const char *soil_colour = "#000000", *ground_colour = "#A0703C", *water_colour = "#2f7fd6";
+constexpr const char *soil_colour = "#000000", *ground_colour = "#A0703C", *water_colour = "#2f7fd6",
+                     *support_colour = "#7a3b9a";
 
 /// Returns a point inside a polygon and outside those that lie in it: the middle of the widest stretch of several
 /// horizontal lines.
@@ -88,6 +90,12 @@ class SectionWriter {
 
   void add_ground(const site::Site& site) {
     if (site.has_ground()) add_line(drawing::ground_layer, ground_colour, site.ground(), false);
+  }
+
+  void add_supports(const site::Site& site) {
+    if (data_.supports.empty()) return;
+    for (const site::Bar& bar : site::list_bars(site))
+      add_line(drawing::support_layer, support_colour, {bar.head, bar.end}, false);
   }
 
   void add_water(const results::WaterState& water) {
@@ -164,7 +172,9 @@ SectionDrawing draw_run(const report::ResultFolder& folder, const std::string& u
   const results::RunResult& run = folder.run;
   SectionWriter writer(folder.data, unit.empty() ? run.units.length : unit);
   writer.add_soils();
-  writer.add_ground(site::Site(folder.data));
+  const site::Site site(folder.data);
+  writer.add_ground(site);
+  writer.add_supports(site);
   if (run.water_states && !run.water_states->empty()) writer.add_water(run.water_states->back());
   if (run.methods && !run.methods->surfaces.empty())
     writer.add_surfaces(run.methods->surfaces);
@@ -179,6 +189,7 @@ SectionDrawing draw_case(const input::Case& data, const std::string& name, const
   const site::Site site(data);
   writer.add_soils();
   writer.add_ground(site);
+  writer.add_supports(site);
   const site::WaterResult water = site::make_water_table_result(site);
   if (water.states && !water.states->empty())
     writer.add_water(water.states->back());

@@ -296,7 +296,7 @@ class Exports(unittest.TestCase):
         back, remarks = self.check_import(self.folder / "section.dxf")
         table = back["initial"]["water_table"]
         self.assertTrue(all(abs(y - (6.5 - 0.5 * (x - 4000000) / 44.25)) < 1e-5 for x, y in table), table)
-        self.assertIn("slip surfaces and ponds", remarks)
+        self.assertIn("slip surfaces, supports and ponds", remarks)
 
     def test_a_drawing_in_millimetres_states_them(self):
         drawing = self.folder / "millimetres.dxf"
@@ -309,6 +309,27 @@ class Exports(unittest.TestCase):
         run("export", self.folder / "case.toml", "-o", drawing)
         self.check_import(drawing)
         self.assertFalse(any(layer.startswith("slip_") for _, layer, *_ in read_entities(drawing)))
+
+    def test_the_bars_of_a_support_are_drawn(self):
+        case, drawing = self.folder / "held.toml", self.folder / "held.dxf"
+        case.write_text(CASE + """
+[support.nail]
+kind = "nail"
+heads = [[4000022, 10]]
+ends = [[4000015, 8]]
+out_of_plane_spacing = 1.5
+tensile_strength = 100
+plate = 50
+bond = 15
+axial_stiffness = 1e5
+""")
+        run("export", case, "-o", drawing)
+        bars = [points for kind, layer, points, _ in read_entities(drawing) if layer == "supports"]
+        self.assertEqual(len(bars), 1)
+        for (x, y), (x_given, y_given) in zip(bars[0], [(4000022, 10), (4000015, 8)]):
+            self.assertAlmostEqual(x, x_given, 6)
+            self.assertAlmostEqual(y, y_given, 6)
+        self.check_import(drawing)
 
     def test_mistakes_give_one_sentence(self):
         study, solid = self.folder / "study", self.folder / "solid.toml"

@@ -60,6 +60,7 @@ TEST(DrawnSection, LeavesResultsOut) {
                    draw(ground_layer, {{0, 10}, {44, 10}}),
                    draw(water_layer, {{0, 8}, {44, 5}}),
                    draw(pond_layer, {{30, 11}, {44, 11}}),
+                   draw(support_layer, {{20, 10}, {12, 8}}),
                    draw("slip_lem_spencer_1.434", {{5, 10}, {20, 5}, {30, 10}}),
                    draw("slip_zone", {{10, 4}, {20, 4}, {20, 6}, {10, 6}}, true)};
   const DrawnSection section = find_section(drawing, {});
@@ -67,7 +68,7 @@ TEST(DrawnSection, LeavesResultsOut) {
   ASSERT_EQ(section.regions.size(), 2u);
   EXPECT_EQ(section.regions[1].name, "slip_zone") << "a soil of this name is no result";
   EXPECT_EQ(section.water_table, (Polyline{{0, 8}, {44, 5}}));
-  EXPECT_TRUE(has_remark(section, "2 slip surfaces and ponds"));
+  EXPECT_TRUE(has_remark(section, "3 slip surfaces, supports and ponds"));
 }
 
 TEST(DrawnSection, TakesAnOutlineWithLinesInIt) {
