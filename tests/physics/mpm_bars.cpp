@@ -156,8 +156,11 @@ TEST(MpmBars, TearAtTheirRuptureStrain) {
   move_bars(body, part, 1e-4, 2000, false);
   const auto torn = std::count_if(bar.pieces.begin(), bar.pieces.end(), [](const auto& p) { return p.is_torn; });
   EXPECT_GE(torn, 1);
-  for (const mpm::BarPiece& piece : bar.pieces)
-    if (piece.is_torn) EXPECT_EQ(piece.tension, 0);
+  for (const mpm::BarPiece& piece : bar.pieces) {
+    if (piece.is_torn) {
+      EXPECT_EQ(piece.tension, 0);
+    }
+  }
 }
 
 TEST(MpmBars, PressOnTheGroundWithTheirPlate) {

@@ -6,7 +6,7 @@ import math
 import re
 
 from .case_file import make_case
-from .problem import METHODS, read_problem
+from .problem import METHODS, read_given_surfaces, read_problem
 from .runs import Broken
 from .slices import find, read_factor
 from .table import MISS, NOTE, PASS, Row, judge
@@ -159,11 +159,21 @@ def critical_acceleration(runner, check, lem):
     return rows
 
 
-def no_anchors(runner, check, lem):
-    return [Row(check["id"], check["what"], "", None, check.get("passive_F"), "", NOTE, None, "not offered: no anchors in the case file")]
+def tieback(runner, check, lem):
+    """With φ = 0 every method of moments has one factor on a circle."""
+    rows = []
+    for sense in ("passive", "active"):
+        problem = read_problem(lem[f"DW-85-{sense}"])
+        surfaces = read_given_surfaces(problem)
+        given = runner.run(f"{check['id']}_{sense}", make_case(problem, 200, search=False, surfaces=surfaces))["lem"].get("given")
+        factor, refusal = read_factor(find(given, "bishop", surfaces[0][0]))
+        reference = check[f"{sense}_F"]
+        rows.append(Row(check["id"], f"{sense}, on its circle", METHODS["bishop"], factor, reference, "±0.3 %",
+                        judge(factor, reference, EXACT, EXACT), None, refusal))
+    return rows
 
 
-HANDLERS = {"CF-inf": infinite_slope, "CF-culmann": plane_from_toe, "CF-priest": block_with_crack, "CF-tieback": no_anchors,
+HANDLERS = {"CF-inf": infinite_slope, "CF-culmann": plane_from_toe, "CF-priest": block_with_crack, "CF-tieback": tieback,
             "CF-EC7": partial_factors, "CF-submerged": submerged, "CF-ky": yield_acceleration,
             "CF-kc-Loukidis": critical_acceleration}
 
