@@ -83,7 +83,7 @@ TEST_F(BoundsTest, DoNotJudgeAnotherMethodThatHasSupports) {
       "plate = 30\nout_of_plane_spacing = 1.5\nbond = 20\naxial_stiffness = 1e5\n";
   const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough + nail));
   EXPECT_EQ(find_text(summary.at("warnings"), "above the upper bound"), "");
-  EXPECT_NE(find_text(summary.at("methods").at("remarks"), "are not judged"), "");
+  EXPECT_NE(summary.at("methods").at("remarks").dump().find("are not judged"), std::string::npos);
 }
 
 TEST_F(BoundsTest, ReportAnIntervalWiderThanTheGap) {
