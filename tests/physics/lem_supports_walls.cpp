@@ -20,7 +20,9 @@ void expect_factors(const Slope& slope, const Surface& surface, const std::vecto
   for (const Expected& e : expected) {
     const double factor = find_factor(slope, surface, e.method);
     EXPECT_NEAR(factor, e.published, e.band * e.published) << to_word(e.method);
-    if (e.xslope > 0) EXPECT_NEAR(factor, e.xslope, 0.003 * e.xslope) << to_word(e.method) << " of xslope";
+    if (e.xslope > 0) {
+      EXPECT_NEAR(factor, e.xslope, 0.003 * e.xslope) << to_word(e.method) << " of xslope";
+    }
   }
 }
 
