@@ -212,6 +212,29 @@ export function drawBars({ context, place, theme }: Pen): void {
   }
 }
 
+/** Pieces in which a bar bends with the soil. */
+const carriedPieces = 24;
+
+/** Supports that the soil has carried along: `carry` moves a place of the first frame. */
+export function drawCarriedBars(
+  { context, place, theme }: Pick<Pen, "context" | "place" | "theme">,
+  carry: (at: readonly number[]) => [number, number],
+): void {
+  for (const { head, end } of report.value.model.bars) {
+    const line = Array.from({ length: carriedPieces + 1 }, (_, i): Pixel => {
+      const t = i / carriedPieces;
+      return place(carry([head[0]! + t * (end[0]! - head[0]!), head[1]! + t * (end[1]! - head[1]!)]));
+    }).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+    if (line.length < 2) continue;
+    strokeLine(context, line, { colour: "#ffffff", width: 4 });
+    strokeLine(context, line, { colour: theme.ink, width: 2.2 });
+    const [a, b] = [line[0]!, line[1]!];
+    const pixels = Math.max(1e-9, Math.hypot(b[0] - a[0], b[1] - a[1]));
+    const across: Pixel = [(-5 * (b[1] - a[1])) / pixels, (5 * (b[0] - a[0])) / pixels];
+    strokeLine(context, [[a[0] + across[0], a[1] + across[1]], [a[0] - across[0], a[1] - across[1]]], { colour: theme.ink, width: 2.2 });
+  }
+}
+
 /** Arrows as long as the load is large. */
 export function drawSurcharges({ context, place, theme }: Pen): void {
   const { surcharges } = report.value.model;

@@ -37,6 +37,7 @@ export const layerTitles = {
   otherSurfaces: "Slip surfaces of the other methods",
   outline: "Original outline",
   soils: "Names of the soils",
+  supports: "Supports",
   present: "Present outline",
   path: "Path of the picked point",
   boundaries: "Boundary conditions",

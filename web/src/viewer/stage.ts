@@ -178,6 +178,17 @@ export class Stage {
 
   /** Present position of the point that was nearest to a place in the first frame [m]. */
   private follow(at: readonly number[]): Vec {
+    return this.locate(this.findNearest(at));
+  }
+
+  /** A place of the first frame, moved as the point that was nearest to it [m]. */
+  private carry(at: readonly number[]): [number, number] {
+    const nearest = this.findNearest(at);
+    const [now, first] = [this.locate(nearest), this.locate(nearest, 0)];
+    return [at[0]! + now[0] - first[0], at[1]! + now[1] - first[1]];
+  }
+
+  private findNearest(at: readonly number[]): number {
     const now = shown.value!;
     const key = `${now.sequence.id} ${at.join(" ")}`;
     let nearest = this.nearest.get(key);
@@ -191,7 +202,7 @@ export class Stage {
       }
       this.nearest.set(key, nearest);
     }
-    return this.locate(nearest);
+    return nearest;
   }
 
   /** Index of the point with a number, or undefined. */
@@ -225,6 +236,7 @@ export class Stage {
       time: now.sequence.frames[frame.value]?.time ?? 0,
       present: cells.value?.outlines ?? [],
       follow: (at) => this.follow(at),
+      carry: (at) => this.carry(at),
       arrows: chooseArrows(this.camera),
       monitors,
       picked: picked === null ? null : this.locate(picked),
