@@ -84,7 +84,7 @@ double sum_energy(const mpm::Bar& bar) {
 /// With bond much stiffer than the bar, N(s) = min(bond s, E A ε, bond (L - s)).
 TEST(MpmBars, YieldAtTheEndsInSoilThatStretches) {
   mpm::Body<2> body = make_body_with({7.1, 2.3}, {0.9, 1.7}, 40, 0.15);
-  const double length = 6.229, strain = 1e-3;
+  const double length = std::hypot(6.2, 0.6), strain = 1e-3;
   move_bars(
       body,
       [&](const Vec<2>& x) {
@@ -97,7 +97,8 @@ TEST(MpmBars, YieldAtTheEndsInSoilThatStretches) {
     const double closed = std::min({bond * s, stiffness * strain, bond * (length - s)});
     EXPECT_NEAR(bar.pieces[j].tension, closed, 0.03 * stiffness * strain) << s;
   }
-  EXPECT_NEAR(bar.pieces[20].tension, stiffness * strain, 1e-3 * stiffness * strain);
+  EXPECT_NEAR(bar.pieces[20].tension, stiffness * strain, 2e-3 * stiffness * strain)
+      << "elastic slip decays over 0.16 m, and the middle is 0.6 m away";
   EXPECT_NEAR(bar.pieces[3].tension, bond * 3.5 * length / 40, 1e-6 * stiffness * strain) << "all bond has yielded";
 }
 
