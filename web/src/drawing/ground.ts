@@ -215,16 +215,20 @@ export function drawBars({ context, place, theme }: Pen): void {
 /** Pieces in which a bar bends with the soil. */
 const carriedPieces = 24;
 
-/** Supports that the soil has carried along: `carry` moves a place of the first frame. */
-export function drawCarriedBars(
-  { context, place, theme }: Pick<Pen, "context" | "place" | "theme">,
-  carry: (at: readonly number[]) => [number, number],
-): void {
-  for (const { head, end } of report.value.model.bars) {
-    const line = Array.from({ length: carriedPieces + 1 }, (_, i): Pixel => {
+/** The bars of the supports, as the soil carries them: `carry` moves a place of the first frame [m]. */
+export function carryBars(carry: (at: readonly number[]) => [number, number]): number[][][] {
+  return report.value.model.bars.map(({ head, end }) =>
+    Array.from({ length: carriedPieces + 1 }, (_, i) => {
       const t = i / carriedPieces;
-      return place(carry([head[0]! + t * (end[0]! - head[0]!), head[1]! + t * (end[1]! - head[1]!)]));
-    }).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+      return carry([head[0]! + t * (end[0]! - head[0]!), head[1]! + t * (end[1]! - head[1]!)]);
+    }),
+  );
+}
+
+/** Supports in soil that has moved, each a line from its head with a plate there. */
+export function drawBentBars({ context, place, theme }: Pick<Pen, "context" | "place" | "theme">, bars: number[][][]): void {
+  for (const bar of bars) {
+    const line = bar.map((at) => place(at)).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
     if (line.length < 2) continue;
     strokeLine(context, line, { colour: "#ffffff", width: 4 });
     strokeLine(context, line, { colour: theme.ink, width: 2.2 });

@@ -83,7 +83,7 @@ export function Legend() {
       )}
       {hasNoValue.value && <Entry path={bar} colour="#999999" width={8} text="No value in this frame" />}
       {on.outline && <Entry path={bar} dash="5 3" text="Original outline" />}
-      {on.supports && model.bars.length > 0 && <Entry path={bar} width={2.2} text="Supports, carried by the soil" />}
+      {on.supports && model.bars.length > 0 && <Entry path={bar} width={2.2} text="Supports" />}
       {on.present && model.dimension === 2 && <Entry path={bar} width={1.6} text="Present outline" />}
       {on.path && pickedPoint.value !== null && shown.value && (
         <Entry path={bar} colour="var(--accent)" width={2} text="Path of the picked point" />

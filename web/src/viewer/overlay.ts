@@ -4,7 +4,7 @@ import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic, drawSupport } from "./symbols";
-import { drawCarriedBars, drawCrack, drawSoilNames } from "../drawing/ground";
+import { drawBentBars, drawCrack, drawSoilNames } from "../drawing/ground";
 import { drawExitMarks, drawPonds, listExits, findUsedWater } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
@@ -34,8 +34,8 @@ export interface Overlay {
   present: [number, number][][];
   /** Present position of the point that was nearest to a place at first [m]. */
   follow: (at: readonly number[]) => Vec;
-  /** Present position of soil that was at a place at first [m]. */
-  carry: (at: readonly number[]) => [number, number];
+  /** Lines of the supports in the shown frame [m]. */
+  bars: number[][][];
   arrows: ArrowField | null;
   monitors: { name: string; at: Vec }[];
   picked: Vec | null;
@@ -142,7 +142,7 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     strokeLine(context, line, { colour: "#ffffff", width: 3.5 });
     strokeLine(context, line, { colour: "#b35900", width: 1.8, dash: [7, 4] });
   }
-  if (layers.supports && !inSpace) drawCarriedBars(pen, overlay.carry);
+  if (layers.supports && !inSpace) drawBentBars(pen, overlay.bars);
   if (layers.soils && model.dimension === 2 && !inSpace)
     drawSoilNames(pen, overlay.follow);
   if (overlay.arrows) drawArrows(context, overlay.arrows, camera.width, theme);

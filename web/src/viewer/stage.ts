@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The stage: two canvases, the body below and the lines above, the camera, and when they are drawn anew. */
+import { carryBars } from "../drawing/ground";
 import { effect } from "@preact/signals";
 
 import { pickedPoint, report } from "../state";
@@ -188,6 +189,15 @@ export class Stage {
     return [at[0]! + now[0] - first[0], at[1]! + now[1] - first[1]];
   }
 
+  /** Supports at the end of the stages as they were calculated, with their slip; in other frames carried by the soil. */
+  private findBars(): number[][][] {
+    const now = shown.value!;
+    const { supports } = report.value.result;
+    const isEnd = now.sequence.id === "stages" && frame.value === now.sequence.frames.length - 1;
+    if (isEnd && supports) return supports.map(({ line }) => line.map((at) => at.map((x) => x ?? NaN)));
+    return carryBars((at) => this.carry(at));
+  }
+
   private findNearest(at: readonly number[]): number {
     const now = shown.value!;
     const key = `${now.sequence.id} ${at.join(" ")}`;
@@ -236,7 +246,7 @@ export class Stage {
       time: now.sequence.frames[frame.value]?.time ?? 0,
       present: cells.value?.outlines ?? [],
       follow: (at) => this.follow(at),
-      carry: (at) => this.carry(at),
+      bars: this.findBars(),
       arrows: chooseArrows(this.camera),
       monitors,
       picked: picked === null ? null : this.locate(picked),
