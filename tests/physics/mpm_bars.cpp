@@ -194,5 +194,29 @@ TEST(MpmBars, PressOnTheGroundWithTheirPlate) {
   EXPECT_EQ(body.work.external, body.work.supports);
 }
 
+/// Soil that parts, closes and leaves the bar makes pieces yield and go slack; their nodes stay beside the soil.
+TEST(MpmBars, StayWithTheSoilWhenTheyYieldAndGoSlack) {
+  mpm::Body<2> body = make_body_with({7.5, 2}, {0.5, 2}, 56);
+  body.bars[0].tension.upper = 3e3;
+  for (int n = 0; n < 40; ++n) {
+    const double sign = n % 2 == 0 ? 1 : -1;
+    // Three blocks; from the tenth turn on the bar is bare between them.
+    move_bars(
+        body,
+        [&](const Vec<2>& x) {
+          return Vec<2>{sign * (std::clamp((x[0] - 3) / 0.25, 0.0, 1.0) - std::clamp((x[0] - 5) / 0.25, 0.0, 0.5)), 0};
+        },
+        1e-3, 50, false);
+    if (n == 10)
+      for (int e = 0; e < body.mesh().element_count(); ++e) {
+        const auto& corner = body.mesh().nodes[static_cast<std::size_t>(body.mesh().elements[e][0])];
+        if ((corner[0] > 2.5 && corner[0] < 3.5) || corner[0] > 6.5) body.points.count[static_cast<std::size_t>(e)] = 0;
+      }
+  }
+  const mpm::Bar& bar = body.bars[0];
+  for (const mpm::BarNode& node : bar.nodes) EXPECT_LT(std::abs(node.all_slip), 0.15) << node.place;
+  EXPECT_LT(bar.pieces[0].tension, 1) << "beyond the soil nothing pulls";
+}
+
 }  // namespace
 }  // namespace talus

@@ -16,8 +16,10 @@ namespace {
 /// Residual over the largest force of the bar at which it is in equilibrium, and the most iterations.
 constexpr double tolerance = 1e-10;
 constexpr int most_iterations = 60;
+/// Of a step of the line search.
+constexpr int most_halvings = 60;
 /// Stiffness added to each node, over that of its pieces: parts that yield altogether do not drift.
-constexpr double regularisation = 1e-9;
+constexpr double regularisation = 1e-8;
 
 Vec<2> normalise(const Vec<2>& v) {
   const double length = norm(v);
@@ -42,18 +44,11 @@ class BarStep {
 
   /// Finds the slips of the nodes, and returns them.
   std::vector<double> solve() {
-    const std::size_t n = bar_.nodes.size();
-    std::vector<double> slips(n, 0.0), change(n);
+    std::vector<double> slips(bar_.nodes.size(), 0.0), change(slips.size());
     evaluate(slips);
     for (int k = 0; k < most_iterations && !is_balanced(); ++k) {
       find_change(change);
-      const std::vector<double> start = slips;
-      const double slope = find_slope(change);
-      for (double step = 1; step > 1e-6; step /= 2) {
-        for (std::size_t i = 0; i < n; ++i) slips[i] = start[i] + step * change[i];
-        evaluate(slips);
-        if (std::abs(find_slope(change)) <= 0.9 * std::abs(slope) || is_balanced()) break;
-      }
+      search(change, slips);
     }
     keep(slips);
     return slips;
@@ -117,6 +112,25 @@ class BarStep {
   bool is_balanced() const {
     const double scale = std::max(largest_, 1e-6 * std::max(bar_.tension.upper, 1.0));
     return std::all_of(residual_.begin(), residual_.end(), [&](double r) { return std::abs(r) <= tolerance * scale; });
+  }
+
+  /// Moves along `change` to where the potential is close to its minimum. Its slope there grows steadily, as it is
+  /// convex; a spring that has yielded may take the full step far too far.
+  void search(const std::vector<double>& change, std::vector<double>& slips) {
+    const std::vector<double> start = slips;
+    const auto move = [&](double step) {
+      for (std::size_t i = 0; i < slips.size(); ++i) slips[i] = start[i] + step * change[i];
+      evaluate(slips);
+      return find_slope(change);
+    };
+    const double enough = 0.1 * std::abs(find_slope(change));
+    double low = 0, high = 1;
+    if (move(high) <= enough) return;
+    for (int k = 0; k < most_halvings; ++k) {
+      const double step = 0.5 * (low + high), slope = move(step);
+      if (std::abs(slope) <= enough) return;
+      (slope < 0 ? low : high) = step;
+    }
   }
 
   double find_slope(const std::vector<double>& change) const {
