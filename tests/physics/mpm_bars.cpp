@@ -216,6 +216,9 @@ TEST(MpmBars, StayWithTheSoilWhenTheyYieldAndGoSlack) {
   const mpm::Bar& bar = body.bars[0];
   for (const mpm::BarNode& node : bar.nodes) EXPECT_LT(std::abs(node.all_slip), 0.15) << node.place;
   EXPECT_LT(bar.pieces[0].tension, 1) << "beyond the soil nothing pulls";
+  for (const mpm::BarNode& node : bar.nodes)
+    EXPECT_NEAR(-node.force[0], node.soil.is_joined ? node.bond.stiffness * node.slip : 0.0, 1e-6 * 3e3)
+        << "in equilibrium at " << node.place;
 }
 
 }  // namespace
