@@ -55,9 +55,10 @@ class MpmSupports : public MethodsTest {
                "reset_displacement = true\n" +
                supports);
   }
-  std::string explain(const std::string& methods, const std::string& supports) {
+  std::string explain(const std::string& methods, const std::string& supports,
+                      const std::vector<input::Override>& overrides = {}) {
     try {
-      run("analysis.methods = [" + methods + "]\nanalysis.kind = \"run\"\n" + cut + supports);
+      run("analysis.methods = [" + methods + "]\nanalysis.kind = \"run\"\n" + cut + supports, overrides);
     } catch (const Error& error) {
       return error.what();
     }
@@ -122,6 +123,8 @@ TEST_F(MpmSupports, RefuseWhatTheyCannotCarry) {
       "[support.row]\nkind = \"pile\"\nx = [10]\nlength = 6\nout_of_plane_spacing = 2\nlateral_resistance = 50\n"
       "axial_stiffness = 1e6\nbending_stiffness = 1e4\n";
   EXPECT_NE(explain("\"mpm\"", pile).find("MPM takes bars in tension only"), std::string::npos);
+  EXPECT_NE(explain("\"mpm\"", nails, {{"initial.stress", "elements"}}).find("would begin without force"),
+            std::string::npos);
 }
 
 }  // namespace

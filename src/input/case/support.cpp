@@ -459,6 +459,12 @@ void check_support_methods(const Case& data, Findings& findings) {
             "support '{}' is a pile, and MPM takes bars in tension only; take \"mpm\" out of 'methods', or the "
             "pile out of the case",
             name);
+  const bool is_released = data.timeline && data.timeline->release;
+  if ((is_released || data.initial.stress == InitialStress::elements) && uses(data, Method::mpm))
+    findings.add(is_released ? "timeline.release" : "initial.stress",
+                 "not with [support.{}]: in the stresses of FEM its bars carry a part, and in MPM they would begin "
+                 "without force; start from K0 stresses or with a stage that brings the weight",
+                 data.supports.begin()->first);
   if (data.lem.drawdown)
     findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
                  data.supports.begin()->first);
