@@ -25,6 +25,9 @@ export function slugify(text) {
     .replaceAll(" ", "-");
 }
 
+/** The same style in fewer characters: formulas have tens of thousands of styles. */
+const shorten = (style) => style.replaceAll("margin-left:0em;", "").replace(/([:-])0\./g, "$1.").replace(/;$/, "");
+
 /** TeX to HTML (for eyes) with MathML (for readers aloud). The number of an equation stands beside it, not inside. */
 function renderFormula(content, isDisplay) {
   const tag = /\\tag\{([^}]*)\}/.exec(content)?.[1];
@@ -35,7 +38,8 @@ function renderFormula(content, isDisplay) {
     .renderToString(content.replace(/\\tag\{[^}]*\}/, ""), { displayMode: isDisplay, strict })
     .replace(/<annotation [^>]*>.*?<\/annotation>/s, "")
     .replace(/<\/?semantics>/g, "")
-    .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "");
+    .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
+    .replace(/style="([^"]*)"/g, (_, style) => `style="${shorten(style)}"`);
   if (!isDisplay) return html;
   const id = tag && `eq-${tag.toLowerCase().replace(".", "-")}`;
   const number = tag ? `<a class="number" href="#${id}">(${tag})</a>` : "";
