@@ -324,7 +324,7 @@ bond = 15
 axial_stiffness = 1e5
 """)
         run("export", case, "-o", drawing)
-        bars = [points for kind, layer, points, _ in read_entities(drawing) if layer == "supports"]
+        bars = [points for _, layer, *_, points, _ in read_entities(drawing) if layer == "supports"]
         self.assertEqual(len(bars), 1)
         for (x, y), (x_given, y_given) in zip(bars[0], [(4000022, 10), (4000015, 8)]):
             self.assertAlmostEqual(x, x_given, 6)
