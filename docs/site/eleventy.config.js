@@ -65,7 +65,15 @@ function findSource(data) {
 function copyTo(from, to) {
   const target = path.join(site, to);
   mkdirSync(path.dirname(target), { recursive: true });
-  copyFileSync(from, target);
+  if (from.endsWith(".svg")) writeFileSync(target, shortenPicture(readFileSync(from, "utf8")));
+  else copyFileSync(from, target);
+}
+
+/** A picture of matplotlib without rotations by nothing and without its long list of fonts at each text. */
+function shortenPicture(svg) {
+  return svg
+    .replace(/ transform="rotate\(-0 [^)]*\)"/g, "")
+    .replace(/'DejaVu Sans'(?:, (?:'[^']*'|[A-Z]\w*))+, sans-serif/g, "'DejaVu Sans', sans-serif");
 }
 
 /** Style, script, and the parts of KaTeX and MiniSearch that a browser needs; one font format, which all read. */
