@@ -35,7 +35,7 @@ class Evaluation:
         for sample in self.samples:
             names = {case: self.slope.get_name(sample.number, case) for case in self.slope.cases}
             folders = {case: folder / name.replace(" ", "_") for case, name in names.items()}
-            if any(results.get(name, "").startswith(("unstable", "failed")) for name in names.values()):
+            if any(results.get(path.name, "").startswith(("unstable", "failed")) for path in folders.values()):
                 self.broken.append(sample)
             elif all(is_finished(path) for path in folders.values()):
                 sample.found = self.module.measure(folders)
@@ -144,11 +144,11 @@ def is_finished(folder):
 
 
 def read_results(folder):
-    """{run: how it ended} of a study; empty without its table."""
+    """{folder of a run: how it ended} of a study; empty without its table."""
     if not (folder / "study.csv").exists():
         return {}
     with open(folder / "study.csv", newline="") as file:
-        return {row["variant"]: row["result"] or "" for row in csv.DictReader(file)}
+        return {row["variant"].replace(" ", "_"): row["result"] or "" for row in csv.DictReader(file)}
 
 
 def format_value(statement, measured):
