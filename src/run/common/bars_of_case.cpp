@@ -209,11 +209,11 @@ std::string describe_bars(const input::Case& data) {
   std::string reduced;
   for (const auto& [name, support] : data.supports)
     if (support.sense == input::SupportSense::passive) reduced += (reduced.empty() ? "'" : ", '") + name + "'";
-  if (reduced.empty())
-    return "FEM divides the strength of the soil by the factor, not that of the supports or of their bond";
+  if (reduced.empty()) return "the factor divides the strength of the soil, not that of the supports or of their bond";
   return fmt::format(
-      "FEM divides the strength of the soil by the factor, and the bond of supports with sense = \"passive\" ({}), not "
-      "that of the supports themselves",
+      "the factor divides the strength of the soil, and the bond of supports with sense = \"passive\" ({}), not that "
+      "of the "
+      "supports themselves",
       reduced);
 }
 

@@ -333,6 +333,10 @@ std::string describe_interval(const results::Referee& referee) {
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing) {
   if (!run.slices || run.slices->error) return {};
+  if (!data.supports.empty())
+    return {
+        "The factors of limit equilibrium were not held against limit analysis, in which the soil below the heads of "
+        "supports may fail."};
   if (!data.lem.referee)
     return {"The factors of limit equilibrium were not held against limit analysis (referee = false)."};
   if (!run.slices->referee) return {};

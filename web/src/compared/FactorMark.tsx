@@ -33,6 +33,8 @@ export interface FactorScale {
   /** Intervals of limit analysis for the soil of limit equilibrium and for that of the other methods, whose tension may
    * differ; null where nothing is proven. */
   proven: { lem: Interval | null; others: Interval | null };
+  /** False with supports: in limit analysis the soil below their heads may fail, so that it rules nothing out. */
+  judges: boolean;
   low: number;
   high: number;
 }
@@ -51,7 +53,7 @@ export const findProven = ({ proven }: FactorScale, row: Marked): Interval | nul
   row.isElsewhere ? null : row.method === "lem" ? proven.lem : proven.others;
 
 /** A scale that holds the intervals of limit analysis, the factors near them, and 1 where it is near; null without any. */
-export function makeFactorScale(rows: Marked[]): FactorScale | null {
+export function makeFactorScale(rows: Marked[], judges = true): FactorScale | null {
   const find = (method: string) =>
     rows.filter((row) => row.method === method).reduce<Interval | null>((best, row) => best ?? readInterval(row), null);
   // The rows of limit equilibrium carry the interval of its referee.
@@ -65,7 +67,7 @@ export function makeFactorScale(rows: Marked[]): FactorScale | null {
   );
   const [least, most] = [Math.min(middle, ...values), Math.max(middle, ...values)];
   const margin = Math.max(0.05 * (most - least), 0.005 * middle);
-  return { proven, low: least - margin, high: most + margin };
+  return { proven, judges, low: least - margin, high: most + margin };
 }
 
 /** Place on the scale [% of its width]; `inside`: the value lies on the scale. */
@@ -86,7 +88,7 @@ function Band({ scale, interval, name }: { scale: FactorScale; interval: Interva
  * otherwise are never ruled out. */
 export function isRuledOut(scale: FactorScale, row: Marked): boolean {
   const proven = findProven(scale, row);
-  if (!proven || row.factor === null || (row.method !== "lem" && row.name !== "associated")) return false;
+  if (!scale.judges || !proven || row.factor === null || (row.method !== "lem" && row.name !== "associated")) return false;
   const [low, high] = (row.method !== "lem" && readInterval(row)) || [row.factor, row.factor];
   return high < proven[0] || low > proven[1];
 }

@@ -139,7 +139,7 @@ function FactorRows({ rows }: { rows: MethodRow[] }) {
   const isGiven = (row: MethodRow) => row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
-  const scale = makeFactorScale(rows);
+  const scale = makeFactorScale(rows, report.value.model.bars.length === 0);
   const shared = { reference, compare, scale };
   return (
     <>
@@ -150,8 +150,8 @@ function FactorRows({ rows }: { rows: MethodRow[] }) {
       <RowTable {...shared} rows={found} label="Factors of safety by method and criterion" />
       {scale?.proven.lem && (
         <p class="chart-note">
-          Behind each mark: the interval that limit analysis proves (ψ = φ). A bar is the interval of the method itself; a
-          hollow mark is ruled out.
+          Behind each mark: the interval that limit analysis proves (ψ = φ). A bar is the interval of the method itself
+          {scale.judges ? "; a hollow mark is ruled out." : ". With supports it rules no factor out."}
         </p>
       )}
       {given.length > 0 && (

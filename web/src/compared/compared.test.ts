@@ -39,6 +39,11 @@ describe("marks of factors", () => {
     expect(judge(row("fem", 1.05, 1.04, 1.06), "given")).toBe(false);
   });
 
+  it("are never hollow with supports", () => {
+    const rows = [row("lem", 1.08), row("bounds", null, 1.1, 1.12)];
+    expect(isRuledOut(makeFactorScale(rows, false)!, { ...rows[0]!, name: "spencer" })).toBe(false);
+  });
+
   it("have a common scale for near values, and stay at its border otherwise", () => {
     const scale = makeFactorScale([row("lem", 1.1, 1.0, 1.2), row("lem", 23.4), row("fem", 1.3, 1.25, 1.31)])!;
     expect(scale.low).toBeLessThan(1);

@@ -22,7 +22,7 @@ interface Props {
 
 export function FactorTable({ factors, among, caption }: Props) {
   const methods = new Set(among.map((factor) => factor.method));
-  const scale = makeFactorScale(among.map(markFactor));
+  const scale = makeFactorScale(among.map(markFactor), report.value.model.bars.length === 0);
   return (
     <table class="factors">
       <caption class="unseen">{caption}</caption>
