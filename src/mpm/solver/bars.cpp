@@ -13,11 +13,10 @@
 namespace talus::mpm {
 namespace {
 
-/// Residual over the largest force of the bar at which it is in equilibrium, and the most iterations.
+/// Residual over the largest force of the bar at which it is in equilibrium, the most iterations, and the most halvings
+/// of a step in the line search.
 constexpr double tolerance = 1e-10;
-constexpr int most_iterations = 60;
-/// Of a step of the line search.
-constexpr int most_halvings = 60;
+constexpr int most_iterations = 60, most_halvings = 60;
 /// Stiffness added to each node, over that of its pieces: parts that yield altogether do not drift.
 constexpr double regularisation = 1e-8;
 
@@ -263,15 +262,16 @@ void advance_bars(Body<2>& body, const StepOptions<2>& o) {
     BarStep step(bar, motion, plate, o.jacks && bar.prestress > 0);
     const std::vector<double> slips = step.solve();
     if (!o.moving) continue;
-    for (std::size_t i = 0; i < motion.size(); ++i) {
+    const auto find_shift = [&](std::size_t i) {
       const Vec<2>& t = step.tangents()[i];
-      move(body.mesh(), bar.nodes[i].soil, {motion[i][0] + slips[i] * t[0], motion[i][1] + slips[i] * t[1]});
+      return Vec<2>{motion[i][0] + slips[i] * t[0], motion[i][1] + slips[i] * t[1]};
+    };
+    for (std::size_t i = 0; i < motion.size(); ++i) move(body.mesh(), bar.nodes[i].soil, find_shift(i));
+    // A part of the plate without soil follows the head.
+    for (SoilPlace& place : bar.plate.places) {
+      const Vec<2> v = place.is_joined ? move_place(body, place) : Vec<2>{};
+      move(body.mesh(), place, place.is_joined ? Vec<2>{o.dt * v[0], o.dt * v[1]} : find_shift(0));
     }
-    for (SoilPlace& place : bar.plate.places)
-      if (place.is_joined) {
-        const Vec<2> v = move_place(body, place);
-        move(body.mesh(), place, {o.dt * v[0], o.dt * v[1]});
-      }
   }
 }
 

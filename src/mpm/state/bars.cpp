@@ -42,6 +42,11 @@ void join(const Body<2>& body, SoilPlace& place) {
   place.is_joined = true;
 }
 
+/// Number of the places of a plate that press on soil.
+long count_pressed(const BarPlate& plate) {
+  return std::count_if(plate.places.begin(), plate.places.end(), [](const SoilPlace& p) { return p.is_joined; });
+}
+
 void add_force(Body<2>& body, const SoilPlace& place, const Vec<2>& force, double weight) {
   for (std::size_t k = 0; k < 3; ++k) {
     Vec<2>& load = body.nodes.load[static_cast<std::size_t>(body.mesh().elements[place.element][k])];
@@ -49,14 +54,15 @@ void add_force(Body<2>& body, const SoilPlace& place, const Vec<2>& force, doubl
   }
 }
 
-}  // namespace
-
+/// Finds the shares of the nodes from the present nodal sums.
 void join_bars(Body<2>& body) {
   for (Bar& bar : body.bars) {
     for (BarNode& node : bar.nodes) join(body, node.soil);
     for (SoilPlace& place : bar.plate.places) join(body, place);
   }
 }
+
+}  // namespace
 
 std::vector<JoinedNodes> find_joined(const Bar& bar) {
   const int count = static_cast<int>(bar.nodes.size());
@@ -85,8 +91,7 @@ void add_bar_forces(Body<2>& body) {
         if (joined[i].weight[k] != 0)
           add_force(body, bar.nodes[static_cast<std::size_t>(joined[i].node[k])].soil, bar.nodes[i].force,
                     joined[i].weight[k]);
-    const auto is_joined = [](const SoilPlace& place) { return place.is_joined; };
-    const auto presses = std::count_if(bar.plate.places.begin(), bar.plate.places.end(), is_joined);
+    const long presses = count_pressed(bar.plate);
     if (presses == 0 || joined.empty()) continue;
     for (const SoilPlace& place : bar.plate.places)
       if (place.is_joined) add_force(body, place, bar.plate.push, 1.0 / static_cast<double>(presses));
@@ -118,7 +123,7 @@ double find_bar_rate(const Body<2>& body) {
   for (const Bar& bar : body.bars) {
     for (const BarNode& node : bar.nodes) add(node.soil, node.bond.stiffness);
     for (const SoilPlace& place : bar.plate.places)
-      add(place, bar.plate.law.stiffness / static_cast<double>(bar.plate.places.size()));
+      add(place, bar.plate.law.stiffness / static_cast<double>(std::max(1L, count_pressed(bar.plate))));
     add(bar.nodes.front().soil, bar.plate.law.stiffness);
   }
   return *std::max_element(rates.begin(), rates.end());

@@ -65,9 +65,7 @@ struct Bar {
   double divisor = 1;         ///< of the bond
 };
 
-/// Joins the bars to the soil: finds the shares of the nodes from the present nodal sums.
-void join_bars(Body<2>& body);
-/// Adds the forces of the bars on the soil to the loads of the nodes.
+/// Joins the bars to the soil by the present nodal sums, and adds their forces on it to the loads of the nodes.
 void add_bar_forces(Body<2>& body);
 
 /// Motion of a place in a field of the nodes.

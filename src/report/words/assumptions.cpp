@@ -381,7 +381,8 @@ class Assumptions {
   void add_motion() {
     if (run_.supports)
       add("MPM carries supports with the soil as bars in tension, which do not resist bending; soil does not flow past "
-          "them sideways. The factor does not divide their strength.");
+          "them sideways. The factor divides their bond where their sense is given as passive, and never their "
+          "strength.");
     if (has_moved())
       add("Runout: moved volume and largest displacement are robust to about ±15 to 20 % from H/10 on, the position of "
           "the front is not: it converges slowly, and each halving of the mesh may move it by a tenth. Behind ± stands "

@@ -212,8 +212,7 @@ std::string describe_bars(const input::Case& data) {
   if (reduced.empty()) return "the factor divides the strength of the soil, not that of the supports or of their bond";
   return fmt::format(
       "the factor divides the strength of the soil, and the bond of supports with sense = \"passive\" ({}), not that "
-      "of the "
-      "supports themselves",
+      "of the supports themselves",
       reduced);
 }
 

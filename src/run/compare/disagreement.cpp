@@ -220,7 +220,7 @@ class Warnings {
       causes.push_back(fmt::format("the flow rule, which makes {:.0f} % in FEM and which LEM does not have",
                                    100 * differ(given->factor, associated->factor)));
     if ((given || associated || results::find_points_factor(run_)) && input::has_passive_supports(data_))
-      causes.push_back("passive supports, whose forces the factor divides in LEM, and not in FEM and MPM");
+      causes.push_back("passive supports, whose tensile strength the factor divides in LEM, and not in FEM and MPM");
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)
       causes.push_back(
           "the mesh of MPM, which is one and not extrapolated ([strength_reduction.frozen] meshes = 2 "

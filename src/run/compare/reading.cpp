@@ -312,7 +312,7 @@ class Reading {
       say("FEM ({}, {:.3f}) lies {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_, *slices_,
           f <= *slices_ ? ""
           : input::has_passive_supports(data_)
-              ? "; the factor divides the forces of passive supports in LEM only"
+              ? "; the factor divides the tensile strength of passive supports in LEM only"
               : "; a finer mesh ([fem] size) shows whether the elements are too stiff");
   }
 
