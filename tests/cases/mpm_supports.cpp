@@ -125,6 +125,12 @@ TEST_F(MpmSupports, RefuseWhatTheyCannotCarry) {
   EXPECT_NE(explain("\"mpm\"", pile).find("MPM takes bars in tension only"), std::string::npos);
   EXPECT_NE(explain("\"mpm\"", nails, {{"initial.stress", "elements"}}).find("would begin without force"),
             std::string::npos);
+  run::RunOptions options;
+  options.folder = folder_ / "device";
+  options.device = run::DeviceKind::emulated;
+  const std::string text = "analysis.methods = [\"mpm\"]\nanalysis.kind = \"run\"\n" + cut + nails;
+  EXPECT_THROW(support::run_case(input::read_case_text(text, "cut.toml"), options), Error) << "no device has bars";
+  EXPECT_FALSE(std::filesystem::exists(options.folder)) << "before anything is written";
 }
 
 }  // namespace

@@ -45,10 +45,11 @@ mpm::Body<2> make_block(double jitter) {
 
 /// Moves the bars of a body through `steps` steps in which the nodes of the soil move with `velocity`.
 void move_bars(mpm::Body<2>& body, const std::function<Vec<2>(const Vec<2>&)>& velocity, double dt, int steps,
-               bool moving) {
+               bool moving, bool jacks = false) {
   mpm::StepOptions<2> o;
   o.dt = dt;
   o.moving = moving;
+  o.jacks = jacks;
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
     const Vec<2> v = velocity(body.mesh().nodes[i]);
     const mpm::Layout<2>& layout = *body.layout;
@@ -219,6 +220,27 @@ TEST(MpmBars, StayWithTheSoilWhenTheyYieldAndGoSlack) {
   for (const mpm::BarNode& node : bar.nodes)
     EXPECT_NEAR(-node.force[0], node.soil.is_joined ? node.bond.stiffness * node.slip : 0.0, 1e-6 * 3e3)
         << "in equilibrium at " << node.place;
+}
+
+TEST(MpmBars, KeepTheirPrestressWhileTheyAreJacked) {
+  mpm::Body<2> body = make_body_with({7.9, 2}, {0.5, 2}, 30);
+  mpm::Bar& bar = body.bars[0];
+  bar.nodes[0].bond = {};
+  bar.prestress = 15e3;
+  bar.plate.places = {bar.nodes[0].soil};
+  bar.plate.law = {1e7, 0, 30e3, true};
+  mpm::settle_bar(bar);
+  EXPECT_NEAR(bar.pieces[0].tension, 15e3, 1e-6);
+  EXPECT_NEAR(bar.plate.force, 15e3, 1e-5);
+  double held = 0;
+  for (const mpm::BarNode& node : bar.nodes) held -= node.bond.stiffness * node.slip;
+  EXPECT_NEAR(held, 15e3, 1e-5) << "the bond holds what the plate presses";
+  mpm::gather_loads(body);
+  const auto stretch = [](const Vec<2>& x) { return Vec<2>{1e-3 * x[0], 0}; };
+  move_bars(body, stretch, 1e-2, 50, false, true);
+  EXPECT_NEAR(bar.pieces[0].tension, 15e3, 1e-6);
+  move_bars(body, stretch, 1e-2, 50, false);
+  EXPECT_GT(bar.pieces[0].tension, 16e3) << "locked off, it follows the soil";
 }
 
 }  // namespace
