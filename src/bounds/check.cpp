@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "bounds/flow_rule.hpp"
 #include "bounds/problem.hpp"
 
 namespace talus::bounds {
@@ -64,6 +65,11 @@ StaticCheck check(const Problem& problem, const StressField& field) {
       Strength soil = problem.strength[e][i];
       soil.cohesion = std::max(soil.cohesion, least_strength * units.stress);
       if (soil.tension) soil.tension = std::max(*soil.tension, least_strength * units.stress);
+      if (soil.planes && soil.planes->cohesion < least_strength * units.stress) {
+        WeakPlanes planes = *soil.planes;
+        planes.cohesion = least_strength * units.stress;
+        soil.planes = std::make_shared<const WeakPlanes>(planes);
+      }
       found.factor = std::min(found.factor, find_factor(soil, field.stress[e][i]));
     }
   }
@@ -119,9 +125,8 @@ class KinematicSum {
  private:
   /// Strain rates and strength at a corner of a triangle.
   struct Corner {
-    double weight = 0;   ///< a third of the area [m²]
-    double opening = 0;  ///< ε_v
-    double shear = 0;    ///< √((ε_x − ε_y)² + γ²)
+    double weight = 0;  ///< a third of the area [m²]
+    Strain strain;
     /// Its cohesion and tension are three times the mean over the triangle of theirs times the shape function of this
     /// corner. The dissipation per unit of strength is convex and the strength linear, so that the sum over corners is
     /// an upper bound.
@@ -140,13 +145,13 @@ class KinematicSum {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       const std::array<Vec<2>, 2> u = find_slopes(t, i);
       opening[i] = u[0][0] + u[1][1];
-      const double shear = std::hypot(u[0][0] - u[1][1], u[0][1] + u[1][0]);
+      const Strain strain{opening[i], u[0][0] - u[1][1], u[0][1] + u[1][0]};
       const auto& soil = problem_.strength[e];
-      Corner corner{area / 3, opening[i], shear, soil[i]};
+      Corner corner{area / 3, strain, soil[i]};
       corner.strength.cohesion = (2 * soil[i].cohesion + soil[j].cohesion + soil[k].cohesion) / 4;
       if (soil[i].tension) corner.strength.tension = (2 * *soil[i].tension + *soil[j].tension + *soil[k].tension) / 4;
       corners_.push_back(corner);
-      largest_ = std::max({largest_, std::abs(opening[i]), shear});
+      largest_ = std::max({largest_, std::abs(strain.opening), strain.find_shear()});
     }
     // ∫ p div u of two linear fields, and ∫ b·u, where the integral of a quadratic field follows from the middles of
     // the edges.
@@ -235,43 +240,16 @@ class KinematicSum {
   /// Returns true if the flow rule for this factor is satisfied at every corner.
   bool flows(double factor) const {
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
-      if (c.strength.tan_friction == 0 && !c.strength.tension) return std::abs(c.opening) <= no_opening * largest_;
-      return c.opening >= find_sine(c.strength, factor) * c.shear;
+      if (c.strength.tan_friction == 0 && !c.strength.tension)
+        return std::abs(c.strain.opening) <= no_opening * largest_;
+      return find_lack(c.strength, factor, c.strain) <= 0;
     });
   }
 
   double find_dissipation(double factor) const {
     double sum = active_ + passive_ / factor;
-    for (const Corner& c : corners_) sum += c.weight * find_dissipation(c, factor);
+    for (const Corner& c : corners_) sum += c.weight * bounds::find_dissipation(c.strength, factor, c.strain);
     return sum;
-  }
-
-  /// Returns the dissipation of a corner [W/m³] with the strengths divided by the factor: the least of all divisions of
-  /// the strain rate between two lines R ≤ a − b σ_m of the criterion (the tension cut-off has b = 1).
-  static double find_dissipation(const Corner& c, double factor) {
-    struct Line {
-      double a, b;
-    };
-    std::vector<Line> lines;
-    const double divisor = c.strength.find_divisor(factor);
-    if (c.strength.tension) lines.push_back({*c.strength.tension / divisor, 1});
-    c.strength.visit_lines([&](double more_cohesion, double tan_friction) {
-      const double tangent = tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent);
-      lines.push_back({(c.strength.cohesion + more_cohesion) / divisor * cosine, tangent * cosine});
-    });
-    if (lines.size() == 1 && lines[0].b == 0) return lines[0].a * c.shear;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const auto [a, b] = lines[i];
-      // Above the apex the shear is less than the flow rule of the line allows.
-      if (b > 0 && c.opening >= b * c.shear) least = std::min(least, a * c.opening / b);
-      for (std::size_t j = i + 1; j < lines.size(); ++j) {
-        const double rest = c.opening - lines[j].b * c.shear, share = rest / (b - lines[j].b);
-        if (rest >= 0 && b > lines[j].b && share <= c.shear)
-          least = std::min(least, a * share + lines[j].a * (c.shear - share));
-      }
-    }
-    return least;
   }
 
   /// Bisects for the smallest factor at which the flow rule holds and the work exceeds the dissipation (both are
@@ -279,7 +257,7 @@ class KinematicSum {
   KinematicCheck judge() {
     // The strain rates of a rigid triangle are rounding errors and are set to zero.
     for (Corner& c : corners_)
-      if (std::max(std::abs(c.opening), c.shear) < no_rate * largest_) c.opening = c.shear = 0;
+      if (std::max(std::abs(c.strain.opening), c.strain.find_shear()) < no_rate * largest_) c.strain = {};
     double fastest = 0;
     bool is_finite = true;
     for (const Vec<2>& v : field_.velocity) {

@@ -114,7 +114,7 @@ std::vector<double> find_contributions(const Problem& problem, const ConicSoluti
   std::size_t a = holding.s.size(), b = moving.z.size();
   for (std::size_t e = problem.size(); e-- > 0;) {
     std::size_t rows = 0;
-    for (const Strength& soil : problem.strength[e]) rows += 3 * soil.count_cones();
+    for (const Strength& soil : problem.strength[e]) rows += soil.count_rows();
     a -= rows, b -= rows;
     for (std::size_t k = 0; k < rows; ++k)
       part[e] += holding.s[a + k] * moving.z[b + k] + moving.s[b + k] * holding.z[a + k];

@@ -27,19 +27,31 @@ struct FurtherLine {
   double tan_friction = 0;
 };
 
-/// Strength at a corner of a triangle: |τ| ≤ c − σ' tan φ on every plane, for every line of the envelope, and no
-/// effective tension above `tension`.
+/// Planes of one direction with a strength of their own, which F divides as that of the soil: |τ| ≤ c − σ' tan φ on
+/// them, as on bedding.
+struct WeakPlanes {
+  double angle = 0;     ///< to the horizontal, positive where they rise with x [rad]
+  double cohesion = 0;  ///< [Pa]
+  double tan_friction = 0;
+};
+
+/// Strength at a corner of a triangle: |τ| ≤ c − σ' tan φ on every plane, for every line of the envelope, no effective
+/// tension above `tension`, and the criterion of weak planes.
 struct Strength {
   double cohesion = 0;            ///< c [Pa]
   double tan_friction = 0;        ///< tan φ
   std::optional<double> tension;  ///< largest effective tension, divided by F like c and tan φ [Pa]
   bool is_reduced = true;         ///< false: F does not divide the strength
   std::shared_ptr<const std::vector<FurtherLine>> further{};  ///< by falling tan φ; null: the envelope is straight
+  std::shared_ptr<const WeakPlanes> planes{};                 ///< the same in all of a triangle; null: none
 
   /// Returns what the strength is divided by.
   double find_divisor(double factor) const { return is_reduced ? factor : 1; }
   double find_least_friction() const { return further ? further->back().tan_friction : tan_friction; }
-  std::size_t count_cones() const { return 1 + (further ? further->size() : 0) + (tension ? 1 : 0); }
+  /// Returns the number of rows of its cones: three of a line and of the tension cut-off, two of weak planes.
+  std::size_t count_rows() const {
+    return 3 * (1 + (further ? further->size() : 0) + (tension ? 1 : 0)) + (planes ? 2 : 0);
+  }
   /// Calls use(more cohesion, tan φ) for every line.
   void visit_lines(auto use) const {
     use(0.0, tan_friction);
@@ -152,6 +164,16 @@ inline Circle find_circle(const Stress& s) {
   return {std::hypot(0.5 * (s[0] - s[1]), s[2]), 0.5 * (s[0] + s[1])};
 }
 
+/// Normal and shear stress on a plane.
+struct PlaneTraction {
+  double normal = 0, shear = 0;
+};
+
+inline PlaneTraction find_plane_traction(const Stress& s, double angle) {
+  const double mean = 0.5 * (s[0] + s[1]), half = 0.5 * (s[0] - s[1]), c = std::cos(2 * angle), d = std::sin(2 * angle);
+  return {mean - half * c - s[2] * d, s[2] * c - half * d};
+}
+
 /// Upper limit of the divided strength in the program of the lower bound, in units of stress: a block of steel beside
 /// soil without cohesion would leave the soil below the tolerance of the solver. The limit is safe, as a field that is
 /// admissible in weaker soil is so in stronger soil too.
@@ -163,13 +185,13 @@ inline constexpr double rigid_strength = 100;
 inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units) {
   return std::all_of(corners.begin(), corners.end(), [&](const Strength& s) {
     const double least = rigid_strength * units.stress;
-    return s.cohesion >= least && (!s.tension || *s.tension >= least);
+    return s.cohesion >= least && (!s.tension || *s.tension >= least) && (!s.planes || s.planes->cohesion >= least);
   });
 }
 
 /// Returns the largest F with R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ
-/// (T21.3), and R + σ'_m ≤ tension/F; 0 if no F is small enough, infinity without shear. Soil that is not reduced
-/// allows any F or none.
+/// (T21.3), R + σ'_m ≤ tension/F, and |τ| ≤ (c − σ' tan φ)/F on weak planes; 0 if no F is small enough, infinity
+/// without shear. Soil that is not reduced allows any F or none.
 inline double find_factor(const Strength& soil, const Stress& effective) {
   const Circle circle = find_circle(effective);
   constexpr double any = std::numeric_limits<double>::infinity();
@@ -186,6 +208,11 @@ inline double find_factor(const Strength& soil, const Stress& effective) {
   });
   if (soil.tension && circle.radius + circle.mean > 0)
     factor = std::min(factor, *soil.tension / (circle.radius + circle.mean));
+  if (soil.planes) {
+    const PlaneTraction on = find_plane_traction(effective, soil.planes->angle);
+    const double available = soil.planes->cohesion - on.normal * soil.planes->tan_friction;
+    if (on.shear != 0 || available < 0) factor = std::min(factor, available > 0 ? available / std::abs(on.shear) : 0);
+  }
   if (!soil.is_reduced) return factor >= 1 ? any : 0;
   return factor;
 }

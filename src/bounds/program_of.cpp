@@ -34,14 +34,29 @@ double find_weighted(const std::array<double, 3>& field, std::size_t i) {
 enum class Strengths { own, weighted };
 
 /// The cone 0 ≤ available + lacking · m − mean (σx + σy) that must not be less than half the difference of the
-/// principal stresses, with the derivatives of its three coefficients by the factor.
+/// principal stresses, with the derivatives of its three coefficients by the factor. That of weak planes has twice
+/// their normal stress in the place of σx + σy, and the shear stress on them in that of half the difference.
 struct Cone {
   double mean = 0, lacking = 0, available = 0;
   double mean_rate = 0, lacking_rate = 0, available_rate = 0;
+  const WeakPlanes* planes = nullptr;
+
+  /// Returns the coefficients of the mean stress, half the difference and the shear stress in its normal stress.
+  Row find_normal() const {
+    return planes ? Row{1, -std::cos(2 * planes->angle), -std::sin(2 * planes->angle)} : Row{1, 0, 0};
+  }
+  int count_rows() const { return planes ? 2 : 3; }
 };
 
-/// Calls use(triangle, corner, cone) for the cone of every line of the envelope and then for that of the tension
-/// cut-off, if there is one.
+/// Calls use(planes) for every cone of a strength; null but for that of weak planes.
+void visit_rigid(const Strength& soil, auto use) {
+  soil.visit_lines([&](double, double) { use(nullptr); });
+  if (soil.tension) use(nullptr);
+  if (soil.planes) use(soil.planes.get());
+}
+
+/// Calls use(triangle, corner, cone) for the cone of every line of the envelope and then for those of the tension
+/// cut-off and of weak planes, if there are any.
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, auto use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
@@ -49,7 +64,7 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
     // which the cost of leave_room() would otherwise drive to infinity.
     if (strengths == Strengths::weighted && is_rigid(own, units)) {
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t cone = own[i].count_cones(); cone > 0; --cone) use(e, i, Cone{0, 1, 1, 0, 0, 0});
+        visit_rigid(own[i], [&](const WeakPlanes* planes) { use(e, i, Cone{0, 1, 1, 0, 0, 0, planes}); });
       continue;
     }
     const double most = strengths == Strengths::own ? most_strength : std::numeric_limits<double>::infinity();
@@ -71,9 +86,15 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
             Cone{0.5 * tangent * cosine, cosine, taken * cosine, 0.5 * cube * tangent_rate, cosine_rate,
                  taken * cosine_rate + cohesion_rate * cosine});
       });
-      if (!own[i].tension) continue;
-      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / divisor;
-      use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension * rate : 0});
+      if (own[i].tension) {
+        const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / divisor;
+        use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension * rate : 0});
+      }
+      if (const WeakPlanes* planes = own[i].planes.get()) {
+        const double cohesion = planes->cohesion / units.stress / divisor, half = 0.5 * planes->tan_friction / divisor;
+        use(e, i,
+            Cone{half, 1, std::min(cohesion, most), -half * rate, 0, cohesion < most ? -cohesion * rate : 0, planes});
+      }
     }
   }
 }
@@ -102,9 +123,8 @@ class ProgramBuilder {
   /// Adds the criterion at every corner of every triangle, with the cohesion increased by m.
   ConicProgram finish(Strengths strengths) {
     const int lack = program_.variables - 1;
-    visit_cones(problem_, factor_, units_, strengths, [&](std::size_t e, std::size_t i, const Cone& cone) {
-      add_cone(e, i, cone.mean, cone.lacking, cone.available, lack);
-    });
+    visit_cones(problem_, factor_, units_, strengths,
+                [&](std::size_t e, std::size_t i, const Cone& cone) { add_cone(e, i, cone, lack); });
     return std::move(program_);
   }
 
@@ -116,15 +136,20 @@ class ProgramBuilder {
         entries_.push_back({static_cast<int>(9 * triangle + 3 * corner) + d, times * row[static_cast<std::size_t>(d)]});
   }
 
-  void add_cone(std::size_t e, std::size_t i, double mean, double lacking, double available, int lack) {
-    add_unknowns(e, i, {2 * mean, 0, 0});
-    entries_.push_back({lack, -lacking});
-    program_.add_row(entries_, available);
-    add_unknowns(e, i, {0, -1, 0});
-    program_.add_row(entries_, 0);
-    add_unknowns(e, i, {0, 0, -1});
-    program_.add_row(entries_, 0);
-    program_.cones.push_back(3);
+  void add_cone(std::size_t e, std::size_t i, const Cone& cone, int lack) {
+    add_unknowns(e, i, cone.find_normal(), 2 * cone.mean);
+    entries_.push_back({lack, -cone.lacking});
+    program_.add_row(entries_, cone.available);
+    if (cone.planes) {
+      add_unknowns(e, i, {0, std::sin(2 * cone.planes->angle), -std::cos(2 * cone.planes->angle)});
+      program_.add_row(entries_, 0);
+    } else {
+      add_unknowns(e, i, {0, -1, 0});
+      program_.add_row(entries_, 0);
+      add_unknowns(e, i, {0, 0, -1});
+      program_.add_row(entries_, 0);
+    }
+    program_.cones.push_back(cone.count_rows());
   }
 
   const Problem& problem_;
@@ -282,16 +307,18 @@ double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound
                       const Units& units, const ConicSolution& solution) {
   std::size_t row = solution.z.size();
   for (const auto& strengths : problem.strength)
-    for (const Strength& soil : strengths) row -= 3 * soil.count_cones();
+    for (const Strength& soil : strengths) row -= soil.count_rows();
   const double lack = solution.x.back();
   double rate = 0;
   for (std::size_t i = 0; i < program.right_rate.size(); ++i) rate -= solution.z[i] * program.right_rate[i];
   visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
               [&](std::size_t e, std::size_t i, const Cone& cone) {
                 const double* stress = &solution.x[9 * e + 3 * i];
+                const Row on = cone.find_normal();
+                const double normal = on[0] * stress[0] + on[1] * stress[1] + on[2] * stress[2];
                 rate +=
-                    solution.z[row] * (2 * cone.mean_rate * stress[0] - cone.lacking_rate * lack - cone.available_rate);
-                row += 3;
+                    solution.z[row] * (2 * cone.mean_rate * normal - cone.lacking_rate * lack - cone.available_rate);
+                row += static_cast<std::size_t>(cone.count_rows());
               });
   return rate;
 }
@@ -329,23 +356,25 @@ namespace {
 /// Adds the smallest multiple of the opening field with which every corner satisfies the flow rule of this factor.
 void open_soil(const Problem& problem, const Velocities& mesh, double factor, double length, OpeningSearch& openings,
                std::vector<double>& numbers) {
-  auto find_lack = [&](const std::vector<Strain>& strains, std::size_t i) {
-    return find_sine(problem.strength[i / 3][i % 3], factor) * strains[i].shear - strains[i].opening;
-  };
+  const auto get_soil = [&](std::size_t i) -> const Strength& { return problem.strength[i / 3][i % 3]; };
   const Units units = find_units(problem);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   bool lacks = false;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    lacks = lacks || (may_open(problem, i / 3, i % 3, units) && find_lack(strains, i) > 0);
+    lacks = lacks || (may_open(problem, i / 3, i % 3, units) && find_lack(get_soil(i), factor, strains[i]) > 0);
   if (!lacks) return;
   const std::vector<double>* opening = openings.find(problem, mesh, factor, length);
   if (!opening) return;
   const std::vector<Strain> own = find_strains(problem, mesh, *opening);
   constexpr double rounding_of_sums = 1e-13;
   double share = 0;
+  // The field opens the soil itself, and what slips on weak planes lacks no more with it.
   for (std::size_t i = 0; i < strains.size(); ++i)
-    if (may_open(problem, i / 3, i % 3, units))
-      share = std::max(share, (find_lack(strains, i) + rounding_of_sums * strains[i].shear) / -find_lack(own, i));
+    if (may_open(problem, i / 3, i % 3, units)) {
+      const double opens = own[i].opening - find_sine(get_soil(i), factor) * own[i].find_shear();
+      share = std::max(
+          share, (find_lack(get_soil(i), factor, strains[i]) + rounding_of_sums * strains[i].find_shear()) / opens);
+    }
   for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] += share * (*opening)[n];
 }
 

@@ -193,10 +193,10 @@ bool opens_everywhere(const Problem& problem, const Velocities& mesh, double fac
   const Units units = find_units(problem);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   double largest = 0;
-  for (const Strain& s : strains) largest = std::max({largest, std::abs(s.opening), s.shear});
+  for (const Strain& s : strains) largest = std::max({largest, std::abs(s.opening), s.find_shear()});
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const Strength& soil = problem.strength[i / 3][i % 3];
-    const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].shear);
+    const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].find_shear());
     if (may_open(problem, i / 3, i % 3, units) ? margin < least
                                                : std::abs(strains[i].opening) > rounding_of_volume * largest)
       return false;
@@ -238,14 +238,9 @@ std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh,
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         for (std::size_t d = 0; d < 3; ++d) sum[d] += row[d] * numbers[static_cast<std::size_t>(n)];
       });
-      strains.push_back({sum[0] + sum[1], std::hypot(sum[0] - sum[1], sum[2])});
+      strains.push_back({sum[0] + sum[1], sum[0] - sum[1], sum[2]});
     }
   return strains;
-}
-
-double find_sine(const Strength& soil, double factor) {
-  const double tangent = soil.find_least_friction();
-  return tangent / std::hypot(soil.find_divisor(factor), tangent);
 }
 
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bounds/conic/cones.hpp"
+#include "bounds/flow_rule.hpp"
 #include "bounds/problem.hpp"
 
 namespace talus::bounds {
@@ -32,11 +33,6 @@ Velocities number_velocities(const Problem& problem, const Units& units);
 
 // Fields that open the soil. A small multiple of one restores the flow rule where rounding violates it.
 
-/// Strain rates at a corner of a triangle: ε_v, and √((ε_x − ε_y)² + γ²) [1/m per unit of velocity].
-struct Strain {
-  double opening = 0, shear = 0;
-};
-
 /// Returns the strain rates of the corners, three of each triangle, for the velocities `numbers`.
 std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh, const std::vector<double>& numbers);
 
@@ -47,14 +43,12 @@ inline bool may_open(const Problem& problem, std::size_t e, std::size_t c, const
   return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], units);
 }
 
-/// Returns sin φ_F of tan φ divided by the factor.
-double find_sine(const Strength& soil, double factor);
-
 /// Returns the rows of div u = 0 at the corners that may not open, times the length of the section.
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length);
 
 /// Velocity field of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
-/// others: the lifting field, or, where supports or other soil do not permit that, the field of the largest margin.
+/// others, whatever slips on weak planes: the lifting field, or, where supports or other soil do not permit that, the
+/// field of the largest margin.
 class OpeningSearch {
  public:
   /// Returns the velocities by degree of freedom; nullptr if there are none. Those of an earlier factor are reused if
