@@ -134,7 +134,11 @@ StrengthLaw Bedding::make_strength(const Input& in) {
 }
 
 SliceStrength Bedding::find_slice_strength(const Input& in) {
+  const auto& soil = in.get<MohrCoulombStrength>();
+  const auto& s = in.get<BeddingInput>();
   SliceStrength strength;
+  strength.cohesion = soil.cohesion, strength.friction_angle = soil.friction_angle;
+  strength.planes = PlanesStrength{s.bedding_angle, s.bedding_cohesion, s.bedding_friction};
   strength.law = std::make_shared<const StrengthLaw>(make_strength(in));
   return strength;
 }

@@ -113,14 +113,13 @@ class Bedding : public PointLaw<Bedding> {
       .meaning = "Mohr–Coulomb soil or rock with weaker bedding planes in one direction",
       .title = "bedding planes in Mohr–Coulomb soil",
       .serves_slices = true,
-      .serves_bounds = false,
       .has_friction = true,
       .is_opaque = true,
       .paragraphs = {"mohr_coulomb", "bedding"},
       .assumption =
           "{}: bedding planes of one direction have a cohesion and friction angle of their own. In LEM slip surfaces "
-          "near that direction have them, in FEM and MPM the planes of that direction, which do not turn with the "
-          "soil."};
+          "near that direction have them, in FEM, limit analysis and MPM the planes of that direction, which do not "
+          "turn with the soil."};
   static constexpr int state_size = MohrCoulomb::state_size, gap_states = 1;
   static constexpr bool is_plastic = true;
 

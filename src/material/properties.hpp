@@ -33,7 +33,6 @@ struct Traits {
   const char* title;    ///< name in reports
   Strength strength = Strength::known;
   bool serves_slices = false;  ///< has a cohesion and a friction angle: LEM, FEM and partial factors accept it
-  bool serves_bounds = true;   ///< limit analysis accepts it too
   bool only_slices = false;    ///< LEM alone has this strength; stresses are those of LinearElastic, its base
   bool has_friction = false;   ///< has c, φ, ψ and σ_t of Mohr–Coulomb
   bool takes_water = true;     ///< false: law in total stresses
@@ -82,13 +81,21 @@ class PartialDivision {
   virtual void divide_angle(double& angle, double factor, const char* quantity, const char* symbol) = 0;
 };
 
+/// Strength of the planes of one direction.
+struct PlanesStrength {
+  double angle = 0;           ///< to the horizontal, positive where they rise with x [rad]
+  double cohesion = 0;        ///< [Pa]
+  double friction_angle = 0;  ///< [rad]
+};
+
 /// Strength of a soil for LEM and limit analysis.
 struct SliceStrength {
   double cohesion = 0;                     ///< [Pa]
   double friction_angle = 0;               ///< [rad]
   double cohesion_gradient = 0;            ///< growth of c per metre below `cohesion_level` [Pa/m]
   double cohesion_level = 0;               ///< [m]
-  std::shared_ptr<const StrengthLaw> law;  ///< replaces all of these
+  std::shared_ptr<const StrengthLaw> law;  ///< replaces all of these; in limit analysis not with `planes`
+  std::optional<PlanesStrength> planes;    ///< weak planes, for limit analysis: LEM has them in `law`
 };
 
 }  // namespace talus::material

@@ -189,6 +189,7 @@ struct MethodComparison {
   std::vector<std::string> warnings;       ///< on factors that differ widely
   std::vector<Remark> remarks;
   std::optional<DesignStatement> partial_factors;
+  std::optional<std::string> unjudged;  ///< why limit analysis rules no factor of another method out
 };
 void describe(auto& v, As<MethodComparison> auto& r) {
   v.key("asked", r.asked, {"", "methods of the case"});
@@ -199,6 +200,7 @@ void describe(auto& v, As<MethodComparison> auto& r) {
   v.key("warnings", r.warnings, {"", "warnings on factors that lie far apart"});
   v.key("remarks", r.remarks, {"", "reasons of the differences"});
   v.key("partial_factors", r.partial_factors, {"", "design values"});
+  v.maybe("unjudged", r.unjudged, {"", "why limit analysis rules no factor of another method out"});
 }
 
 /// Unit of display: value in SI = displayed value × si.

@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength and no supports.
+/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength.
 void judge_elements(const input::Case& data, results::RunResult& run) {
-  if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis || !data.supports.empty() ||
-      data.bounds.tension != input::BoundsTension::as_given)
+  if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis ||
+      find_judging_obstacle(data) || data.bounds.tension != input::BoundsTension::as_given)
     return;
   results::Referee referee;
   referee.lower = run.bounds->lower, referee.upper = run.bounds->upper;

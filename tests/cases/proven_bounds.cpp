@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "cases/methods_slope.hpp"
 #include "support/run_json.hpp"
@@ -154,6 +155,49 @@ TEST_F(BoundsTest, ContainLimitEquilibriumWithCurvedEnvelopes) {
     EXPECT_GE(upper, spencer * 0.98) << soil << "a circle is not the worst surface, nor is its factor a bound";
     EXPECT_LE(upper / lower, 1.06) << soil;
   }
+}
+
+/// A block of strong rock on the bedding that leaves the face at its toe: F = (c_b L + W cos β tan φ_b)/(W sin β).
+TEST_F(BoundsTest, BlockOnItsBedding) {
+  const double beta = std::numbers::pi / 6, height = 10, weight = 0.5 * 25 * height * height * (std::sqrt(3.0) - 0.6);
+  const double exact =
+      (20 * height / std::sin(beta) + weight * std::cos(beta) * std::tan(25 * std::numbers::pi / 180)) /
+      (weight * std::sin(beta));
+  const auto write = [](const char* methods, const char* more) {
+    return std::string(R"(title = "Rock on its bedding"
+geometry.polygon = [{ name = "rock", points = [[0, 0], [35, 0], [35, 15], [14, 15], [8, 5], [0, 5]] }]
+regions.rock = "schist"
+boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
+analysis.methods = [)") +
+           methods + R"(]
+[materials.schist]
+model = "bedding"
+unit_weight = 25
+cohesion = 300
+friction_angle = 40
+tensile_strength = 300
+bedding_angle = 30
+bedding_cohesion = 20
+bedding_friction = 25
+bedding_dilatancy = 25
+bedding_range = 0
+dilatancy_angle = 40
+young_modulus = 1e6
+poisson_ratio = 0.3
+)" + more;
+  };
+  const json summary = run(write("\"fem\", \"bounds\"", "[fem]\nsize = 1.6\n[bounds]\ngap = 0.05\ntriangles = 2500\n"));
+  const auto [lower, upper] = read_interval(summary);
+  EXPECT_LE(lower, exact);
+  EXPECT_GE(upper, exact);
+  EXPECT_LE(upper / lower, 1.05);
+  EXPECT_NEAR(summary.at("fem").at("runs").at(0).at("factor").get<double>(), exact, 0.04 * exact);
+  EXPECT_FALSE(summary.at("methods").contains("unjudged"));
+  // LEM has the strength of the bedding in a range of directions, so that limit analysis does not judge it.
+  const json with_lem = run(write("\"lem\", \"bounds\"", (few_circles + rough).c_str()));
+  EXPECT_NE(with_lem.at("methods").at("unjudged").get<std::string>().find("'schist' has a range of directions"),
+            std::string::npos);
+  EXPECT_EQ(find_text(with_lem.at("warnings"), "above the upper bound"), "");
 }
 
 TEST_F(BoundsTest, OfSoilThatSoftensAreThoseOfItsLimitStrength) {

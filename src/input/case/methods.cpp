@@ -145,19 +145,12 @@ void check_bounds_need(const Case& data, Findings& findings) {
   }
 }
 
-/// Reports laws whose strength LEM alone has, or that limit analysis lacks.
+/// Reports laws whose strength LEM alone has.
 void check_only_slices(const Case& data, Findings& findings) {
   std::string others;
   for (const Method method : {Method::fem, Method::bounds, Method::mpm})
     if (uses(data, method)) others += fmt::format("{}\"{}\"", others.empty() ? "" : ", ", get_word(method));
   if (others.empty()) return;
-  if (uses(data, Method::bounds))
-    for (const auto& [name, material] : data.materials)
-      if (!material.traits().serves_bounds && findings.is_sound("materials." + name + ".model"))
-        findings.add("materials." + name + ".model",
-                     "limit analysis takes strengths that are the same in all directions, and that of material "
-                     "'{}' ({}) is not; take \"bounds\" out of 'methods' in [analysis]",
-                     name, material.traits().title);
   for (const auto& [name, material] : data.materials)
     if (material.traits().only_slices && findings.is_sound("materials." + name + ".model"))
       findings.add(

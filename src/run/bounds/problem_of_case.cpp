@@ -11,8 +11,8 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "bounds/envelope.hpp"
-#include "mesh/generate.hpp"
 #include "run/bounds/bars_of_case.hpp"
+#include "run/common/bedding_lines.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/soil_column.hpp"
 #include "site/ground_load.hpp"
@@ -31,19 +31,21 @@ constexpr double vertical = 1e-9;
 /// Parts of a side of a triangle, between which strengths are compared with their linear interpolation.
 constexpr int lattice = 8;
 constexpr double rounding = 1e-9;
+
+/// Returns the share of c and tan φ that soil with ψ < φ has (Davis 1968).
+double find_davis_share(double friction, double dilatancy) {
+  return std::cos(dilatancy) * std::cos(friction) / (1 - std::sin(dilatancy) * std::sin(friction));
+}
+
 /// Relative difference of the polygons inside and outside a curved envelope.
 constexpr double tolerance_of_envelopes = 0.01;
+/// Distance of the lines of the first mesh along bedding, over its element size.
+constexpr double bedding_spacing = 0.5;
 
 class ProblemBuilder {
  public:
   ProblemBuilder(const site::Site& site, Supports supports)
-      : site_(site),
-        data_(site_.data()),
-        columns_(site_),
-        supports_(supports),
-        bars_(site),
-        mesh_(mesh::generate<2>(
-            bars_.conform(site::conform_to_loads(site, mesh::resize(data_.mesh, input::find_bounds_size(data_)))))) {
+      : site_(site), data_(site_.data()), columns_(site_), supports_(supports), bars_(site), mesh_(make_mesh()) {
     for (const std::string& region : mesh_.region_names)
       soils_.push_back(input::find_limit_soil(site_.get_soil(region)));
   }
@@ -60,8 +62,20 @@ class ProblemBuilder {
   }
 
  private:
+  mesh::Mesh<2> make_mesh() const {
+    const mesh::Plan plan =
+        bars_.conform(site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_))));
+    return generate_with_bedding(site_, plan, bedding_spacing);
+  }
+
   const input::Material& get_soil(std::size_t e) const {
     return soils_[static_cast<std::size_t>(made_.problem.region[e])];
+  }
+
+  /// Returns the law in the place of c and φ; null: there is none, or it is that of weak planes, which have their own
+  /// criterion.
+  static const StrengthLaw* get_law(const site::PlaneStrength& given) {
+    return given.planes ? nullptr : given.law.get();
   }
 
   const std::optional<bounds::EnvelopePolygons>& get_envelope(std::size_t e) const {
@@ -97,7 +111,7 @@ class ProblemBuilder {
     for (const input::Material& soil : soils_) {
       const site::PlaneStrength given = site::find_plane_strength(soil);
       auto& envelope = envelopes_.emplace_back();
-      if (!given.law || !given.law->is_curved) continue;
+      if (!get_law(given) || !given.law->is_curved) continue;
       const auto find_tangent = [&](double normal) {
         StrengthPlane plane;
         plane.normal = normal;
@@ -138,7 +152,7 @@ class ProblemBuilder {
     bool is_linear = true;
     for (std::size_t e = 0; e < p.size(); ++e) {
       const site::PlaneStrength given = site::find_plane_strength(get_soil(e));
-      if (!given.law || given.law->is_curved) continue;
+      if (!get_law(given) || given.law->is_curved) continue;
       std::array<double, 3> corner{};
       for (std::size_t i = 0; i < 3; ++i) corner[i] = find_law_strength(given, get_corner(e, i));
       for (int i = 0; i <= lattice; ++i)
@@ -184,14 +198,20 @@ class ProblemBuilder {
     if (envelope) {
       soil = *envelope;
       soil.cohesion += root_cohesion;
-    } else if (given.law) {
+    } else if (get_law(given)) {
       soil.cohesion = root_cohesion + find_law_strength(given, x);
     }
     soil.is_reduced = m.reduced;
-    if (data_.bounds.flow == input::BoundsFlow::davis) {
-      const double phi = given.friction_angle, psi = m.dilatancy_angle,
-                   share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
+    const bool is_davis = data_.bounds.flow == input::BoundsFlow::davis;
+    if (is_davis) {
+      const double share = find_davis_share(given.friction_angle, m.dilatancy_angle);
       soil.cohesion *= share, soil.tan_friction *= share;
+    }
+    if (given.planes) {
+      const auto& planes = *given.planes;
+      const double share = is_davis ? find_davis_share(planes.friction_angle, m.bedding_dilatancy) : 1;
+      soil.planes = std::make_shared<const bounds::WeakPlanes>(
+          bounds::WeakPlanes{planes.angle, share * planes.cohesion, share * std::tan(planes.friction_angle)});
     }
     const bool is_limited =
         data_.bounds.tension == input::BoundsTension::as_given && (envelope || m.traits().has_friction);

@@ -25,9 +25,13 @@ std::optional<std::string> find_obstacle(const input::Case& data) {
   if (const auto why = input::find_support_obstacle(data)) return why;
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
   for (const auto& [region, name] : data.regions) {
-    const material::Traits& traits = data.materials.at(name).traits();
-    if (traits.only_slices || !traits.serves_bounds)
-      return fmt::format("the strength of material '{}' ({}) is not one of limit analysis", name, traits.title);
+    const input::Material& material = data.materials.at(name);
+    if (material.traits().only_slices)
+      return fmt::format("the strength of material '{}' ({}) is not one of limit analysis", name,
+                         material.traits().title);
+    if (material.model == material::model_of<material::Bedding>)
+      return fmt::format(
+          "the bedding of material '{}' has a range of directions in LEM and one direction in limit analysis", name);
   }
   return std::nullopt;
 }

@@ -60,6 +60,7 @@ class Comparison {
   results::MethodComparison make() {
     results_.asked = data_.methods;
     std::erase(results_.asked, Method::seepage);  // it has no factor of the slope
+    if (run_.bounds) results_.unjudged = find_judging_obstacle(data_);
     if (run_.slices) add_slices(*run_.slices);
     if (run_.elements) add_elements(*run_.elements);
     if (run_.bounds) add_bounds(*run_.bounds);

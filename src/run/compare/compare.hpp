@@ -38,6 +38,9 @@ std::vector<results::Remark> read_differences(const input::Case& data, const res
 /// Returns true if a soil with friction has ψ < φ, for which the bound theorems do not hold.
 bool is_nonassociated(const input::Case& data);
 
+/// Returns why factors outside the interval of limit analysis are not judged, as a clause; nullopt: they are.
+std::optional<std::string> find_judging_obstacle(const input::Case& data);
+
 // Warnings on large differences between factors: of circles and polylines, of the methods, and of the criteria of one
 // method; and sentences on the referee of LEM.
 

@@ -162,10 +162,9 @@ class Warnings {
             : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
   }
 
-  /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it, and with
-  /// supports the methods differ in what F divides and in the soil below heads.
+  /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it.
   void warn_of_bounds() {
-    if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis || !data_.supports.empty()) return;
+    if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis || find_judging_obstacle(data_)) return;
     const bool flows_less = is_nonassociated(data_);
     const results::BoundsResult& bounds = *run_.bounds;
     const std::string tension =

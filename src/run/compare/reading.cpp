@@ -120,13 +120,7 @@ class Reading {
     if (associated_ != nullptr) add(associated_->factor, "FEM with ψ = φ");
     add(frozen_, "MPM");
     if (!inside.empty()) say("The interval holds {}.", fmt::join(inside, ", "));
-    if (!data_.supports.empty())
-      say("Factors outside the interval are not judged: in limit analysis the soil below the heads of supports may "
-          "fail{}.",
-          input::has_passive_supports(data_)
-              ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM "
-                "and MPM"
-              : "");
+    if (const auto why = find_judging_obstacle(data_)) say("Factors outside the interval are not judged: {}.", *why);
     for (const results::ElementRun* run : {given_, associated_})
       if (run != nullptr && run->verdict == results::Verdict::too_low)
         say("The factor by FEM with {} ({:.3f}) lies below the lower bound and is impossible.", describe_flow(*run),
@@ -470,6 +464,20 @@ class Reading {
 };
 
 }  // namespace
+
+std::optional<std::string> find_judging_obstacle(const input::Case& data) {
+  if (!data.supports.empty())
+    return fmt::format(
+        "in limit analysis the soil below the heads of supports may fail{}",
+        input::has_passive_supports(data)
+            ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM and MPM"
+            : "");
+  for (const auto& [region, name] : data.regions)
+    if (input::uses(data, Method::lem) && data.materials.at(name).model == material::model_of<material::Bedding>)
+      return fmt::format(
+          "in LEM the bedding of material '{}' has a range of directions, in limit analysis one direction", name);
+  return std::nullopt;
+}
 
 bool is_nonassociated(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {

@@ -10,6 +10,7 @@
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/common/bars_of_case.hpp"
+#include "run/common/bedding_lines.hpp"
 #include "run/common/soil_column.hpp"
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
@@ -237,7 +238,13 @@ void check_solid(const site::Site& site) {
 
 template <int D>
 SolidOfCase<D> make_solid(const site::Site& site, double share) {
-  return make_solid_on<D>(site, std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(site, share))));
+  constexpr double bedding_spacing = 1;
+  const mesh::Plan plan = make_fem_plan(site, share);
+  if constexpr (D == 2)
+    return make_solid_on<2>(site,
+                            std::make_shared<const mesh::Mesh<2>>(generate_with_bedding(site, plan, bedding_spacing)));
+  else
+    return make_solid_on<3>(site, std::make_shared<const mesh::Mesh<3>>(mesh::generate<3>(plan)));
 }
 
 template <int D>

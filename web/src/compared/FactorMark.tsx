@@ -33,7 +33,7 @@ export interface FactorScale {
   /** Intervals of limit analysis for the soil of limit equilibrium and for that of the other methods, whose tension may
    * differ; null where nothing is proven. */
   proven: { lem: Interval | null; others: Interval | null };
-  /** False with supports: in limit analysis the soil below their heads may fail, so that it rules nothing out. */
+  /** False where limit analysis and the other methods do not have the same soil, as below the heads of supports. */
   judges: boolean;
   low: number;
   high: number;

@@ -120,7 +120,7 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
   );
 }
 
-function FactorRows({ rows }: { rows: MethodRow[] }) {
+function FactorRows({ rows, unjudged }: { rows: MethodRow[]; unjudged?: string }) {
   const reference = chooseReference(rows);
   const compare = (row: MethodRow) =>
     row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
@@ -139,7 +139,7 @@ function FactorRows({ rows }: { rows: MethodRow[] }) {
   const isGiven = (row: MethodRow) => row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
-  const scale = makeFactorScale(rows, report.value.model.bars.length === 0);
+  const scale = makeFactorScale(rows, !unjudged);
   const shared = { reference, compare, scale };
   return (
     <>
@@ -151,7 +151,7 @@ function FactorRows({ rows }: { rows: MethodRow[] }) {
       {scale?.proven.lem && (
         <p class="chart-note">
           Behind each mark: the interval that limit analysis proves (ψ = φ). A bar is the interval of the method itself
-          {scale.judges ? "; a hollow mark is ruled out." : ". With supports it rules no factor out."}
+          {scale.judges ? "; a hollow mark is ruled out." : `. It rules no factor out: ${unjudged}.`}
         </p>
       )}
       {given.length > 0 && (
@@ -191,7 +191,7 @@ export function MethodsSection() {
   const { partial_factors: partial } = methods;
   return (
     <section class="chart-section" aria-labelledby="chart-compared-title">
-      <FactorRows rows={listRows(methods)} />
+      <FactorRows rows={listRows(methods)} unjudged={methods.unjudged} />
       {reading.length > 0 && (
         <figure class="chart-figure" aria-label="How to read the differences">
           <h4>How to read the differences</h4>

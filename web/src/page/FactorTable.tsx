@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
 import { FactorMark, makeFactorScale, markFactor } from "../compared/FactorMark";
+import { findMethods } from "../compared/methodTable";
 import type { Factor, Method } from "../contract";
 import { report } from "../state";
 import { formatFactor, formatInterval } from "./format";
@@ -22,7 +23,7 @@ interface Props {
 
 export function FactorTable({ factors, among, caption }: Props) {
   const methods = new Set(among.map((factor) => factor.method));
-  const scale = makeFactorScale(among.map(markFactor), report.value.model.bars.length === 0);
+  const scale = makeFactorScale(among.map(markFactor), !findMethods(report.value)?.unjudged);
   return (
     <table class="factors">
       <caption class="unseen">{caption}</caption>

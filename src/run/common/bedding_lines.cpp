@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "run/common/bedding_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/vec.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/planar.hpp"
+
+namespace talus::run {
+
+namespace {
+
+/// Least distance of two lines, and length of a line, over the element size.
+constexpr double closest = 0.1, shortest = 0.5;
+
+/// A polygon in the axes of its bedding.
+class BeddedPolygon {
+ public:
+  BeddedPolygon(const mesh::Polygon& polygon, double angle)
+      : polygon_(polygon), along_{std::cos(angle), std::sin(angle)}, across_{-std::sin(angle), std::cos(angle)} {}
+
+  /// Returns the levels across the bedding: those of the corners, and between them at even distances of at most
+  /// `widest`.
+  std::vector<double> list_levels(double size, double widest) const {
+    std::vector<double> corners, levels;
+    for (const Vec<2>& x : polygon_.points) corners.push_back(dot(x, across_));
+    std::sort(corners.begin(), corners.end());
+    for (const double level : corners) {
+      if (levels.empty()) {
+        levels.push_back(level);
+        continue;
+      }
+      const double from = levels.back(), gap = level - from;
+      if (gap < closest * size) continue;
+      const int parts = static_cast<int>(std::ceil(gap / widest));
+      for (int i = 1; i < parts; ++i) levels.push_back(from + gap * i / parts);
+      levels.push_back(level);
+    }
+    return levels;
+  }
+
+  /// Returns the parts of the line at this level that lie inside.
+  std::vector<std::array<Vec<2>, 2>> cut(double level, double size) const {
+    const double rounding = 1e-9 * size;
+    std::vector<double> places;
+    const auto& points = polygon_.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec<2>&a = points[i], &b = points[(i + 1) % points.size()];
+      const double above_a = dot(a, across_) - level, above_b = dot(b, across_) - level;
+      if (std::abs(above_a) <= rounding) places.push_back(dot(a, along_));
+      if (std::abs(above_a) <= rounding || std::abs(above_b) <= rounding || (above_a < 0) == (above_b < 0)) continue;
+      const double share = above_a / (above_a - above_b);
+      places.push_back((1 - share) * dot(a, along_) + share * dot(b, along_));
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<std::array<Vec<2>, 2>> parts;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const double from = places[i - 1], to = places[i];
+      if (to - from < shortest * size || !is_within(0.5 * (from + to), level, size)) continue;
+      parts.push_back({find_place(from, level), find_place(to, level)});
+    }
+    return parts;
+  }
+
+ private:
+  Vec<2> find_place(double s, double level) const {
+    return {s * along_[0] + level * across_[0], s * along_[1] + level * across_[1]};
+  }
+  /// Returns true inside the polygon and away from its sides, along which there is a line already.
+  bool is_within(double s, double level, double size) const {
+    const double away = 0.5 * closest * size;
+    return mesh::is_inside(find_place(s, level - away), polygon_.points) &&
+           mesh::is_inside(find_place(s, level + away), polygon_.points);
+  }
+
+  const mesh::Polygon& polygon_;
+  Vec<2> along_, across_;
+};
+
+mesh::Plan conform_to_bedding(const site::Site& site, mesh::Plan plan, double spacing) {
+  for (const mesh::Polygon& polygon : plan.polygons) {
+    if (!site.data().regions.contains(polygon.name)) continue;
+    const auto planes = site::find_plane_strength(site.get_soil(polygon.name)).planes;
+    if (!planes) continue;
+    const BeddedPolygon bedded(polygon, planes->angle);
+    for (const double level : bedded.list_levels(plan.size, spacing * plan.size))
+      for (const auto& [from, to] : bedded.cut(level, plan.size))
+        plan.lines.push_back({fmt::format("bedding {}", plan.lines.size() + 1), {from, to}});
+  }
+  return plan;
+}
+
+}  // namespace
+
+mesh::Mesh<2> generate_with_bedding(const site::Site& site, const mesh::Plan& plan, double spacing) {
+  const mesh::Plan bedded = conform_to_bedding(site, plan, spacing);
+  if (bedded.lines.size() > plan.lines.size()) {
+    try {
+      return mesh::generate<2>(bedded);
+    } catch (const Error&) {  // any mesh serves: factors on one without lines are higher
+    }
+  }
+  return mesh::generate<2>(plan);
+}
+
+}  // namespace talus::run
