@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 namespace talus {
 
@@ -26,10 +27,11 @@ struct StrengthTangent {
 
 struct StrengthLaw {
   std::function<StrengthTangent(const StrengthPlane&)> find_tangent;
-  bool is_curved = false;       ///< the tangent depends on σ'_n, so that a factor of safety needs iterations
-  bool is_directed = false;     ///< the strength depends on the inclination
-  double straight_below = 0;    ///< σ'_n below which a curved envelope is straight [Pa]
-  double tensile_strength = 0;  ///< largest tension of a curved envelope [Pa]
+  bool is_curved = false;    ///< the tangent depends on σ'_n, so that a factor of safety needs iterations
+  bool is_directed = false;  ///< the strength depends on the inclination
+  std::vector<double> weak_inclinations{};  ///< of the weakest planes; searches start along them too [rad]
+  double straight_below = 0;                ///< σ'_n below which a curved envelope is straight [Pa]
+  double tensile_strength = 0;              ///< largest tension of a curved envelope [Pa]
 };
 
 }  // namespace talus

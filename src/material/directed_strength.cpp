@@ -72,6 +72,15 @@ void Anisotropic::check(const Input& in, const SoilFindings& findings) {
 StrengthLaw Anisotropic::make_strength(const Input& in) {
   StrengthLaw law;
   law.is_directed = true;
+  const auto& table = in.get<AnisotropicInput>();
+  // Both numbers of a weak inclination are at most those of its neighbours.
+  const auto is_weaker = [&](std::size_t i, std::size_t than) {
+    return table.inclined_cohesions[i] <= table.inclined_cohesions[than] &&
+           table.inclined_frictions[i] <= table.inclined_frictions[than];
+  };
+  for (std::size_t i = 0; i < table.base_inclinations.size(); ++i)
+    if ((i == 0 || is_weaker(i, i - 1)) && (i + 1 == table.base_inclinations.size() || is_weaker(i, i + 1)))
+      law.weak_inclinations.push_back(table.base_inclinations[i]);
   law.find_tangent = [s = in.get<AnisotropicInput>()](const StrengthPlane& plane) {
     const std::vector<double>& x = s.base_inclinations;
     const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), plane.inclination) - x.begin());
@@ -118,6 +127,7 @@ Properties Bedding::list_properties(const Input& in) {
 StrengthLaw Bedding::make_strength(const Input& in) {
   StrengthLaw law;
   law.is_directed = true;
+  law.weak_inclinations = {in.get<BeddingInput>().bedding_angle};
   law.find_tangent = [soil = in.get<MohrCoulombStrength>(), s = in.get<BeddingInput>()](const StrengthPlane& plane) {
     // Planes have no sense, so that 89° and -89° are 2° apart.
     const double turned = std::remainder(plane.inclination - s.bedding_angle, std::numbers::pi),

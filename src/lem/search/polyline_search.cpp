@@ -247,6 +247,60 @@ std::vector<Surface> make_bar_starts(const Slope& slope, int vertices) {
   return starts;
 }
 
+/// Returns the nearest point of the ground on the line through a point of it, in the direction `way` of x below the
+/// ground; nothing if the line leaves the section otherwise.
+std::optional<double> find_crossing(const Slope& slope, const Point& from, int way, double rise) {
+  const std::vector<Point>& ground = slope.section().ground;
+  const double least = 1e-6 * (slope.right() - slope.left());
+  const auto find_depth = [&](const Point& p) { return p[1] - from[1] - rise * (p[0] - from[0]); };
+  std::optional<double> nearest;
+  for (std::size_t i = 1; i < ground.size(); ++i) {
+    const double a = find_depth(ground[i - 1]), b = find_depth(ground[i]);
+    if ((a > 0) == (b > 0)) continue;
+    const double x = ground[i - 1][0] + (ground[i][0] - ground[i - 1][0]) * a / (a - b);
+    if (way * (x - from[0]) > least && (!nearest || way * (x - *nearest) < 0)) nearest = x;
+  }
+  if (!nearest || *nearest <= slope.left() || *nearest >= slope.right()) return std::nullopt;
+  const double middle = 0.5 * (from[0] + *nearest), y = from[1] + rise * (middle - from[0]);
+  if (y >= slope.ground(middle) || y <= slope.section().base) return std::nullopt;
+  return nearest;
+}
+
+/// Returns polylines along the weakest planes of soils whose strength has a direction, from corners of the ground and
+/// places between them: through the slope, or along a part of that line and steeply up.
+std::vector<Surface> make_bedding_starts(const Slope& slope) {
+  constexpr double steepest = 80 * std::numbers::pi / 180;
+  std::vector<double> rises, places;
+  for (const Soil& soil : slope.section().soils)
+    if (soil.law)
+      for (const double inclination : soil.law->weak_inclinations)
+        if (std::abs(inclination) < steepest) rises.push_back(std::tan(inclination));
+  if (rises.empty()) return {};
+  for (const Point& p : slope.section().ground) places.push_back(p[0]);
+  for (int i = 1; i < stations; ++i) places.push_back(slope.left() + (slope.right() - slope.left()) * i / stations);
+  std::erase_if(places, [&](double x) { return x <= slope.left() || x >= slope.right(); });
+  std::vector<Surface> starts;
+  const auto add = [&](double one, double other, const Point& between) {
+    starts.push_back(hang_polyline(slope, std::min(one, other), std::max(one, other), {between}));
+  };
+  constexpr int parts = 4;
+  for (const double rise : rises)
+    for (const double x : places)
+      for (const int way : {-1, 1}) {
+        const Point from{x, slope.lower_ground(x)};
+        const auto to = find_crossing(slope, from, way, rise);
+        if (!to) continue;
+        for (int i = 1; i < parts; ++i) {
+          const double run = (*to - x) * i / parts;
+          const Point bend{x + run, from[1] + rise * run};
+          if (const auto top = find_exit(slope, bend, way, active)) add(x, *top, bend);
+          // A straight line has a vertex so little below it that its parts keep their inclination.
+          if (2 * i == parts) add(x, *to, {bend[0], bend[1] - 1e-10 * std::abs(run)});
+        }
+      }
+  return starts;
+}
+
 }  // namespace
 
 std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOptions& options,
@@ -257,6 +311,7 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
   for (const Method method : options.methods) searches.emplace_back(slope, options, method, ranges);
   std::vector<Surface> blocks = make_blocks(slope, options.vertices, options.seed);
   for (Surface& start : make_bar_starts(slope, options.vertices)) blocks.push_back(std::move(start));
+  for (Surface& start : make_bedding_starts(slope)) blocks.push_back(std::move(start));
   const auto for_each = [&](auto&& work) {
     parallel_tasks(static_cast<int>(searches.size()), options.threads, [&](int i) {
       const auto m = static_cast<std::size_t>(i);
