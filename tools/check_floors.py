@@ -32,9 +32,10 @@ ALLOWED = {
     "report": ["base", "material", "mesh", "results", "input", "output", "site", "run"],
     "drawing": ["base", "mesh", "input/case"],
     "export": ["base", "mesh", "results", "input", "output", "site", "drawing", "report/folder"],
+    "studio": ["base", "results", "input", "lem", "site", "output", "run", "report"],
     "gdal": ["base", "drawing"],
     "xlsx": ["base", "results", "export"],
-    "app": ["base", "drawing", "export", "results", "input", "output", "run", "laboratory", "study", "report"],
+    "app": ["base", "drawing", "export", "results", "input", "output", "run", "laboratory", "study", "report", "studio"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
 APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots"), ("mpm/two_velocity", "mpm/darcy")]

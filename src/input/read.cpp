@@ -79,10 +79,15 @@ void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
     block = places.is_given(block.key()) ? std::next(block) : echo.erase(block);
 }
 
+/// The boundary lines of a section before its polygons are built from them.
+struct CaseReading : LoadedCase {
+  Layering layering;
+};
+
 /// Reads and checks the case without what needs repeated readings (values of a study, soils of element tests). `root`
 /// is the table of the file. Returns false if there are faults; `loaded` then has what could be read.
 bool read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides, CaseScope scope,
-               Findings& findings, LoadedCase& loaded) {
+               Findings& findings, CaseReading& loaded) {
   findings.describe_owners = describe_owners;
   apply_overrides(root, overrides, findings);
   check_format(root, findings.places);
@@ -99,6 +104,7 @@ bool read_once(toml::table root, const std::string& name, const std::vector<Over
   reader.finish();
   if (!check_extent(loaded.data, findings)) return false;
   complete_units(loaded.data);
+  loaded.layering = loaded.data.layering;
   build_layers(loaded.data, name, findings);
   load_series(loaded.data, name, findings);
   load_pressure_table(loaded.data, name, findings);
@@ -182,7 +188,7 @@ class Trials {
     Findings findings(places);
     toml::table root = parse_toml(text_, name_);
     root.erase("study");
-    LoadedCase loaded;
+    CaseReading loaded;
     if (read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings, loaded)) return loaded;
     return findings.sort().front();
   }
@@ -273,6 +279,16 @@ void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& finding
   }
 }
 
+/// Checks what needs repeated readings of the case.
+void read_again(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+                Findings& findings, LoadedCase& loaded) {
+  loaded.text = text;
+  const Trials trials(text, name, overrides);
+  check_study(loaded, trials, findings);
+  check_uncertain_numbers(loaded, trials, findings);
+  read_test_soils(loaded, trials, findings);
+}
+
 }  // namespace
 
 void normalise_directions(Case& data) {
@@ -285,14 +301,9 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
                           CaseScope scope) {
   Places places(name);
   Findings findings(places);
-  LoadedCase loaded;
-  if (read_once(parse_toml(text, name), name, overrides, scope, findings, loaded)) {
-    loaded.text = text;
-    const Trials trials(text, name, overrides);
-    check_study(loaded, trials, findings);
-    check_uncertain_numbers(loaded, trials, findings);
-    read_test_soils(loaded, trials, findings);
-  }
+  CaseReading loaded;
+  if (read_once(parse_toml(text, name), name, overrides, scope, findings, loaded))
+    read_again(text, name, overrides, findings, loaded);
   if (!findings.empty()) throw InputError(findings.sort());
   loaded.places = std::move(places);
   return loaded;
@@ -348,28 +359,73 @@ struct SketchReading {
 
 }  // namespace
 
-Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
-  const auto reading = std::make_shared<SketchReading>(path);
+namespace {
+
+/// Returns the sketch of what read_once() has read.
+Sketch make_sketch(CaseReading&& read, bool is_good, const std::string& name) {
   Sketch sketch;
-  sketch.file = path;
-  try {
-    LoadedCase loaded;
-    const bool is_good =
-        read_once(parse_toml(read_text(path), path), path, overrides, scope, reading->findings, loaded);
-    sketch.data = std::move(loaded.data);
-    sketch.is_whole = loaded.is_whole;
-    if (!is_good) normalise_directions(sketch.data);
-    Places places(path);
-    Findings ignored(places);
-    sketch.is_small = check_extent(sketch.data, ignored);
-  } catch (const Error&) {  // not TOML, or of a later format: read_case() reports it
-  }
+  sketch.file = name;
+  sketch.data = std::move(read.data);
+  sketch.layering = std::move(read.layering);
+  sketch.is_whole = read.is_whole;
+  if (!is_good) normalise_directions(sketch.data);
+  Places places(name);
+  Findings ignored(places);
+  sketch.is_small = check_extent(sketch.data, ignored);
+  return sketch;
+}
+
+/// Connects the functions of a sketch with its reading.
+void share_reading(const std::shared_ptr<SketchReading>& reading, Sketch& sketch) {
   for (const std::string& key : reading->places.list_given())
     reading->given.emplace_back(key, reading->places.find(key));
   sketch.is_sound = [reading](const std::string& key) { return reading->findings.is_sound(key); };
   sketch.is_given = [reading](const std::string& key) { return reading->places.is_given(key); };
   sketch.find_path = [reading](const Diagnostic& message) { return reading->find_path(message); };
+}
+
+}  // namespace
+
+Sketch read_sketch(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
+  const auto reading = std::make_shared<SketchReading>(path);
+  Sketch sketch;
+  sketch.file = path;
+  try {
+    CaseReading read;
+    const bool is_good = read_once(parse_toml(read_text(path), path), path, overrides, scope, reading->findings, read);
+    sketch = make_sketch(std::move(read), is_good, path);
+  } catch (const Error&) {  // not TOML, or of a later format: read_case() reports it
+  }
+  share_reading(reading, sketch);
   return sketch;
+}
+
+Examination examine_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+                         CaseScope scope) {
+  const auto reading = std::make_shared<SketchReading>(name);
+  Findings& findings = reading->findings;
+  Examination found;
+  found.sketch.file = name;
+  try {
+    CaseReading read;
+    const bool is_good = read_once(parse_toml(text, name), name, overrides, scope, findings, read);
+    if (is_good) {
+      read_again(text, name, overrides, findings, read);
+      found.warnings = read.warnings;
+    } else {
+      found.warnings = findings.sort_warnings(read.data.unusual);
+    }
+    if (findings.empty()) {
+      found.loaded = read;
+      found.loaded->places = reading->places;
+    }
+    found.sketch = make_sketch(std::move(read), is_good, name);
+    found.faults = findings.sort();
+  } catch (const InputError& error) {  // not TOML, or of a later format
+    found.faults = error.diagnostics();
+  }
+  share_reading(reading, found.sketch);
+  return found;
 }
 
 std::vector<Diagnostic> read_warnings(const std::string& path, const std::vector<Override>& overrides,
@@ -377,7 +433,7 @@ std::vector<Diagnostic> read_warnings(const std::string& path, const std::vector
   Places places(path);
   Findings findings(places);
   try {
-    LoadedCase loaded;
+    CaseReading loaded;
     read_once(parse_toml(read_text(path), path), path, overrides, scope, findings, loaded);
     return findings.sort_warnings(loaded.data.unusual);
   } catch (const Error&) {  // not TOML, or of a later format: read_case() reports it

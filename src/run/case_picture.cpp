@@ -165,6 +165,19 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
   return picture;
 }
 
+std::optional<Picture> make_section_picture(const input::Sketch& sketch, bool is_faulty) {
+  if (sketch.data.mesh.dimension != 2 || !sketch.is_whole) return std::nullopt;
+  const PictureSource source{sketch, make_drawable(sketch), is_faulty, find_sketched_ground(sketch)};
+  Picture picture;
+  picture.length = source.data.units().length;
+  picture.title = source.data.title;
+  add_soils(source, picture);
+  add_layers(source, picture);
+  add_conditions(source, picture);
+  add_search(source, picture);
+  return picture;
+}
+
 std::optional<Picture> make_input_picture(const input::Case& data) {
   if (data.mesh.dimension != 2 || data.mesh.polygons.empty()) return std::nullopt;
   input::Sketch sketch;

@@ -23,6 +23,9 @@ struct CaseMessage {
 /// read are left out. Throws Error (wrong_input) for a case without a plane section.
 output::CasePicture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMessage>& messages);
 
+/// The same without messages and mesh; std::nullopt for a case without a plane section. Needs no mesh generator.
+std::optional<output::CasePicture> make_section_picture(const input::Sketch& sketch, bool is_faulty);
+
 /// Returns the picture of a plane case without faults, without messages and mesh; std::nullopt for other cases.
 std::optional<output::CasePicture> make_input_picture(const input::Case& data);
 

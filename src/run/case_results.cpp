@@ -6,6 +6,7 @@
 #include "results/named.hpp"
 #include "run/check_case.hpp"
 #include "run/common/head.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/compare/compare.hpp"
 #include "site/design_values.hpp"
 

@@ -7,6 +7,7 @@
 #include "mesh/generate.hpp"
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/mesh_estimate.hpp"
+#include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
 #include "site/design_values.hpp"
@@ -20,15 +21,6 @@ bool asks_for_elements(const input::Case& data) {
   return data.initial.stress == input::InitialStress::elements ||
          (data.timeline && data.timeline->release &&
           data.timeline->release->criterion == input::ReleaseCriterion::equilibrium);
-}
-
-std::vector<std::string> list_ground_warnings(const input::Case& data) {
-  const site::Site site(data);
-  std::vector<std::string> sentences = site::find_odd_water(site);
-  for (const site::SteepFace& face : site::find_steep_faces(site))
-    sentences.push_back(site::describe(face, data.units().length));
-  if (std::string quake = site::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
-  return sentences;
 }
 
 std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {

@@ -24,7 +24,4 @@ void check_methods(const input::Case& data);
 /// Returns true if MPM needs FEM, for its initial stress or its time of release.
 bool asks_for_elements(const input::Case& data);
 
-/// Returns warnings of faults of ground and water that affect every method.
-std::vector<std::string> list_ground_warnings(const input::Case& data);
-
 }  // namespace talus::run

@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "site/design_values.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
 #include "site/roots.hpp"
@@ -413,6 +414,15 @@ SectionOfCase make_section(const site::Site& site) {
     site::add_lowered_state(site, data.lem.drawdown->water_table, result.water);
   }
   return result;
+}
+
+std::vector<std::string> list_ground_warnings(const input::Case& data) {
+  const site::Site site(data);
+  std::vector<std::string> sentences = site::find_odd_water(site);
+  for (const site::SteepFace& face : site::find_steep_faces(site))
+    sentences.push_back(site::describe(face, data.units().length));
+  if (std::string quake = site::describe_factored_quake(data); !quake.empty()) sentences.push_back(std::move(quake));
+  return sentences;
 }
 
 }  // namespace talus::run

@@ -28,4 +28,7 @@ SectionOfCase make_section(const site::Site& site);
 void set_pressures(const site::Site& site, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section);
 
+/// Returns warnings of faults of ground and water that affect every method.
+std::vector<std::string> list_ground_warnings(const input::Case& data);
+
 }  // namespace talus::run
