@@ -15,7 +15,10 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARTS = ["results", "input", "lem", "fem/seepage", "sparse", "bounds", "site"]
+PARTS = ["results", "input", "lem", "fem/seepage", "sparse", "bounds", "site", "run/lem"]
+# The engine of the studio, and what it needs of other parts.
+FILES = ["studio/engine.cpp", "studio/section.cpp", "studio/spans.cpp", "run/common/section_of_case.cpp", "run/case_picture.cpp",
+         "run/message_places.cpp", "run/picture_conditions.cpp", "run/picture_search.cpp"]
 # Libraries of headers only, behind the headers of emscripten itself.
 INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]
 OPTIONS = ["-std=c++20", "-DTOML_HEADER_ONLY=0", "-Wno-everything"]
@@ -50,7 +53,7 @@ def main():
         return 77
     build = pathlib.Path(sys.argv[1]).resolve()
     files = [pathlib.Path(name) for name in sys.argv[2:]] or sorted(
-        path.relative_to(ROOT) for part in PARTS for path in (ROOT / "src" / part).rglob("*.cpp"))
+        [path.relative_to(ROOT) for part in PARTS for path in (ROOT / "src" / part).rglob("*.cpp")] + [pathlib.Path("src") / name for name in FILES])
     faults = compile_all(files, build)
     for path, errors in faults.items():
         if errors:

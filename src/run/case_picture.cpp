@@ -44,7 +44,7 @@ input::Case make_drawable(const input::Sketch& sketch) {
 }
 
 bool has_errors(const std::vector<CaseMessage>& messages) {
-  return std::ranges::any_of(messages, &CaseMessage::is_error);
+  return std::any_of(messages.begin(), messages.end(), [](const CaseMessage& m) { return m.is_error; });
 }
 
 void add_soils(const PictureSource& source, Picture& picture) {
@@ -132,7 +132,8 @@ Polyline find_side_line(const input::Case& data, const std::string& name) {
 Polyline find_sketched_ground(const input::Sketch& sketch) {
   const mesh::Plan& plan = sketch.data.mesh;
   const auto has_area = [](const mesh::Polygon& polygon) { return polygon.points.size() > 2; };
-  if (!sketch.is_small || plan.polygons.empty() || !std::ranges::all_of(plan.polygons, has_area)) return {};
+  if (!sketch.is_small || plan.polygons.empty() || !std::all_of(plan.polygons.begin(), plan.polygons.end(), has_area))
+    return {};
   try {
     return site::find_ground(plan);
   } catch (const Error&) {

@@ -39,7 +39,7 @@ std::array<double, 2> find_outward(const PictureSource& source, const Picture& p
   const std::array<double, 2> normal{-(b[1] - a[1]) / length, (b[0] - a[0]) / length};
   const double off = 0.05 * length;
   const Point beside{(a[0] + b[0]) / 2 + off * normal[0], (a[1] + b[1]) / 2 + off * normal[1]};
-  const bool is_soil = std::ranges::any_of(picture.soils, [&](const Picture::Soil& s) {
+  const bool is_soil = std::any_of(picture.soils.begin(), picture.soils.end(), [&](const Picture::Soil& s) {
     return s.outline.size() > 2 && mesh::is_inside(beside, s.outline);
   });
   return is_soil ? std::array{-normal[0], -normal[1]} : normal;
@@ -72,8 +72,8 @@ void add_supports(const PictureSource& source, Picture& picture, std::set<std::s
         if (speed > 0) support.outward = {b.velocity[0] / speed, b.velocity[1] / speed};
       }
     }
-    const bool is_line =
-        std::ranges::any_of(source.data.mesh.lines, [&](const mesh::Line& l) { return l.name == b.on; });
+    const bool is_line = std::any_of(source.data.mesh.lines.begin(), source.data.mesh.lines.end(),
+                                     [&](const mesh::Line& l) { return l.name == b.on; });
     if (is_line && support.text.empty()) support.text = b.on;
     if (is_line) named.insert(b.on);
     picture.supports.push_back(std::move(support));
@@ -87,7 +87,7 @@ void add_flooded(const PictureSource& source, const Polyline& table, Picture& pi
   for (const Polyline* line : {&source.ground, &table})
     for (const Point& p : *line)
       if (p[0] >= source.ground.front()[0] && p[0] <= source.ground.back()[0]) breaks.push_back(p[0]);
-  std::ranges::sort(breaks);
+  std::sort(breaks.begin(), breaks.end());
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     const double width = breaks[i] - breaks[i - 1];
     if (!(width > 1e-9 * (source.ground.back()[0] - source.ground.front()[0]))) continue;
@@ -115,7 +115,7 @@ void add_water(const PictureSource& source, Picture& picture) {
     picture.water_tables.push_back({name, line, is_later});
   };
   const auto is_ordered = [](const Polyline& line) {
-    return std::ranges::is_sorted(line, {}, [](const Point& p) { return p[0]; });
+    return std::is_sorted(line.begin(), line.end(), [](const Point& a, const Point& b) { return a[0] < b[0]; });
   };
   const bool has_drawdown = source.data.lem.drawdown && input::uses(source.data, input::Method::lem);
   const Polyline& table = source.data.initial.water.water_table;
@@ -199,7 +199,8 @@ void add_loads(const PictureSource& source, Picture& picture, std::set<std::stri
         load.line.push_back(p);
         load.load.push_back({0, -(s.load[i - 1] + t * (s.load[i] - s.load[i - 1]))});
       }
-    const auto [low, high] = std::ranges::minmax(s.load);
+    const auto ends = std::minmax_element(s.load.begin(), s.load.end());
+    const double low = *ends.first, high = *ends.second;
     load.text = low == high ? fmt::format("{}: {}", s.name, format_value(high, source.data.units().stress, 4))
                             : fmt::format("{}: {} to {}", s.name,
                                           format_significant(s.load.front() / source.data.units().stress.si, 4),

@@ -165,7 +165,8 @@ SolveOptions read_options(const std::string& text) {
       if (!method)
         fail_input("{} is no method of [lem]; known are {}", word.dump(-1, ' ', false, json::error_handler_t::replace),
                    fmt::join(results::words<lem::Method>, ", "));
-      if (std::ranges::find(options.methods, *method) == options.methods.end()) options.methods.push_back(*method);
+      if (std::find(options.methods.begin(), options.methods.end(), *method) == options.methods.end())
+        options.methods.push_back(*method);
     }
   }
   return options;
