@@ -35,6 +35,7 @@ ALLOWED = {
     "studio": ["base", "results", "input", "lem", "site", "output", "run", "report"],
     "gdal": ["base", "drawing"],
     "xlsx": ["base", "results", "export"],
+    "http": ["studio"],
     "app": ["base", "drawing", "export", "results", "input", "output", "run", "laboratory", "study", "report", "studio"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.

@@ -128,8 +128,9 @@ int run_command_line(int argc, char** argv) {
       },
       "Print the instruction set level that is used on this machine");
   app.footer("`talus COMMAND --help` lists the options of a command, `talus manual` every key of a case file.");
-  for (const auto add : {add_run, add_study, add_find, add_collect, add_point, add_calibrate, add_plot, add_report,
-                         add_check, add_import, add_export, add_manual, add_template, add_schema, add_version})
+  for (const auto add :
+       {add_run, add_study, add_find, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
+        add_import, add_export, add_studio, add_manual, add_template, add_schema, add_version})
     add(app);
   Command(app, "commands", "List all commands and their options as JSON, for completions and manual pages").act([&app] {
     fmt::print("{}\n", list_commands(app));

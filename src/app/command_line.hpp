@@ -72,6 +72,7 @@ void add_report(CLI::App& app);
 void add_check(CLI::App& app);
 void add_import(CLI::App& app);
 void add_export(CLI::App& app);
+void add_studio(CLI::App& app);
 void add_manual(CLI::App& app);
 void add_template(CLI::App& app);
 void add_schema(CLI::App& app);

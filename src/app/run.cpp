@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/case_options.hpp"
 #include "app/command_line.hpp"
@@ -31,7 +33,7 @@ struct RunCommand {
   std::string folder;
   int threads = 0;
   std::string device = "cpu";
-  bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false, progress_lines = false;
 };
 
 /// Throws Error if, with --strict, a stage did not come to rest as required; called when all results are written.
@@ -42,6 +44,19 @@ void refuse_restless(const results::RunResult& result) {
                   "stage '{}' did not come to rest, which --strict asks for; the results are complete, and their "
                   "warnings say what moved",
                   stage.name);
+}
+
+/// Writes progress as a line of JSON.
+void write_progress_line(const ProgressReport& report) {
+  nlohmann::ordered_json line{{"line", report.line}};
+  if (!report.label.empty()) line["label"] = report.label;
+  if (!report.stage.empty()) {
+    line["stage"] = report.stage;
+    line["time"] = report.time;
+    line["duration"] = report.duration;
+  }
+  fmt::print(stderr, "{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  std::fflush(stderr);
 }
 
 /// Temporary folder of a rank other than the first. These ranks run the same case, and their results are removed with
@@ -124,7 +139,12 @@ void run(RunCommand command) {
   if (!command.quiet)
     for (const std::string& warning : run::list_warnings(loaded)) print(stderr, warning + "\n");
   catch_interrupts();
-  Progress progress(!command.quiet);
+  std::optional<Progress> own_progress;
+  if (command.progress_lines)
+    own_progress.emplace(write_progress_line);
+  else
+    own_progress.emplace(!command.quiet);
+  Progress& progress = *own_progress;
   run::RunOptions options;
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
@@ -159,6 +179,8 @@ void add_run(CLI::App& app) {
   command.flag("--strict", options->strict,
                "Exit with code 4 if the soil still moves at the end of a stage with until = \"rest\"");
   command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.flag("--progress-lines", options->progress_lines,
+               "Print progress as lines of JSON to standard error, for programs that start runs");
   command.act([options] { run(*options); });
 }
 

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "studio/server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/foreign_code.hpp"
+#include "base/text.hpp"
+#include "base/user_file.hpp"
+#include "studio/engine.hpp"
+
+namespace talus::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Of the page: its own files alone. Editors write style elements; modules of WebAssembly are compiled.
+constexpr const char* page_policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
+    "blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; manifest-src 'self'; frame-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+/// Of a report, whose script is inline: the sandbox separates it from the studio and its token.
+constexpr const char* report_policy =
+    "sandbox allow-scripts allow-downloads allow-popups allow-modals; default-src 'none'; script-src 'unsafe-inline' "
+    "'wasm-unsafe-eval' blob:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; worker-src blob:; "
+    "connect-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
+
+constexpr const char* no_page =
+    "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Talus Studio</title><p>This build of Talus has no "
+    "page of the studio: build it with Node 20, or name its folder with --page.</p></html>";
+
+std::string write_answer(const json& answer) {
+  return answer.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Response make_answer(int status, const json& answer) {
+  return {status, "application/json", write_answer(answer)};
+}
+
+Response make_error(int status, const std::string& sentence) {
+  return make_answer(status, {{"error", sentence}});
+}
+
+/// Compares without a time that depends on the place of the first difference.
+bool is_token(const std::string& given, const std::string& token) {
+  unsigned difference = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i)
+    difference |= static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < given.size() ? given[i] : 0);
+  return difference == 0;
+}
+
+const std::string& find(const std::map<std::string, std::string>& list, const char* name) {
+  static const std::string none;
+  const auto found = list.find(name);
+  return found == list.end() ? none : found->second;
+}
+
+json read_object(const std::string& body) {
+  constexpr std::size_t deepest = 32;
+  json read = json::parse(
+      body,
+      [](int depth, json::parse_event_t, json&) {
+        if (depth > static_cast<int>(deepest)) throw Refusal(400, "the JSON of the request is nested too deep");
+        return true;
+      },
+      false);
+  if (!read.is_object()) throw Refusal(400, "the body of the request must be a JSON object");
+  return read;
+}
+
+std::string get_text(const json& object, const char* key, bool is_required = true) {
+  const auto found = object.find(key);
+  if (found != object.end() && found->is_string()) return found->get<std::string>();
+  if (is_required || (found != object.end() && !found->is_null()))
+    throw Refusal(400, fmt::format("the request needs '{}' as a text", key));
+  return "";
+}
+
+Response answer_engine(const std::string& text) {
+  return {200, "application/json", text};
+}
+
+const char* find_type(const std::string& extension) {
+  static const std::map<std::string, const char*> types{
+      {".html", "text/html; charset=utf-8"},
+      {".js", "text/javascript; charset=utf-8"},
+      {".mjs", "text/javascript; charset=utf-8"},
+      {".css", "text/css; charset=utf-8"},
+      {".json", "application/json"},
+      {".svg", "image/svg+xml"},
+      {".png", "image/png"},
+      {".ico", "image/x-icon"},
+      {".wasm", "application/wasm"},
+      {".woff2", "font/woff2"},
+      {".map", "application/json"},
+      {".webmanifest", "application/manifest+json"},
+      {".toml", "text/plain; charset=utf-8"},
+      {".txt", "text/plain; charset=utf-8"},
+  };
+  const auto found = types.find(extension);
+  return found == types.end() ? "application/octet-stream" : found->second;
+}
+
+void add_headers(Response& response, const char* policy) {
+  response.headers.insert(response.headers.end(), {{"Content-Security-Policy", policy},
+                                                   {"X-Content-Type-Options", "nosniff"},
+                                                   {"Referrer-Policy", "no-referrer"},
+                                                   {"Cross-Origin-Resource-Policy", "same-origin"},
+                                                   {"Cache-Control", "no-store"}});
+}
+
+}  // namespace
+
+std::string make_token() {
+  std::random_device random;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
+  return token;
+}
+
+fs::path find_page(const fs::path& program) {
+  const fs::path beside = program.parent_path();
+  for (const char* place : {"studio", "../share/talus/studio", "../../../share/talus/studio"}) {
+    std::error_code failure;
+    const fs::path folder = fs::canonical(beside / place, failure);
+    if (!failure && fs::exists(folder / "index.html", failure)) return folder;
+  }
+  return {};
+}
+
+std::unique_ptr<HttpServer> make_http_server() {
+  std::string why;
+  void* make = load_module("libtalus_http.so", "talus_make_http_server", false, why);
+  if (make == nullptr) fail_input("this build of the program has no studio, because it has no cpp-httplib ({})", why);
+  return std::unique_ptr<HttpServer>(reinterpret_cast<MakeHttpServer>(make)());
+}
+
+StudioServer::StudioServer(ServerOptions options)
+    : options_(std::move(options)), workspace_(options_.folder), runs_(workspace_, options_.program) {}
+
+Handlers StudioServer::handlers() {
+  return {[this](const Request& request) { return admit(request); },
+          [this](const Request& request) { return answer(request); }};
+}
+
+std::optional<Response> StudioServer::admit(const Request& request) const {
+  const auto refuse = [](int status, const char* sentence) {
+    Response refusal = make_error(status, sentence);
+    add_headers(refusal, page_policy);
+    refusal.headers.emplace_back("Connection", "close");
+    return refusal;
+  };
+  const auto is_own = [&](const std::string& name, const char* scheme) {
+    return name == fmt::format("{}127.0.0.1:{}", scheme, options_.port) ||
+           name == fmt::format("{}localhost:{}", scheme, options_.port);
+  };
+  // A page of another site may reach this address under its own name (DNS rebinding).
+  if (!is_own(find(request.headers, "host"), "")) return refuse(403, "The Host of the request is not this server.");
+  if (request.headers.contains("origin") && !is_own(find(request.headers, "origin"), "http://"))
+    return refuse(403, "The request comes from another page.");
+  if (!request.path.starts_with("/api/") && request.path != "/api") {
+    if (request.method != "GET" && request.method != "HEAD") return refuse(405, "Pages can only be read.");
+    return std::nullopt;
+  }
+  // A stream of events and a new window have no headers of the page's own.
+  const bool has_query = request.method == "GET" && request.query.contains("token");
+  if (!is_token(has_query ? find(request.query, "token") : find(request.headers, "x-talus-token"), options_.token))
+    return refuse(401, "The token is missing or that of another start: open the address that talus studio printed.");
+  return std::nullopt;
+}
+
+Response StudioServer::answer(const Request& request) {
+  Response response;
+  try {
+    response = route(request);
+  } catch (const Refusal& refusal) {
+    response = make_error(refusal.status(), refusal.what());
+  } catch (const Error& error) {
+    response = make_error(error.code() == ExitCode::wrong_input ? 400 : 500, error.what());
+  } catch (...) {
+    response = make_error(500, explain_failure(std::current_exception()).sentence);
+  }
+  const bool has_policy = std::any_of(response.headers.begin(), response.headers.end(),
+                                      [](const auto& header) { return header.first == "Content-Security-Policy"; });
+  if (!has_policy) add_headers(response, page_policy);
+  return response;
+}
+
+Response StudioServer::route(const Request& request) {
+  const std::string &path = request.path, &method = request.method;
+  const auto is = [&](const char* verb, const char* name) { return method == verb && path == name; };
+  if (!path.starts_with("/api")) return answer_page(path);
+  if (is("POST", "/api/check"))
+    return answer_engine(check(request.body, (workspace_.folder() / unnamed_case).string()));
+  if (is("POST", "/api/solve")) {
+    const json asked = read_object(request.body);
+    json options = asked.value("options", json::object());
+    if (options.is_object() && !options.contains("threads")) options["threads"] = options_.threads;
+    return answer_engine(
+        solve(get_text(asked, "text"), write_answer(options), (workspace_.folder() / unnamed_case).string()));
+  }
+  if (is("GET", "/api/schema")) return answer_engine(schema());
+  if (is("GET", "/api/template")) return make_answer(200, {{"text", template_text()}});
+  if (is("GET", "/api/files")) {
+    json list = json::array();
+    for (const ListedFile& file : workspace_.list()) list.push_back({{"path", file.path}, {"revision", file.revision}});
+    return make_answer(200,
+                       {{"files", list}, {"folder", workspace_.folder().filename().string()}, {"open", options_.open}});
+  }
+  const std::string files = "/api/files/", journal = "/api/journal/", runs = "/api/runs";
+  if (path.starts_with(files)) return answer_file(method, path.substr(files.size()), request.body);
+  if (path.starts_with(journal)) return answer_journal(method, path.substr(journal.size()), request.body);
+  if (path == runs || path.starts_with(runs + "/")) return answer_runs(method, path.substr(runs.size()), request.body);
+  throw Refusal(404, fmt::format("there is no {} {}", method, make_printable(path)));
+}
+
+Response StudioServer::answer_file(const std::string& method, const std::string& path, const std::string& body) {
+  if (method == "GET") {
+    const RevisedText file = workspace_.read(path);
+    return make_answer(200, {{"text", file.text}, {"revision", file.revision}});
+  }
+  if (method != "PUT") throw Refusal(405, "a file can be read and written");
+  const json given = read_object(body);
+  const auto revision = workspace_.write(path, get_text(given, "text"), get_text(given, "revision", false));
+  if (revision) return make_answer(200, {{"revision", *revision}});
+  const bool exists = fs::exists(workspace_.find(path));
+  const RevisedText now = exists ? workspace_.read(path) : RevisedText{};
+  return make_answer(409, {{"text", now.text}, {"revision", now.revision}});
+}
+
+Response StudioServer::answer_journal(const std::string& method, const std::string& path, const std::string& body) {
+  if (method == "GET") {
+    const auto entry = workspace_.read_journal(path);
+    return make_answer(200, entry ? json{{"text", entry->text}, {"revision", entry->revision}} : json());
+  }
+  if (method != "PUT") throw Refusal(405, "a journal can be read and written");
+  const json given = read_object(body);
+  workspace_.write_journal(path, {get_text(given, "text"), get_text(given, "revision", false)});
+  return make_answer(200, json::object());
+}
+
+Response StudioServer::answer_runs(const std::string& method, const std::string& rest, const std::string& body) {
+  if (rest.empty() && method == "GET") return make_answer(200, {{"runs", runs_.list()}});
+  if (rest.empty() && method == "POST") {
+    const json given = read_object(body);
+    return make_answer(200, {{"id", runs_.add(get_text(given, "path"), given.value("settings", json()))}});
+  }
+  const std::size_t slash = rest.find('/', 1);
+  if (rest.empty() || slash == std::string::npos) throw Refusal(404, "there is no such part of a run");
+  const std::string id = rest.substr(1, slash - 1), part = rest.substr(slash + 1);
+  if (method == "POST" && part == "stop")
+    runs_.stop(id);
+  else if (method == "POST" && part == "resume")
+    runs_.resume(id);
+  else if (method == "GET" && part == "events")
+    return watch_run(id);
+  else if (method == "GET" && part == "report") {
+    Response page{200, "text/html; charset=utf-8", read_user_file(runs_.find_report(id), largest_file::result)};
+    add_headers(page, report_policy);
+    return page;
+  } else
+    throw Refusal(404, "there is no such part of a run");
+  return make_answer(200, json::object());
+}
+
+Response StudioServer::watch_run(const std::string& id) {
+  constexpr int most_streams = 24;
+  struct Place {
+    std::atomic<int>& taken;
+    explicit Place(std::atomic<int>& count) : taken(count) { ++taken; }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+    ~Place() { --taken; }
+  };
+  const auto place = std::make_shared<Place>(streams_);
+  if (streams_ > most_streams) throw Refusal(503, "too many windows follow runs; close some of them");
+  Response response;
+  response.type = "text/event-stream";
+  response.stream = [place, next = runs_.watch(id)](std::string& piece) { return next(piece); };
+  return response;
+}
+
+Response StudioServer::answer_page(const std::string& path) const {
+  const std::string name = path == "/" ? "index.html" : path.substr(1);
+  if (options_.page.empty()) {
+    if (name == "index.html") return {200, "text/html; charset=utf-8", no_page};
+    throw Refusal(404, "there is no such page");
+  }
+  const fs::path parts(name);
+  for (const fs::path& part : parts)
+    if (!find_name_fault(part.string()).empty() || part.string().starts_with('.'))
+      throw Refusal(404, "there is no such page");
+  const fs::path file = options_.page / parts;
+  std::string text;
+  std::error_code failure;
+  if (fs::canonical(file, failure) != file || failure || try_user_file(file, largest_file::table, text))
+    throw Refusal(404, "there is no such page");
+  return {200, find_type(file.extension().string()), std::move(text)};
+}
+
+}  // namespace talus::studio
