@@ -17,7 +17,7 @@ import { Toolbar } from "./Toolbar";
 import { startTracing } from "./tracedLines";
 import { Transport } from "./Transport";
 import "./viewer.css";
-import { ZoomButtons } from "../drawing/SectionCanvas";
+import { ZoomButtons } from "../drawing/buttons";
 import { listenTo } from "./theme";
 
 const help =
