@@ -5,7 +5,7 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     environment: "node",
-    include: ["tests/**/*.test.{ts,tsx}", "src/**/*.test.{ts,tsx}"],
+    include: ["tests/**/*.test.{ts,tsx}", "src/**/*.test.{ts,tsx}", "studio/**/*.test.{ts,tsx}"],
     // A large report takes seconds to decode.
     testTimeout: 60_000,
     hookTimeout: 60_000,
