@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/** Snapping: the vertex, crossing, line or grid point near the pointer that a drawn point takes. */
+import { distance, intersectSegments, type Point, projectOnSegment, type Segment } from "./plane";
+
+export type SnapKind = "vertex" | "intersection" | "line" | "grid" | "free";
+
+export interface Snapped {
+  at: Point;
+  kind: SnapKind;
+}
+
+export interface SnapTargets {
+  vertices: readonly Point[];
+  segments: readonly Segment[];
+  /** Distance of the lines of the grid [m]; 0 for no grid. */
+  grid: number;
+}
+
+/** Rounds away what a pixel cannot show: to the power of ten at or below `step` [m]. */
+export function roundTo(value: number, step: number): number {
+  const decimals = Math.min(9, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  return Number(value.toFixed(decimals)) + 0;
+}
+
+function findNearest(points: readonly Point[], to: Point, radius: number): Point | null {
+  let best: Point | null = null;
+  let least = radius;
+  for (const point of points) {
+    const far = distance(point, to);
+    if (far > least) continue;
+    best = point;
+    least = far;
+  }
+  return best;
+}
+
+/**
+ * The snapped point within `radius` [m] of the pointer: a vertex before a crossing, before a line (where it crosses a line of
+ * the grid if that is near), before the grid. Without any, the pointer rounded to `step` [m].
+ */
+export function snap(pointer: Point, targets: SnapTargets, radius: number, step: number): Snapped {
+  const vertex = findNearest(targets.vertices, pointer, radius);
+  if (vertex) return { at: vertex, kind: "vertex" };
+  const near = targets.segments
+    .map((segment) => ({ segment, ...projectOnSegment(pointer, segment) }))
+    .filter((found) => found.distance <= radius)
+    .sort((a, b) => a.distance - b.distance);
+  const few = near.slice(0, 12).map((found) => found.segment);
+  const crossings = few.flatMap((a, i) => few.slice(i + 1).flatMap((b) => listCrossing(a, b)));
+  const crossing = findNearest(crossings, pointer, radius);
+  if (crossing) return { at: crossing, kind: "intersection" };
+  const { grid } = targets;
+  if (near[0]) {
+    const onGrid = grid > 0 ? findNearest(crossGrid(near[0].segment, pointer, grid), pointer, radius) : null;
+    return { at: onGrid ?? near[0].at, kind: "line" };
+  }
+  if (grid > 0) {
+    const at: Point = [roundTo(Math.round(pointer[0] / grid) * grid, grid / 10), roundTo(Math.round(pointer[1] / grid) * grid, grid / 10)];
+    if (distance(at, pointer) <= radius) return { at, kind: "grid" };
+  }
+  return { at: [roundTo(pointer[0], step), roundTo(pointer[1], step)], kind: "free" };
+}
+
+function listCrossing(a: Segment, b: Segment): Point[] {
+  const found = intersectSegments(a, b);
+  return found ? [found.at] : [];
+}
+
+/** Where a segment crosses the two lines of the grid nearest to a point. */
+function crossGrid([a, b]: Segment, to: Point, grid: number): Point[] {
+  const found: Point[] = [];
+  for (const k of [0, 1] as const) {
+    const level = roundTo(Math.round(to[k] / grid) * grid, grid / 10);
+    const span = b[k] - a[k];
+    const t = span ? (level - a[k]) / span : -1;
+    if (t < 0 || t > 1) continue;
+    const other = a[1 - k]! + t * (b[1 - k]! - a[1 - k]!);
+    found.push(k === 0 ? [level, other] : [other, level]);
+  }
+  return found;
+}
