@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+/** The engine and the files of `talus studio`, over HTTP on the loopback address. */
+import { type Checked, type Engine, EngineFault, type JsonSchema, openAnswer, type Solved, type SolveOptions } from "./engine";
+
+export interface FileText {
+  text: string;
+  revision: string;
+}
+
+export interface Run {
+  id: string;
+  path: string;
+  state: "waiting" | "running" | "done" | "failed" | "stopped";
+  /** 0 to 1. */
+  progress?: number;
+  message?: string;
+  factor?: number | null;
+}
+
+export type SaveResult = { saved: true; revision: string } | { saved: false; theirs: FileText };
+
+export interface RunEvent {
+  kind: "progress" | "done";
+  data: Record<string, unknown>;
+}
+
+/** Files and runs of the server; the static page has none. */
+export interface Workspace {
+  listFiles(): Promise<{ path: string; revision: string }[]>;
+  readFile(path: string): Promise<FileText>;
+  saveFile(path: string, file: FileText): Promise<SaveResult>;
+  readJournal(path: string): Promise<FileText | null>;
+  writeJournal(path: string, file: FileText): Promise<void>;
+  startRun(path: string, settings: Record<string, unknown>): Promise<string>;
+  listRuns(): Promise<Run[]>;
+  stopRun(id: string): Promise<void>;
+  resumeRun(id: string): Promise<void>;
+  /** Calls back with every event; returns what ends that. */
+  watchRun(id: string, listen: (event: RunEvent) => void): () => void;
+  reportAddress(id: string): string;
+}
+
+export class HttpEngine implements Engine, Workspace {
+  readonly name = "talus studio";
+
+  constructor(private readonly token: string, private readonly base = "") {}
+
+  private async request(path: string, method: string, body?: string): Promise<{ status: number; answer: unknown }> {
+    let response: Response;
+    try {
+      response = await fetch(this.base + path, { method, body, headers: { "X-Talus-Token": this.token } });
+    } catch {
+      throw new EngineFault("The program does not answer. It may have been closed; start `talus studio` again. Your text stays here.");
+    }
+    const text = await response.text();
+    let answer: unknown = null;
+    try {
+      answer = text ? JSON.parse(text) : null;
+    } catch {
+      throw new EngineFault(`${method} ${path} gave no JSON (status ${response.status}).`);
+    }
+    if (response.status >= 400 && response.status !== 409) {
+      openAnswer(answer);
+      throw new EngineFault(`${method} ${path} failed with status ${response.status}.`);
+    }
+    return { status: response.status, answer };
+  }
+
+  private async get<T>(path: string, method: "GET" | "POST" | "PUT" = "GET", body?: string): Promise<T> {
+    return openAnswer<T>((await this.request(path, method, body)).answer);
+  }
+
+  check = (text: string) => this.get<Checked>("/api/check", "POST", text);
+  solve = (text: string, options: SolveOptions) => this.get<Solved>("/api/solve", "POST", JSON.stringify({ text, options }));
+  schema = () => this.get<JsonSchema>("/api/schema");
+  template = async () => {
+    const answer = await this.get<{ text: string }>("/api/template");
+    return answer.text;
+  };
+
+  listFiles = async () => (await this.get<{ files: { path: string; revision: string }[] }>("/api/files")).files;
+  readFile = (path: string) => this.get<FileText>(`/api/files/${encodePath(path)}`);
+
+  async saveFile(path: string, file: FileText): Promise<SaveResult> {
+    const { status, answer } = await this.request(`/api/files/${encodePath(path)}`, "PUT", JSON.stringify(file));
+    if (status === 409) return { saved: false, theirs: answer as FileText };
+    return { saved: true, revision: openAnswer<{ revision: string }>(answer).revision };
+  }
+
+  async readJournal(path: string): Promise<FileText | null> {
+    try {
+      const found = await this.get<Partial<FileText> | null>(`/api/journal/${encodePath(path)}`);
+      return found?.text !== undefined ? { text: found.text, revision: found.revision ?? "" } : null;
+    } catch {
+      return null;
+    }
+  }
+
+  async writeJournal(path: string, file: FileText): Promise<void> {
+    await this.get(`/api/journal/${encodePath(path)}`, "PUT", JSON.stringify(file));
+  }
+
+  async startRun(path: string, settings: Record<string, unknown>): Promise<string> {
+    return (await this.get<{ id: string }>("/api/runs", "POST", JSON.stringify({ path, settings }))).id;
+  }
+
+  async listRuns(): Promise<Run[]> {
+    const answer = await this.get<Run[] | { runs: Run[] }>("/api/runs");
+    return Array.isArray(answer) ? answer : answer.runs;
+  }
+
+  async stopRun(id: string): Promise<void> {
+    await this.get(`/api/runs/${encodeURIComponent(id)}/stop`, "POST", "{}");
+  }
+
+  async resumeRun(id: string): Promise<void> {
+    await this.get(`/api/runs/${encodeURIComponent(id)}/resume`, "POST", "{}");
+  }
+
+  watchRun(id: string, listen: (event: RunEvent) => void): () => void {
+    const source = new EventSource(`${this.base}/api/runs/${encodeURIComponent(id)}/events?token=${encodeURIComponent(this.token)}`);
+    const read = (kind: RunEvent["kind"]) => (event: MessageEvent<string>) => {
+      try {
+        listen({ kind, data: JSON.parse(event.data) as Record<string, unknown> });
+      } catch {
+        // A line that was cut is followed by another.
+      }
+      if (kind === "done") source.close();
+    };
+    source.addEventListener("progress", read("progress"));
+    source.addEventListener("done", read("done"));
+    return () => source.close();
+  }
+
+  reportAddress(id: string): string {
+    return `${this.base}/api/runs/${encodeURIComponent(id)}/report?token=${encodeURIComponent(this.token)}`;
+  }
+}
+
+const encodePath = (path: string) => path.split("/").map(encodeURIComponent).join("/");
