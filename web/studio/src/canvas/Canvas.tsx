@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/** The canvas: the section with its layers, mouse, fingers, wheel and keys on it. */
+import { effect, untracked } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+
+import { ZoomButtons } from "../../../src/drawing/buttons";
+import * as state from "../state";
+import { findGridStep, size, view, zoomBy } from "./camera";
+import { fitAll } from "./hit";
+import { pressKey } from "./keys";
+import { Labels, WorldLayers } from "./layers";
+import { Draft, Grid, Handles, MessageMarks, Rulers, SnapMarker } from "./overlay";
+import { listenToPointer } from "./pointing";
+
+const help =
+  "Section of the slope. Comma and full stop select the previous or next vertex, arrow keys move it, or the view where nothing is selected; " +
+  "Delete deletes; plus, minus and 0 zoom; digits begin typed coordinates; Escape ends.";
+
+export function Canvas() {
+  const host = useRef<HTMLDivElement>(null);
+  const drawing = useRef<SVGSVGElement>(null);
+
+  useEffect(() => {
+    let fitted = false;
+    const measure = () => {
+      const { width, height } = host.current!.getBoundingClientRect();
+      if (width < 20 || height < 20) return;
+      size.value = { width: Math.round(width), height: Math.round(height) };
+      if (!fitted) untracked(fitAll);
+      fitted = true;
+    };
+    const observer = new ResizeObserver(measure);
+    observer.observe(host.current!);
+    measure();
+    const stop = listenToPointer(drawing.current!);
+    const stopGrid = effect(() => {
+      state.gridStep.value = findGridStep(view.value.scale);
+    });
+    return () => {
+      observer.disconnect();
+      stop();
+      stopGrid();
+    };
+  }, []);
+
+  return (
+    <div class="canvas" ref={host}>
+      <svg
+        ref={drawing}
+        class={`section tool-${state.tool.value}`}
+        width={size.value.width}
+        height={size.value.height}
+        tabIndex={0}
+        role="application"
+        aria-roledescription="drawing"
+        aria-label={help}
+        onKeyDown={pressKey}
+      >
+        <Grid />
+        <WorldLayers />
+        <Labels />
+        <Handles />
+        <Draft />
+        <MessageMarks />
+        <SnapMarker />
+        <Rulers />
+      </svg>
+      <div class="zoom-buttons">
+        <ZoomButtons zoom={zoomBy} fit={fitAll} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/** Keys on the canvas: tools, vertices, moves, zoom, typed coordinates. Everything that the mouse does is done by keys as well. */
+import { signal } from "@preact/signals";
+
+import type { Point } from "../geometry/plane";
+import * as state from "../state";
+import { panBy, zoomBy } from "./camera";
+import { dropPoint, finishDraft, selectTool, tools } from "./drawing";
+import { fitAll } from "./hit";
+import { deleteSelected, moveSelectedBy } from "./moving";
+
+/** The first character of typed coordinates: the field takes the focus with it. */
+export const typedStart = signal<string | null>(null);
+
+const arrows: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** Selects the next vertex from left to right. */
+function selectVertex(step: number): void {
+  const all = state.vertices.value
+    .filter(({ corners }) => corners.some(({ chain }) => state.chains.value[chain]!.kind !== "box"))
+    .toSorted((a, b) => a.at[0] - b.at[0] || a.at[1] - b.at[1]);
+  if (!all.length) return;
+  const now = state.selectedVertex.value ? all.indexOf(state.selectedVertex.value) : -1;
+  const next = now < 0 ? (step > 0 ? 0 : all.length - 1) : (now + step + all.length) % all.length;
+  state.selection.value = { kind: "vertex", at: all[next]!.at };
+}
+
+function pressArrow([x, y]: Point, event: KeyboardEvent): void {
+  if (state.selection.value.kind === "none" || state.selection.value.kind === "load") return panBy(-40 * x, 40 * y);
+  const step = state.gridStep.value * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+  moveSelectedBy(x * step, y * step);
+}
+
+const acts: Record<string, () => void> = {
+  ",": () => selectVertex(-1),
+  ".": () => selectVertex(1),
+  "+": () => zoomBy(1.25),
+  "=": () => zoomBy(1.25),
+  "-": () => (state.tool.value === "select" ? zoomBy(0.8) : (typedStart.value = "-")),
+  "0": () => (state.tool.value === "select" ? fitAll() : (typedStart.value = "0")),
+  Delete: deleteSelected,
+  Backspace: () => (state.draft.value.length ? dropPoint() : deleteSelected()),
+  Enter: () => {
+    if (state.draft.value.length) finishDraft();
+    else if (state.selectedVertex.value) typedStart.value = "";
+  },
+  Escape: () => {
+    if (state.draft.value.length) state.draft.value = [];
+    else if (state.tool.value !== "select") selectTool("select");
+    else state.selection.value = { kind: "none" };
+  },
+};
+
+export function pressKey(event: KeyboardEvent): void {
+  if (event.ctrlKey || event.metaKey) return;
+  const arrow = arrows[event.key];
+  const named = (Object.keys(tools) as state.Tool[]).find((tool) => tools[tool].key === event.key);
+  if (arrow) pressArrow(arrow, event);
+  else if (acts[event.key]) acts[event.key]!();
+  else if (/^[\d@]$/.test(event.key) && (state.tool.value !== "select" || state.selectedVertex.value)) typedStart.value = event.key;
+  else if (named && !event.altKey) selectTool(named);
+  else return;
+  event.preventDefault();
+}

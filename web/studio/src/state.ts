@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+/** State of the page: the text with its history, what it describes, the selection, and the answers of the engine. */
+import { batch, computed, signal } from "@preact/signals";
+
+import { type Chain, listChains, listLoads, listSoils } from "./document/chains";
+import { EditFault } from "./document/edits";
+import { emptyCase } from "./document/operations";
+import { type CaseTree, findNode, readTree, toPlain } from "./document/tree";
+import { listVertices, pointsOf, segmentsOf } from "./document/vertices";
+import type { Message, Section, Solved } from "./engine/engine";
+import type { SnapTargets } from "./geometry/snap";
+import { type Point, type Segment } from "./geometry/plane";
+import { History } from "./history/history";
+
+let history = new History(emptyCase);
+
+/** The text, the truth of everything below. */
+export const text = signal(history.text);
+export const undoNames = signal<string[]>([]);
+export const redoNames = signal<string[]>([]);
+
+const lastTree: { tree: CaseTree } = { tree: readTree(emptyCase).tree! };
+const read = computed(() => {
+  const found = readTree(text.value);
+  if (found.tree) lastTree.tree = found.tree;
+  return found;
+});
+/** The last text that could be read; of the present one where `fault` is null. */
+export const tree = computed<CaseTree>(() => read.value.tree ?? lastTree.tree);
+export const fault = computed(() => read.value.fault);
+
+export const chains = computed<Chain[]>(() => listChains(tree.value));
+export const vertices = computed(() => listVertices(chains.value));
+export const loads = computed(() => listLoads(tree.value));
+export const soils = computed(() => listSoils(tree.value));
+export const title = computed(() => String(toPlain(findNode(tree.value, ["title"])) ?? ""));
+
+/** Answers of the engine, of a text that may be a moment older. */
+export const section = signal<Section | null>(null);
+export const messages = signal<Message[]>([]);
+export const isReady = signal(false);
+export const solved = signal<Solved | null>(null);
+export const solveFault = signal("");
+export const isSolving = signal(false);
+/** Milliseconds of the last quick search, and updates in the last second of a drag. */
+export const solveTime = signal(0);
+
+export type Tool = "select" | "region" | "split" | "insert" | "water" | "load" | "nail" | "line" | "surface" | "measure";
+export const tool = signal<Tool>("select");
+/** Points of what is being drawn. */
+export const draft = signal<Point[]>([]);
+
+export type Selection =
+  | { kind: "none" }
+  | { kind: "vertex"; at: Point }
+  | { kind: "chain"; id: string }
+  | { kind: "load"; index: number };
+export const selection = signal<Selection>({ kind: "none" });
+
+/** One sentence for the user: what went wrong, or what was done. */
+export const notice = signal<{ text: string; bad: boolean } | null>(null);
+/** Distance of the lines of the grid [m]; set by the zoom. */
+export const gridStep = signal(1);
+export const snapping = signal(true);
+
+export const selectedChain = computed(() => {
+  const now = selection.value;
+  return now.kind === "chain" ? (chains.value.find(({ id }) => id === now.id) ?? null) : null;
+});
+
+/** The vertex at the selected place; the place is kept while texts change. */
+export const selectedVertex = computed(() => {
+  const now = selection.value;
+  if (now.kind !== "vertex") return null;
+  return vertices.value.find(({ at }) => Math.abs(at[0] - now.at[0]) < 1e-9 && Math.abs(at[1] - now.at[1]) < 1e-9) ?? null;
+});
+
+function publish(): void {
+  batch(() => {
+    text.value = history.text;
+    undoNames.value = history.undoNames;
+    redoNames.value = history.redoNames;
+  });
+}
+
+/** Changes the text under a name; changes with one `group` that follow one another are one step. */
+export function change(name: string, after: string, group: string | null = null): void {
+  notice.value = null;
+  if (history.change(name, after, group)) publish();
+}
+
+/** Does an edit; one that is refused changes nothing and shows its reason. */
+export function attempt(name: string, edit: () => string, group: string | null = null): boolean {
+  try {
+    change(name, edit(), group);
+    return true;
+  } catch (error) {
+    if (!(error instanceof EditFault)) throw error;
+    notice.value = { text: error.message, bad: true };
+    return false;
+  }
+}
+
+export const sealChange = (): void => history.seal();
+
+export function undo(): void {
+  const step = history.undo();
+  if (!step) return;
+  publish();
+  notice.value = { text: `Undone: ${step.name}`, bad: false };
+}
+
+export function redo(): void {
+  const step = history.redo();
+  if (!step) return;
+  publish();
+  notice.value = { text: `Redone: ${step.name}`, bad: false };
+}
+
+/** Opens another text: its history is empty. */
+export function openText(opened: string): void {
+  history = new History(opened);
+  batch(() => {
+    selection.value = { kind: "none" };
+    draft.value = [];
+    tool.value = "select";
+    solved.value = null;
+    section.value = null;
+    messages.value = [];
+    notice.value = null;
+    publish();
+  });
+}
+
+/** Regions: those of the text, or those that the engine builds from layers. */
+export const regions = computed<{ id: string; name: string; soil: string; points: Point[] }[]>(() => {
+  const own = chains.value.filter(({ kind }) => kind === "region");
+  if (own.length) return own.map((chain) => ({ id: chain.id, name: chain.name, soil: chain.soil ?? "", points: pointsOf(chain) }));
+  return (section.value?.regions ?? []).map(({ name, soil, polygon }, i) => ({ id: `section.${i}`, name, soil, points: polygon }));
+});
+
+/** Vertices and lines to snap to, without those at a place that is being dragged. */
+export function listTargets(without: Point | null): SnapTargets {
+  const isDragged = (p: Point) => without !== null && p[0] === without[0] && p[1] === without[1];
+  const segments: Segment[] = chains.value.flatMap(segmentsOf).filter(([a, b]) => !isDragged(a) && !isDragged(b));
+  return {
+    vertices: vertices.value.map(({ at }) => at).filter((at) => !isDragged(at)),
+    segments,
+    grid: gridStep.value,
+  };
+}
