@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/** One key of a form: name, value, unit, usual range, default, meaning, and the messages about it. */
+import { useSignal } from "@preact/signals";
+
+import { applyEdits, removeAt, setValue } from "../document/edits";
+import { findNode, type Path, readTree, writePath } from "../document/tree";
+import * as state from "../state";
+import { checkTyped, type Field, writeTyped } from "./schema";
+
+/** The value as it is typed: a text without its quotes, everything else as written. */
+export function readTyped(path: Path): string {
+  const node = findNode(state.tree.value, path);
+  if (!node) return "";
+  if (node.kind === "value") return String(node.value);
+  return state.tree.value.text.slice(...node.range);
+}
+
+/** Writes a typed value at a path; an empty one removes the key. */
+export function writeField(path: Path, field: Field, typed: string): boolean {
+  const name = `${typed === "" ? "Remove" : "Set"} ${writePath(path)}`;
+  return state.attempt(name, () => {
+    const tree = state.tree.value;
+    if (typed === "") return applyEdits(tree.text, removeAt(tree, path));
+    return applyEdits(tree.text, setValue(tree, path, writeTyped(field, typed)));
+  });
+}
+
+const title = (key: string) => key.replaceAll("_", " ").replace(/^./, (c) => c.toUpperCase());
+
+const units: Record<string, string> = { "kN/m3": "kN/m³", "kg/m3": "kg/m³", deg: "°", m2: "m²", "-": "", "1": "" };
+export const showUnit = (unit: string): string => units[unit] ?? unit;
+
+function findFault(field: Field, typed: string): string {
+  if ((field.kind === "list" || field.kind === "table") && typed !== "" && readTree(`a = ${typed.replaceAll("\n", " ")}`).fault)
+    return "This is not a list of TOML, such as [1, 2].";
+  return checkTyped(field, typed);
+}
+
+function describeEmpty(field: Field): string {
+  if (field.default !== "") return `default ${field.default}`;
+  return field.required ? "required" : "not given";
+}
+
+export function FieldRow({ path, field }: { path: Path; field: Field }) {
+  const id = `field-${writePath(path).replace(/[^\w-]/g, "-")}`;
+  const fault = useSignal("");
+  const typed = readTyped(path);
+  const key = writePath(path);
+  const messages = state.messages.value.filter((message) => message.key === key);
+  const commit = (value: string) => {
+    const clean = value.trim();
+    fault.value = findFault(field, clean);
+    if (fault.value === "" && clean !== typed) writeField(path, field, clean);
+  };
+  const isBad = fault.value !== "" || messages.some(({ severity }) => severity === "error");
+  const noteId = `${id}-note`;
+  const shared = { id, "aria-describedby": noteId, "aria-invalid": isBad };
+  const missing = field.required && typed === "";
+  return (
+    <div class={`field${isBad ? " bad-field" : ""}${missing ? " missing" : ""}`}>
+      <label for={id} title={field.key}>
+        {title(field.key)}
+        {field.required && <span class="mark" title="required"> *</span>}
+      </label>
+      {field.kind === "choice" ? (
+        <select {...shared} value={typed} onChange={(e) => commit(e.currentTarget.value)}>
+          <option value="">{describeEmpty(field)}</option>
+          {field.choices.map(({ value }) => (
+            <option key={value} value={value}>
+              {value.replaceAll("_", " ")}
+            </option>
+          ))}
+        </select>
+      ) : field.kind === "flag" ? (
+        <select {...shared} value={typed} onChange={(e) => commit(e.currentTarget.value)}>
+          <option value="">{describeEmpty(field)}</option>
+          <option value="true">true</option>
+          <option value="false">false</option>
+        </select>
+      ) : (
+        <span class="input-with-unit">
+          <input
+            {...shared}
+            value={typed}
+            placeholder={describeEmpty(field)}
+            inputMode={field.kind === "number" || field.kind === "whole" ? "decimal" : undefined}
+            spellcheck={false}
+            autocomplete="off"
+            onChange={(e) => commit(e.currentTarget.value)}
+          />
+          {field.unit && <span class="unit">{showUnit(field.unit)}</span>}
+        </span>
+      )}
+      <p class="field-note" id={noteId}>
+        {fault.value && <span class="bad">{fault.value} </span>}
+        {messages.map(({ text, severity }) => (
+          <span key={text} class={severity === "error" ? "bad" : "warn"}>
+            {text}{" "}
+          </span>
+        ))}
+        {field.kind === "choice" && typed ? field.choices.find(({ value }) => value === typed)?.meaning || field.meaning : field.meaning}
+        {field.usual && <span class="usual"> Usually {field.usual.replace("kN/m3", "kN/m³").replace(/ deg\b/, "°")}.</span>}
+      </p>
+    </div>
+  );
+}
