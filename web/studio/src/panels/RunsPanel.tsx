@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+/** Runs of the open file: start, progress, stop, resume, report; and LEM by every method of the case at once. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { formatFactor } from "../../../src/page/format";
+import type { SolvedSurface } from "../engine/engine";
+import type { Run, Workspace } from "../engine/http";
+import { file, isChanged, save, setting } from "../session";
+import * as state from "../state";
+
+const sentence = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** LEM with the settings of the case: the numbers of `talus run`. */
+function FullSearch() {
+  const busy = useSignal(false);
+  const found = useSignal<{ surfaces: SolvedSurface[]; text: string } | null>(null);
+  const fault = useSignal("");
+  const run = async () => {
+    busy.value = true;
+    fault.value = "";
+    const text = state.text.value;
+    try {
+      const answer = await setting.value!.engine.solve(text, {});
+      const { method, title, factor, surface: points, circle } = answer;
+      found.value = { surfaces: answer.surfaces?.length ? answer.surfaces : [{ method, title, factor, points, circle }], text };
+    } catch (error) {
+      fault.value = sentence(error);
+    }
+    busy.value = false;
+  };
+  const show = (surface: SolvedSurface) => {
+    state.solved.value = { ...surface, surface: surface.points, searched: state.solved.value?.searched ?? 0 };
+  };
+  return (
+    <section>
+      <h3>Limit equilibrium with the settings of the case</h3>
+      <p class="tools">
+        <button type="button" disabled={busy.value || state.chains.value.length === 0} onClick={() => void run()}>
+          {busy.value ? "Calculating …" : "Calculate"}
+        </button>
+      </p>
+      {fault.value && <p class="bad">{fault.value}</p>}
+      {found.value && (
+        <table class="factors">
+          <caption>{found.value.text === state.text.value ? "Factors of safety" : "Factors of an earlier state of the case"}</caption>
+          <tbody>
+            {found.value.surfaces.map((surface, i) => (
+              <tr key={i}>
+                <th scope="row">
+                  <button type="button" class="link" onClick={() => show(surface)}>
+                    {surface.title ?? surface.method}
+                  </button>
+                </th>
+                <td class="muted">{surface.circle ? "circle" : "polyline"}</td>
+                <td class="number">{formatFactor(surface.factor)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+    </section>
+  );
+}
+
+function RunRow({ run, workspace, refresh }: { run: Run; workspace: Workspace; refresh: () => void }) {
+  const live = useSignal<Record<string, unknown>>({});
+  const isActive = run.state === "running" || run.state === "waiting";
+  useEffect(() => {
+    if (!isActive) return;
+    return workspace.watchRun(run.id, ({ kind, data }) => {
+      live.value = { ...live.value, ...data };
+      if (kind === "done") refresh();
+    });
+  }, [run.id, isActive]);
+  const progress = Number(live.value.progress ?? run.progress ?? 0);
+  const message = String(live.value.message ?? live.value.text ?? run.message ?? "");
+  const act = (what: Promise<void>) =>
+    void what.then(refresh).catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
+  return (
+    <li class={`run ${run.state}`}>
+      <div>
+        <b>{run.path}</b> <span class="muted">{run.state}</span>
+        {typeof run.factor === "number" && <span> · F = {formatFactor(run.factor)}</span>}
+      </div>
+      {isActive && <progress max="1" value={progress || undefined} aria-label={`Progress of ${run.path}`} />}
+      {message && <p class="muted">{message}</p>}
+      <p class="tools">
+        {isActive && (
+          <button type="button" onClick={() => act(workspace.stopRun(run.id))}>
+            Stop
+          </button>
+        )}
+        {run.state === "stopped" && (
+          <button type="button" onClick={() => act(workspace.resumeRun(run.id))}>
+            Resume
+          </button>
+        )}
+        {run.state === "done" && (
+          <a href={workspace.reportAddress(run.id)} target="_blank" rel="noopener">
+            Report
+          </a>
+        )}
+      </p>
+    </li>
+  );
+}
+
+function ServerRuns({ workspace }: { workspace: Workspace }) {
+  const runs = useSignal<Run[]>([]);
+  const refresh = () =>
+    void workspace
+      .listRuns()
+      .then((found) => (runs.value = found))
+      .catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
+  useEffect(refresh, []);
+  const start = async () => {
+    try {
+      if (isChanged()) await save();
+      if (isChanged() || !file.value) return;
+      await workspace.startRun(file.value.path, {});
+      refresh();
+    } catch (error) {
+      state.notice.value = { text: sentence(error), bad: true };
+    }
+  };
+  return (
+    <section>
+      <h3>Runs by all methods of the case</h3>
+      <p class="tools">
+        <button type="button" disabled={!file.value} onClick={() => void start()}>
+          {isChanged() ? "Save and run" : "Run"}
+        </button>
+      </p>
+      {!file.value && <p class="muted">Save the case under a name first (File, Save as).</p>}
+      <ul class="runs">
+        {runs.value.map((run) => (
+          <RunRow key={run.id} run={run} workspace={workspace} refresh={refresh} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+export function RunsPanel() {
+  const workspace = setting.value?.workspace;
+  return (
+    <>
+      <h2>Runs</h2>
+      <FullSearch />
+      {workspace ? (
+        <ServerRuns workspace={workspace} />
+      ) : (
+        <section>
+          <h3>Other methods</h3>
+          <p class="muted">
+            FEM, limit analysis, seepage and MPM need the installed program. Download the case and run <code>talus run {file.value?.path ?? "case.toml"}</code>.
+          </p>
+        </section>
+      )}
+    </>
+  );
+}
