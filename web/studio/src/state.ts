@@ -117,9 +117,12 @@ export function redo(): void {
   notice.value = { text: `Redone: ${step.name}`, bad: false };
 }
 
+/** Counts texts that were opened: the canvas then shows all of the section. */
+export const opened = signal(0);
+
 /** Opens another text: its history is empty. */
-export function openText(opened: string): void {
-  history = new History(opened);
+export function openText(found: string): void {
+  history = new History(found);
   batch(() => {
     selection.value = { kind: "none" };
     draft.value = [];
@@ -129,6 +132,7 @@ export function openText(opened: string): void {
     messages.value = [];
     notice.value = null;
     publish();
+    ++opened.value;
   });
 }
 

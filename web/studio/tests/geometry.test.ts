@@ -24,6 +24,13 @@ describe("Snapping", () => {
   test("on a line the grid is met where it is near", () => {
     expect(at([7.9, 0.2])).toEqual({ at: [8, 0], kind: "line" });
   });
+  test("a place nearly level with the anchor is level with it", () => {
+    const anchored = { ...targets, anchor: [2, 3.5] as const };
+    expect(snap([4.55, 3.45], anchored, 0.4, 0.01)).toEqual({ at: [4.55, 3.5], kind: "aligned" });
+    expect(snap([4.1, 3.45], anchored, 0.4, 0.01)).toEqual({ at: [4, 3.5], kind: "aligned" });
+    expect(snap([2.1, 2.48], anchored, 0.4, 0.01)).toEqual({ at: [2, 2.48], kind: "aligned" });
+    expect(snap([4.1, 4.1], anchored, 0.4, 0.01).kind).toBe("grid");
+  });
   test("away from everything the place is rounded to what a pixel shows", () => {
     expect(at([3.5031, 3.4972])).toEqual({ at: [3.5, 3.5], kind: "free" });
     expect(snap([3.14159, 2.71828], { vertices: [], segments: [], grid: 0 }, 1, 0.05)).toEqual({ at: [3.14, 2.72], kind: "free" });

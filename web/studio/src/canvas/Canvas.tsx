@@ -21,24 +21,31 @@ export function Canvas() {
   const drawing = useRef<SVGSVGElement>(null);
 
   useEffect(() => {
-    let fitted = false;
     const measure = () => {
       const { width, height } = host.current!.getBoundingClientRect();
       if (width < 20 || height < 20) return;
       size.value = { width: Math.round(width), height: Math.round(height) };
-      if (!fitted) untracked(fitAll);
-      fitted = true;
     };
     const observer = new ResizeObserver(measure);
     observer.observe(host.current!);
     measure();
     const stop = listenToPointer(drawing.current!);
+    // A section by layers is known once the engine has built it.
+    let fitted = -1;
+    const stopFit = effect(() => {
+      const turn = state.opened.value;
+      const isKnown = state.regions.value.length > 0;
+      if (fitted === turn) return;
+      if (isKnown) fitted = turn;
+      untracked(fitAll);
+    });
     const stopGrid = effect(() => {
       state.gridStep.value = findGridStep(view.value.scale);
     });
     return () => {
       observer.disconnect();
       stop();
+      stopFit();
       stopGrid();
     };
   }, []);
@@ -50,7 +57,7 @@ export function Canvas() {
         class={`section tool-${state.tool.value}`}
         width={size.value.width}
         height={size.value.height}
-        tabIndex={0}
+        tabindex={0}
         role="application"
         aria-roledescription="drawing"
         aria-label={help}

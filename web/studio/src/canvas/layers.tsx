@@ -3,7 +3,7 @@
 import { findRoom } from "../../../src/drawing/ground";
 import { tabulateCategories, writeColour } from "../../../src/viewer/colours";
 import { pointsOf } from "../document/vertices";
-import type { Point } from "../geometry/plane";
+import { findTop, type Point } from "../geometry/plane";
 import * as state from "../state";
 import { toScreen, transform, view } from "./camera";
 import { findGround } from "./hit";
@@ -60,6 +60,14 @@ function Lines() {
 
 const isWater = (kind: string) => kind === "water" || kind === "drawdown" || kind === "piezometric";
 
+/** A place on a line a quarter of the way along x, where slip surfaces are rare. */
+function findMark(line: readonly Point[]): Point {
+  const [first, last] = [line[0] ?? [0, 0], line.at(-1) ?? [0, 0]];
+  const x = first[0] + 0.22 * (last[0] - first[0]);
+  const y = findTop(x, line.slice(1).map((p, i) => [line[i]!, p] as const));
+  return [x, y ?? first[1]];
+}
+
 /** A water table is level beyond its ends, up to the ends of the section. */
 function levelEnds(points: readonly Point[]): Point[] {
   const x = state.regions.value.flatMap((region) => region.points.map((p) => p[0]));
@@ -85,11 +93,14 @@ function Slip() {
   const stale = state.isSolving.value ? " stale" : "";
   const [first, last] = [found.surface[0]!, found.surface.at(-1)!];
   const [low, high] = first[0] < last[0] ? [first, last] : [last, first];
-  const ground = (state.section.value?.ground ?? []).filter(([x]) => x > low[0] && x < high[0]);
+  const inner = (state.section.value?.ground ?? []).filter(([x]) => x > low[0] && x < high[0]);
+  // A tension crack: the surface begins below the ground.
+  const [left, right] = [low, high].map(([x, y]): Point => [x, Math.max(y, findGround(x) ?? y)]);
+  const ground: Point[] = [left!, ...inner, right!];
   const above = first[0] < last[0] ? ground.toReversed() : ground;
   return (
     <g>
-      {ground.length > 0 && <path class="mass" d={draw([...found.surface, ...above], true)} />}
+      <path class="mass" d={draw([...found.surface, ...above], true)} />
       <path class="slip-edge" d={draw(found.surface)} />
       <path class={`slip${stale}`} d={draw(found.surface)} />
     </g>
@@ -129,9 +140,7 @@ export function Labels() {
       {state.chains.value
         .filter(({ kind }) => isWater(kind))
         .map((chain) => {
-          const points = pointsOf(chain);
-          const middle = points[Math.floor(points.length / 2)]!;
-          const [x, y] = toScreen(middle);
+          const [x, y] = toScreen(findMark(levelEnds(pointsOf(chain))));
           return <path key={chain.id} class="water-mark" d={`M${x - 6} ${y - 11}h12l-6 10zM${x - 4} ${y + 4}h8M${x - 2} ${y + 7}h4`} />;
         })}
       {state.chains.value

@@ -138,6 +138,7 @@ export function SnapMarker() {
     vertex: `M${x - 7} ${y - 7}h14v14h-14z`,
     intersection: `M${x - 7} ${y - 7}l14 14M${x + 7} ${y - 7}l-14 14`,
     line: `M${x - 8} ${y + 6}h16l-8 -14z`,
+    aligned: `M${x - 6} ${y - 3}h12M${x - 6} ${y + 3}h12`,
     grid: `M${x - 6} ${y}h12M${x} ${y - 6}v12`,
   };
   return <path class={`snap-marker ${snapped.kind}`} d={shapes[snapped.kind]} />;

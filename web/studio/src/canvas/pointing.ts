@@ -13,12 +13,12 @@ import { pointer } from "./overlay";
 /** Pixels within which a place snaps. */
 export const snapRadius = 8;
 
-/** Snapped place of a pixel; `without`: a vertex that moves. */
-export function snapPixel(pixel: Point, free: boolean, without: Point | null = null): Snapped {
+/** Snapped place of a pixel; `without`: a vertex that moves; `anchor`: where it began. */
+export function snapPixel(pixel: Point, free: boolean, without: Point | null = null, anchor: Point | null = null): Snapped {
   const { scale } = view.value;
   const at = toWorld(pixel);
   const on = state.snapping.value && !free;
-  const targets = on ? state.listTargets(without) : { vertices: [], segments: [], grid: 0 };
+  const targets = on ? { ...state.listTargets(without), anchor: anchor ?? state.draft.value.at(-1) ?? null } : { vertices: [], segments: [], grid: 0 };
   return snap(at, targets, snapRadius / scale, 1 / scale);
 }
 
@@ -79,7 +79,7 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
     const { drag } = now;
     if (drag) {
       const current = now.hit.kind === "vertex" ? state.selectedVertex.value?.at ?? drag.from : null;
-      const snapped = snapPixel(pixel, event.altKey, current);
+      const snapped = snapPixel(pixel, event.altKey, current, now.hit.kind === "vertex" || now.hit.kind === "side" ? drag.from : null);
       pointer.value = snapped;
       drag.to(snapped.at);
     } else {

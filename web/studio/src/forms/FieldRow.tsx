@@ -41,6 +41,11 @@ function describeEmpty(field: Field): string {
   return field.required ? "required" : "not given";
 }
 
+/** Names in backticks as code. */
+function Marked({ text }: { text: string }) {
+  return <>{text.split("`").map((part, i) => (i % 2 ? <code key={i}>{part}</code> : part))}</>;
+}
+
 export function FieldRow({ path, field }: { path: Path; field: Field }) {
   const id = `field-${writePath(path).replace(/[^\w-]/g, "-")}`;
   const fault = useSignal("");
@@ -98,7 +103,7 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
             {text}{" "}
           </span>
         ))}
-        {field.kind === "choice" && typed ? field.choices.find(({ value }) => value === typed)?.meaning || field.meaning : field.meaning}
+        <Marked text={(field.kind === "choice" && field.choices.find(({ value }) => value === typed)?.meaning) || field.meaning} />
         {field.usual && <span class="usual"> Usually {field.usual.replace("kN/m3", "kN/m³").replace(/ deg\b/, "°")}.</span>}
       </p>
     </div>

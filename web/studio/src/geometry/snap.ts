@@ -2,7 +2,7 @@
 /** Snapping: the vertex, crossing, line or grid point near the pointer that a drawn point takes. */
 import { distance, intersectSegments, type Point, projectOnSegment, type Segment } from "./plane";
 
-export type SnapKind = "vertex" | "intersection" | "line" | "grid" | "free";
+export type SnapKind = "vertex" | "intersection" | "line" | "aligned" | "grid" | "free";
 
 export interface Snapped {
   at: Point;
@@ -14,6 +14,8 @@ export interface SnapTargets {
   segments: readonly Segment[];
   /** Distance of the lines of the grid [m]; 0 for no grid. */
   grid: number;
+  /** The place where a drag began, or the last drawn point: the next one is level with it or above it where that is near. */
+  anchor?: Point | null;
 }
 
 /** Rounds away what a pixel cannot show: to the power of ten at or below `step` [m]. */
@@ -36,7 +38,7 @@ function findNearest(points: readonly Point[], to: Point, radius: number): Point
 
 /**
  * The snapped point within `radius` [m] of the pointer: a vertex before a crossing, before a line (where it crosses a line of
- * the grid if that is near), before the grid. Without any, the pointer rounded to `step` [m].
+ * the grid if that is near), before a place level with or above the anchor, before the grid. Without any, the pointer rounded to `step` [m].
  */
 export function snap(pointer: Point, targets: SnapTargets, radius: number, step: number): Snapped {
   const vertex = findNearest(targets.vertices, pointer, radius);
@@ -54,11 +56,25 @@ export function snap(pointer: Point, targets: SnapTargets, radius: number, step:
     const onGrid = grid > 0 ? findNearest(crossGrid(near[0].segment, pointer, grid), pointer, radius) : null;
     return { at: onGrid ?? near[0].at, kind: "line" };
   }
+  const aligned = alignWith(targets, pointer, radius, step);
+  if (aligned) return { at: aligned, kind: "aligned" };
   if (grid > 0) {
     const at: Point = [roundTo(Math.round(pointer[0] / grid) * grid, grid / 10), roundTo(Math.round(pointer[1] / grid) * grid, grid / 10)];
     if (distance(at, pointer) <= radius) return { at, kind: "grid" };
   }
   return { at: [roundTo(pointer[0], step), roundTo(pointer[1], step)], kind: "free" };
+}
+
+/** The place near the pointer with the x or y of the anchor; the other coordinate is on the grid where that is near. */
+function alignWith({ anchor, grid }: SnapTargets, pointer: Point, radius: number, step: number): Point | null {
+  if (!anchor) return null;
+  const [dx, dy] = [Math.abs(pointer[0] - anchor[0]), Math.abs(pointer[1] - anchor[1])];
+  if (Math.min(dx, dy) > radius) return null;
+  const place = (value: number) => {
+    const level = grid > 0 ? roundTo(Math.round(value / grid) * grid, grid / 10) : value;
+    return Math.abs(level - value) <= radius ? level : roundTo(value, step);
+  };
+  return dy <= dx ? [place(pointer[0]), anchor[1]] : [anchor[0], place(pointer[1])];
 }
 
 function listCrossing(a: Segment, b: Segment): Point[] {

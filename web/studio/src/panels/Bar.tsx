@@ -3,7 +3,6 @@
 import { useSignal } from "@preact/signals";
 
 import { ThemeButton } from "../../../src/page/ThemeButton";
-import { fitAll } from "../canvas/hit";
 import { emptyCase } from "../document/operations";
 import { conflict, engineFault, file, files, openFile, openLocal, recovered, save, savedText, setting, settle } from "../session";
 import * as state from "../state";
@@ -46,10 +45,7 @@ function FileMenu() {
   const isOpen = useSignal(false);
   const { asked, guard } = useGuard();
   const workspace = setting.value?.workspace;
-  const close = () => {
-    isOpen.value = false;
-    setTimeout(fitAll);
-  };
+  const close = () => (isOpen.value = false);
   const startNew = () => {
     state.openText(emptyCase);
     file.value = null;

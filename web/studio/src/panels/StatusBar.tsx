@@ -11,7 +11,7 @@ import { pointer } from "../canvas/overlay";
 import { readCoordinates } from "../geometry/coordinates";
 import * as state from "../state";
 
-const kinds: Record<string, string> = { vertex: "vertex", intersection: "crossing", line: "line", grid: "grid", free: "" };
+const kinds: Record<string, string> = { vertex: "vertex", intersection: "crossing", line: "line", aligned: "aligned", grid: "grid", free: "" };
 
 function write(value: number): string {
   return value.toFixed(Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(state.gridStep.value) + 0.5)))).replace("-", "−");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The text of the case in an editor: edited here, it changes the canvas and the forms; edited there, it changes here. */
-import { defaultKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap } from "@codemirror/commands";
 import { bracketMatching, HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { type Diagnostic, lintGutter, setDiagnostics } from "@codemirror/lint";
@@ -77,8 +77,8 @@ function makeEditor(host: HTMLElement): EditorView {
         StreamLanguage.define(toml),
         syntaxHighlighting(colours),
         lintGutter(),
-        keymap.of([...searchKeymap, ...defaultKeymap, indentWithTab]),
-        EditorView.contentAttributes.of({ "aria-label": "Text of the case. Escape and then Tab leaves it.", spellcheck: "false" }),
+        keymap.of([...searchKeymap, ...defaultKeymap]),
+        EditorView.contentAttributes.of({ "aria-label": "Text of the case", spellcheck: "false", tabindex: "0" }),
         look,
         typed,
       ],

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+import { checkAccessibility } from "../accessibility.mjs";
+import { Checklist } from "../checklist.mjs";
+import { checkWidth } from "../layout.mjs";
+import { startBrowser } from "../session.mjs";
+import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawing.mjs";
+import { useKeysAlone } from "./keyboard.mjs";
+import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
+
+const [program, example, outGiven] = process.argv.slice(2);
+if (!program || !example || !outGiven) {
+  console.error("usage: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR");
+  process.exit(2);
+}
+const out = resolve(outGiven);
+mkdirSync(out, { recursive: true });
+const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
+copyFileSync(example, join(folder, "embankment.toml"));
+
+const list = new Checklist();
+const browser = await startBrowser();
+const studio = await startStudio(program, folder);
+const opened = [];
+const open = async (address, options) => {
+  const session = await openPage(browser, address, options);
+  opened.push(session);
+  return session.page;
+};
+
+try {
+  const page = await open(studio.address);
+  let drawn = null;
+  await list.group("From nothing", async () => (drawn = await drawDrySlope(list, page, out)));
+  if (drawn) {
+    await list.group("Dragging", () => dragCrest(list, page, drawn.factor, out));
+    await list.group("Undo", () => undoAll(list, page, drawn.empty));
+    await list.group("Mistakes", () => makeMistakes(list, page, out));
+    await list.group("Saving", () => saveAs(list, page));
+  }
+  await list.group("Keyboard", async () => useKeysAlone(list, await open(studio.address)));
+  const embankment = addFile(studio.address, "embankment.toml");
+  for (const colorScheme of ["light", "dark"]) {
+    await list.group(`Accessibility, ${colorScheme}`, async () => {
+      const coloured = await open(embankment, { colorScheme });
+      await waitForFactor(coloured);
+      for (const tab of ["Section", "Soils", "Case", "Text", "Runs"]) {
+        await coloured.getByRole("tab", { name: tab }).click();
+        await coloured.waitForTimeout(300);
+        if (tab === "Soils") for (const part of await coloured.locator(".soil > summary").all()) await part.click();
+        await coloured.screenshot({ path: join(out, `${tab.toLowerCase()}-${colorScheme}.png`) });
+        await checkAccessibility(list, coloured, `${tab}, ${colorScheme}`);
+      }
+    });
+  }
+  for (const [name, width, height] of [["phone", 390, 844], ["tablet", 820, 1180]]) {
+    await list.group(name, async () => {
+      const small = await open(embankment, { viewport: { width, height }, hasTouch: true, isMobile: true });
+      await waitForFactor(small);
+      await checkWidth(list, small, `at a width of ${width}`);
+      await small.screenshot({ path: join(out, `${name}.png`) });
+      for (const tab of ["Soils", "Case", "Text", "Runs"]) {
+        await small.getByRole("tab", { name: tab }).click();
+        await checkWidth(list, small, `at a width of ${width}, ${tab}`);
+      }
+      await small.screenshot({ path: join(out, `${name}-whole.png`), fullPage: true });
+    });
+  }
+  await list.group("Silence", () => {
+    const requests = opened.flatMap((session) => session.requests);
+    list.expect(requests.length === 0, "nothing is asked of a network", requests.slice(0, 5).join(", "));
+    const faults = [...new Set(opened.flatMap((session) => session.faults))];
+    list.expect(faults.length === 0, "no errors in the console", faults.slice(0, 8).join(" | "));
+  });
+} finally {
+  await browser.close();
+  studio.stop();
+  rmSync(folder, { recursive: true, force: true });
+}
+process.exit(list.finish());
