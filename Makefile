@@ -3,6 +3,7 @@
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
 #   make test    install what is missing, build everything, run every test
 #   make package  Debian packages for every x86-64 processor with SSE 4.2, in build/package/packages
+#   make studio-web  the studio with the LEM engine in WebAssembly: a static folder, build/studio-web
 #   make build bench format lint docs
 # DEMO_ARGS adds arguments to the demo's run, CMAKE_ARGS to the configuration (-DTALUS_MPI=ON), DEMO_OUT is its result folder; SETUP=true skips the installation.
 
@@ -15,7 +16,7 @@ DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
 CMAKE_ARGS ?=
 
-.PHONY: demo test build program package bench format lint docs setup setup-dev
+.PHONY: demo test build program package studio-web bench format lint docs setup setup-dev
 
 setup:
 	@$(SETUP)
@@ -38,6 +39,12 @@ package: | setup
 	@for preset in package-v4 package-v3 package; do cmake --preset $$preset && cmake --build --preset $$preset || exit 1; done
 	@cd build/package && cpack
 	@ls -l build/package/packages/*.deb
+
+studio-web: | setup
+	@$(SETUP) tools/apt-packages-wasm.txt
+	@cmake --preset wasm
+	@cmake --build --preset wasm
+	@tools/wasm/make_studio.sh build/wasm/bin build/studio-web
 
 demo: program
 	@$(TALUS) run $(DEMO_CASE) -o $(DEMO_OUT) --overwrite $(DEMO_ARGS)

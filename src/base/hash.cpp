@@ -24,7 +24,7 @@ void ContentHash::add(std::span<const std::byte> bytes) {
     state_ = mix_word(state_, word_);
     word_ = 0;
   };
-  if (size_ % width != 0) fill(std::min(width - size_ % width, bytes.size()));
+  if (size_ % width != 0) fill(std::min<std::size_t>(width - size_ % width, bytes.size()));
   for (; bytes.size() >= width; bytes = bytes.subspan(width), size_ += width) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data(), width);

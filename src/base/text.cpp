@@ -82,7 +82,7 @@ std::string make_printable(std::string_view text, bool keeps_lines) {
     const auto is_in = [code = code](const CodeRange& r) { return r.first <= code && code <= r.last; };
     if (code == no_character)
       printable += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-    else if (!is_line && std::ranges::any_of(not_printable, is_in))
+    else if (!is_line && std::any_of(std::begin(not_printable), std::end(not_printable), is_in))
       printable += code < 0x80 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
     else
       printable += text.substr(0, count);

@@ -2,16 +2,13 @@
 #include "base/units.hpp"
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <regex>
@@ -19,16 +16,11 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "base/text.hpp"
-#include "base/user_file.hpp"
+#include "base/unit_definition.hpp"
 
 namespace talus::units {
 
 namespace {
-
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
 /// A physical dimension with a common name, its SI unit and an example value.
 struct Dimension {
@@ -59,15 +51,6 @@ constexpr std::array dimensions{
 constexpr Dimension angle{"rad", "an angle", "30 deg"};
 constexpr Dimension number{"1", "a number", "0.3"};
 
-/// Units of practice that are missing in the database. A ton is 2000 pounds.
-constexpr std::array<std::array<const char*, 2>, 7> practice_units{{{"psf", "pound_force/foot2"},
-                                                                    {"ksf", "1000 pound_force/foot2"},
-                                                                    {"tsf", "2000 pound_force/foot2"},
-                                                                    {"pcf", "pound_force/foot3"},
-                                                                    {"kcf", "1000 pound_force/foot3"},
-                                                                    {"plf", "pound_force/foot"},
-                                                                    {"klf", "1000 pound_force/foot"}}};
-
 /// Units for suggestions on mistyped names ("kpa", "Kg").
 const std::vector<std::string> common_units{
     "m",    "mm",    "cm",   "km",    "s",     "min", "h",     "day",  "kg",     "t",      "N",
@@ -75,93 +58,44 @@ const std::vector<std::string> common_units{
     "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ",
     "psf",  "ksf",   "tsf",  "pcf",   "psi",   "ft",  "in",    "ft/s", "ft/day"};
 
-/// The unit database. Each use holds a lock and sets the decimal point in this thread, independent of the process's
-/// locale.
-class Database {
- public:
-  struct Held {
-    std::unique_lock<std::mutex> lock;
-    PlainNumbers plain;
-  };
-  static Database& lock(Held& held) {
-    static std::mutex mutex;
-    held.lock = std::unique_lock<std::mutex>(mutex);
-    static Database database;
-    return database;
+/// Serialises the calls of define_unit().
+std::mutex& get_lock() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Throws Error if the text is not a unit.
+UnitDefinition parse(const std::string& text) {
+  const bool is_scaled = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '.' ||
+                                           text[0] == '-' || text[0] == '+');
+  // UDUNITS accepts "3 kPa" as a unit, but "2 3 kPa" is a typing error, not six kilopascals.
+  static std::map<std::string, UnitDefinition> known;  // asked for at every number of a case file
+  constexpr std::size_t most_known = 1000;
+  if (const auto found = known.find(text); found != known.end()) return found->second;
+  std::optional<UnitDefinition> unit;
+  if (!is_scaled || text == "1") unit = define_unit(text);
+  if (!unit) {
+    const std::string near = find_nearest(text, common_units);
+    fail_input(near.empty() ? fmt::format("'{}' is no known unit", text)
+                            : fmt::format("'{}' is no known unit; did you mean '{}'?", text, near));
   }
+  if (known.size() < most_known) known[text] = *unit;
+  return *unit;
+}
 
-  /// Throws Error if the text is not a unit.
-  Unit parse(const std::string& text) const {
-    const bool is_scaled = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '.' ||
-                                             text[0] == '-' || text[0] == '+');
-    // UDUNITS accepts "3 kPa" as a unit, but "2 3 kPa" is a typing error, not six kilopascals.
-    Unit unit(is_scaled && text != "1" ? nullptr : ut_parse(system_, text.c_str(), UT_UTF8));
-    if (unit == nullptr) {
-      const std::string near = find_nearest(text, common_units);
-      fail_input(near.empty() ? fmt::format("'{}' is no known unit", text)
-                              : fmt::format("'{}' is no known unit; did you mean '{}'?", text, near));
-    }
-    return unit;
-  }
+/// Returns true if one converts to the other. Angles are not plain numbers: "30 deg" is not a porosity.
+bool are_alike(const UnitDefinition& a, const UnitDefinition& b) {
+  return a.powers == b.powers;
+}
 
-  /// Returns the named dimension of a unit, if there is one.
-  std::optional<Dimension> find_dimension(const ut_unit* unit) const {
-    if (ut_are_convertible(unit, ut_get_dimensionless_unit_one(system_)) != 0) return is_angle(unit) ? angle : number;
-    for (const Dimension& d : dimensions)
-      if (ut_are_convertible(unit, parse(d.unit).get()) != 0) return d;
-    return std::nullopt;
-  }
-
-  /// Returns true if `from` converts to `to`. UDUNITS also converts between angles and plain numbers, which is excluded
-  /// here: "30 deg" is not a porosity.
-  bool are_alike(const ut_unit* from, const ut_unit* to) const {
-    return ut_are_convertible(from, to) != 0 && is_angle(from) == is_angle(to);
-  }
-
-  /// Converts `value` in `from` to the SI unit of its dimension.
-  double convert_to_si(double value, ut_unit* from) const {
-    Unit si(ut_parse(system_, strip_scale(from).c_str(), UT_ASCII));
-    const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, si.get()), cv_free);
-    if (converter == nullptr) fail_input("'{}' cannot be converted to SI units", write_definition(from));
-    return cv_convert_double(converter.get(), value);
-  }
-
- private:
-  Database() {
-    ut_set_error_message_handler(ut_ignore);
-    errno = 0;
-    system_ = ut_read_xml(nullptr);
-    if (system_ == nullptr) refuse_full_file_table(errno);
-    if (system_ == nullptr)
-      throw Error(ExitCode::internal_error,
-                  "the unit database of UDUNITS-2 cannot be read; install it (Debian: libudunits2-data) or name its "
-                  "file in the environment variable UDUNITS2_XML_PATH");
-    const Unit degree(ut_parse(system_, "degree", UT_ASCII));
-    ut_map_name_to_unit("deg", UT_ASCII, degree.get());
-    for (const auto& [name, definition] : practice_units) {
-      const Unit unit(ut_parse(system_, definition, UT_ASCII));
-      ut_map_name_to_unit(name, UT_ASCII, unit.get());
-    }
-  }
-
-  static std::string write_definition(const ut_unit* unit) {
-    std::array<char, 256> text{};
-    ut_format(unit, text.data(), text.size(), UT_ASCII | UT_DEFINITION);
-    return text.data();
-  }
-
-  static bool is_angle(const ut_unit* unit) { return write_definition(unit).find("rad") != std::string::npos; }
-
-  /// Removes the factor from a definition such as "1000 m-1.kg.s-2" and the offset from "K @ 273.15".
-  static std::string strip_scale(const ut_unit* unit) {
-    std::string text = write_definition(unit);
-    text = text.substr(0, text.find(" @"));
-    const auto blank = text.find(' ');
-    return blank == std::string::npos ? text : text.substr(blank + 1);
-  }
-
-  ut_system* system_ = nullptr;
-};
+/// Returns the named dimension of a unit, if there is one.
+std::optional<Dimension> find_dimension(const UnitDefinition& unit) {
+  if (are_alike(unit, {})) return number;
+  if (are_alike(unit, parse("rad"))) return angle;
+  for (const Dimension& d : dimensions)
+    if (are_alike(unit, parse(d.unit))) return d;
+  return std::nullopt;
+}
 
 /// Returns true if a comma and a digit follow the integer part of a number.
 bool has_decimal_comma(const char* rest, const char* end) {
@@ -199,12 +133,9 @@ Quantity parse_quantity(const std::string& text) {
 }
 
 double get_si_factor(const std::string& unit) {
-  Database::Held held;
-  const Database& database = Database::lock(held);
-  static std::map<std::string, double> cache;  // called for every number of a case file
-  if (const auto found = cache.find(unit); found != cache.end()) return found->second;
-  const double factor = database.convert_to_si(1, database.parse(unit).get());
-  return cache[unit] = factor;
+  const std::lock_guard held(get_lock());
+  const UnitDefinition definition = parse(unit);
+  return definition.factor + definition.offset;
 }
 
 double parse_as_si(const std::string& text, const std::string& wanted, std::string_view subject) {
@@ -216,27 +147,24 @@ double parse_as_si(const std::string& text, const std::string& wanted, std::stri
   } catch (const Error& error) {
     throw Error(error.code(), "{}; {}", error.what(), needs);
   }
-  Database::Held held;
-  const Database& database = Database::lock(held);
-  const Unit given = database.parse(quantity.unit);
-  if (!database.are_alike(given.get(), database.parse(wanted).get())) {
-    const auto is = database.find_dimension(given.get());
+  const std::lock_guard held(get_lock());
+  const UnitDefinition given = parse(quantity.unit);
+  if (!are_alike(given, parse(wanted))) {
+    const auto is = find_dimension(given);
     fail_input("'{}' is {}; {}", text, is ? is->name : "of another dimension", needs);
   }
-  return database.convert_to_si(quantity.value, given.get());
+  return given.factor * quantity.value + given.offset;
 }
 
 std::string get_dimension_name(const std::string& unit) {
-  Database::Held held;
-  const Database& database = Database::lock(held);
-  const auto dimension = database.find_dimension(database.parse(unit).get());
+  const std::lock_guard held(get_lock());
+  const auto dimension = find_dimension(parse(unit));
   return dimension ? dimension->name : fmt::format("a quantity in {}", unit);
 }
 
 std::string get_dimension_example(const std::string& unit) {
-  Database::Held held;
-  const Database& database = Database::lock(held);
-  const auto dimension = database.find_dimension(database.parse(unit).get());
+  const std::lock_guard held(get_lock());
+  const auto dimension = find_dimension(parse(unit));
   return dimension ? dimension->example : fmt::format("2 {}", unit);
 }
 

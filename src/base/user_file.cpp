@@ -168,7 +168,7 @@ bool is_digit(char c) {
 
 bool is_device(std::string_view stem) {
   if (stem.size() == 4 && is_digit(stem[3])) return stem.starts_with("com") || stem.starts_with("lpt");
-  return std::ranges::find(devices, stem) != devices.end();
+  return std::find(devices.begin(), devices.end(), stem) != devices.end();
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ std::string find_name_fault(std::string_view name) {
   if (name == "." || name == "..") return "it is a folder itself";
   if (name.find('/') != std::string_view::npos) return "it holds '/'";
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::ranges::any_of(name, is_control)) return "it holds a control character";
+  if (std::any_of(name.begin(), name.end(), is_control)) return "it holds a control character";
   if (name.size() > longest_file_name)
     return fmt::format("it has {} bytes, and a name has at most {}", name.size(), longest_file_name);
   return "";
@@ -190,8 +190,9 @@ bool is_reserved_name(std::string_view name) {
   if (lower.size() > reductions.size() && lower.starts_with(reductions) &&
       std::all_of(lower.begin() + reductions.size(), lower.end(), is_digit))
     return true;
-  return std::ranges::find(own_folders, lower) != own_folders.end() ||
-         std::ranges::any_of(own_endings, [&](std::string_view ending) { return lower.ends_with(ending); });
+  return std::find(own_folders.begin(), own_folders.end(), lower) != own_folders.end() ||
+         std::any_of(own_endings.begin(), own_endings.end(),
+                     [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
 fs::path join_name(const fs::path& folder, std::string_view name, std::string_view ending) {
