@@ -60,7 +60,7 @@ MAY_BE_LONGER = {}
 MAY_NAME_THREADS = {}
 SOURCES = {".cpp", ".hpp", ".cu", ".py", ".sh", ".ts"}
 GENERATED = "web/src/contract/results.ts"  # by `npm run types`; git ignores it
-FOLDERS = ["src", "tests", "bench", "tools", "python", "web", "cuda"]
+FOLDERS = ["src", "tests", "bench", "tools", "python", "web", "cuda", "wasm"]
 
 
 def list_sources(root, folders):

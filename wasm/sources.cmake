@@ -1,4 +1,13 @@
 # SPDX-License-Identifier: MIT
-file(GLOB_RECURSE TALUS_WASM_SOURCES CONFIGURE_DEPENDS ${source}/base/*.cpp ${source}/results/*.cpp ${source}/input/*.cpp ${source}/lem/*.cpp ${source}/material/*.cpp
-  ${source}/site/*.cpp ${source}/run/lem/*.cpp ${source}/run/common/*.cpp ${source}/mesh/*.cpp)
-list(FILTER TALUS_WASM_SOURCES EXCLUDE REGEX "/(base/(foreign_code|aligned|memory|ranks|folder_lock)|mesh/(gmsh_mesh|read_mesh_file|generate|finish)|material/external|run/common/(run_folder|head|mesh_estimate|soil_column)|results/(tables|timeline|json)|input/(echo|start_result)|mesh/(points|quality)|base/unit_database)\\.cpp")
+# Sources of the engine: whole folders, without what needs files, processes, threads or a mesh generator.
+set(folders base input lem material mesh results run/lem site studio)
+list(TRANSFORM folders PREPEND ${source}/)
+list(TRANSFORM folders APPEND /*.cpp)
+file(GLOB_RECURSE TALUS_WASM_SOURCES CONFIGURE_DEPENDS ${folders})
+set(left_out base/(aligned|folder_lock|foreign_code|memory|ranks|unit_database) mesh/(finish|generate|gmsh_mesh|points|quality|read_mesh_file)
+  material/external input/(echo|start_result) results/(tables|timeline|json) site/(flow_measures|known_state|mesh_sides|season|seepage_model))
+list(JOIN left_out "|" left_out)
+list(FILTER TALUS_WASM_SOURCES EXCLUDE REGEX "/(${left_out})\\.cpp$")
+foreach(name common/section_of_case common/bars_of_case case_picture message_places picture_conditions picture_search)
+  list(APPEND TALUS_WASM_SOURCES ${source}/run/${name}.cpp)
+endforeach()

@@ -10,7 +10,7 @@ rm -rf "$output"
 mkdir -p "$output"
 if [ -f web/studio/index.html ]; then
   [ -d web/node_modules ] || npm --prefix web ci --no-audit --no-fund
-  npm --prefix web run --silent build:studio -- --outDir "$PWD/$output" --emptyOutDir
+  TALUS_STUDIO_DIR="$PWD/$output" npm --prefix web run --silent studio
 else
   echo "make_studio: there is no page in web/studio: the folder has the engine only" >&2
 fi
