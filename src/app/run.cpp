@@ -141,7 +141,7 @@ void run(RunCommand command) {
   catch_interrupts();
   std::optional<Progress> own_progress;
   if (command.progress_lines)
-    own_progress.emplace(write_progress_line);
+    own_progress.emplace(Progress::Listener(write_progress_line));
   else
     own_progress.emplace(!command.quiet);
   Progress& progress = *own_progress;

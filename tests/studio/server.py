@@ -1,0 +1,341 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The server of the studio over a real socket: who may ask, paths, revisions, journal, runs, restarts, hostile requests.
+
+Usage: server.py TALUS [requests]
+
+`requests` is the number of hostile requests (1,000). Nothing waits for a clock: events and answers are awaited.
+"""
+import http.client
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import urllib.parse
+
+CASE = """title = "Slope of a test"          # é comment
+
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
+
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = "10 kPa"
+friction_angle = 20
+
+[regions]
+soil = "clay"
+
+[analysis]
+methods = ["lem"]
+
+[lem]
+methods = ["bishop"]
+noncircular = false
+referee = false
+"""
+# Minutes of strength reduction, which is stopped.
+LONG = CASE.replace('methods = ["lem"]', 'methods = ["mpm"]').split("[lem]")[0].replace(
+    "[[geometry.polygon]]", "[geometry]\nbox = [[0, 0], [44, 17]]\n\n[[geometry.polygon]]").replace(
+    "unit_weight = 20\n", "grain_density = 2650\nporosity = 0.4\nyoung_modulus = \"45 MPa\"\npoisson_ratio = 0.3\ndilatancy_angle = 0\ntensile_strength = 0\n") + """
+[mesh]
+size = 1.5
+
+[[boundary]]
+on = "bottom"
+fix = "full"
+
+[[stage]]
+name = "long"
+duration = 30000
+damping = 0.05
+"""
+TIMEOUT = 120
+
+
+class Server:
+    def __init__(self, program, target):
+        self.process = subprocess.Popen([program, "studio", str(target), "--no-open"], stdout=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        found = re.search(r"http://127\.0\.0\.1:(\d+)/#([0-9a-f]{32})", line)
+        assert found, f"no address in {line!r}"
+        self.port, self.token = int(found[1]), found[2]
+
+    def ask(self, method, path, body=None, headers=None, token=True):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
+        given = {"X-Talus-Token": self.token} if token else {}
+        if isinstance(body, (dict, list)):
+            body = json.dumps(body)
+        connection.request(method, path, body.encode() if isinstance(body, str) else body, {**given, **(headers or {})})
+        answer = connection.getresponse()
+        data = answer.read()
+        connection.close()
+        self.headers = dict(answer.getheaders())
+        try:
+            return answer.status, json.loads(data)
+        except ValueError:
+            return answer.status, data
+
+    def watch(self, run, stop_at=None):
+        """Events of a run up to its end, or up to the first for which stop_at() holds."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
+        connection.request("GET", f"/api/runs/{run}/events?token={self.token}")
+        answer = connection.getresponse()
+        assert answer.status == 200 and answer.getheader("Content-Type") == "text/event-stream", answer.status
+        events, kind = [], None
+        for line in iter(answer.readline, b""):
+            line = line.decode().rstrip("\n")
+            if line.startswith("event: "):
+                kind = line[7:]
+            elif line.startswith("data: "):
+                events.append((kind, json.loads(line[6:])))
+                if kind == "done" or (stop_at and stop_at(events[-1])):
+                    break
+        connection.close()
+        return events
+
+    def end(self, with_signal=signal.SIGINT):
+        self.process.send_signal(with_signal)
+        return self.process.wait(TIMEOUT)
+
+
+faults = []
+
+
+def check(is_good, what):
+    if not is_good:
+        faults.append(what)
+        print("FAILED:", what)
+
+
+def check_admission(server):
+    check(server.ask("GET", "/api/files", token=False)[0] == 401, "no token")
+    check(server.ask("GET", "/api/files", headers={"X-Talus-Token": server.token[:-1] + "x"})[0] == 401, "wrong token")
+    check(server.ask("GET", "/api/files", headers={"X-Talus-Token": ""})[0] == 401, "empty token")
+    check(server.ask("PUT", f"/api/files/slope.toml?token={server.token}", "{}", token=False)[0] == 401, "token in the query of a PUT")
+    for host in ("evil.example", f"evil.example:{server.port}", f"127.0.0.1.evil.example:{server.port}", "127.0.0.1", "127.0.0.1:1"):
+        check(server.ask("GET", "/api/files", headers={"Host": host})[0] == 403, f"Host {host}")
+        check(server.ask("GET", "/", headers={"Host": host})[0] == 403, f"page with Host {host}")
+    check(server.ask("GET", "/api/files", headers={"Host": f"localhost:{server.port}"})[0] == 200, "Host localhost")
+    for origin in ("http://evil.example", "null", f"https://127.0.0.1:{server.port}", "http://127.0.0.1:1"):
+        check(server.ask("POST", "/api/check", CASE, {"Origin": origin})[0] == 403, f"Origin {origin}")
+    check(server.ask("POST", "/api/check", CASE, {"Origin": f"http://127.0.0.1:{server.port}"})[0] == 200, "own Origin")
+    check(server.ask("GET", "/", token=False)[0] == 200, "the page needs no token")
+    policy = server.headers.get("Content-Security-Policy", "")
+    check("default-src 'none'" in policy and "frame-ancestors 'none'" in policy, "policy of the page")
+    check("'unsafe-eval'" not in policy and "script-src 'self'" in policy, "scripts of the page")
+    check(server.headers.get("X-Content-Type-Options") == "nosniff", "nosniff")
+    check("Access-Control-Allow-Origin" not in server.headers, "no other page may read")
+    check(server.ask("POST", "/", "x")[0] == 405, "POST to a page")
+    # Only the loopback address is bound.
+    with socket.socket() as other:
+        other.bind(("127.0.0.2", server.port))
+
+
+def check_engine(server):
+    status, answer = server.ask("POST", "/api/check", CASE)
+    check(status == 200 and answer["messages"] == [] and answer["ready"], f"check: {answer}")
+    begin, end = answer["spans"]["materials.clay.cohesion"]
+    check(CASE.encode()[begin:end] == b'"10 kPa"', "span of the cohesion in bytes")
+    status, answer = server.ask("POST", "/api/check", CASE.replace('"10 kPa"', '"10 kg"'))
+    check(answer["messages"][0]["key"] == "materials.clay.cohesion", "key of a message")
+    status, answer = server.ask("POST", "/api/solve", {"text": CASE, "options": {"methods": ["bishop"], "circles": 1000}})
+    check(status == 200 and 1.3 < answer["factor"] < 1.9, f"solve: {answer.get('factor')}")
+    check("properties" in server.ask("GET", "/api/schema")[1], "schema")
+    check("[geometry]" in server.ask("GET", "/api/template")[1]["text"], "template")
+    check(server.ask("POST", "/api/solve", "[]")[0] == 400, "solve without an object")
+    check(server.ask("POST", "/api/solve", "[" * 100000)[0] == 400, "deep JSON")
+    check("error" in server.ask("POST", "/api/solve", {"text": CASE, "options": {"circles": -1}})[1], "negative circles")
+
+
+def check_files(server, folder):
+    listed = server.ask("GET", "/api/files")[1]
+    check([f["path"] for f in listed["files"]] == ["inner/other.toml", "slope.toml"], f"files: {listed}")
+    status, read = server.ask("GET", "/api/files/slope.toml")
+    check(status == 200 and read["text"] == CASE, "read")
+    escapes = ["../secret.toml", "..%2Fsecret.toml", "%2e%2e/secret.toml", "inner/../../secret.toml", "/etc/passwd", "%2Fetc%2Fpasswd",
+               "link.toml", "linked/secret.toml", ".hidden.toml", ".talus-studio/runs/0001.toml", "inner", "inner/", "notes.txt",
+               "a%00.toml", "slope.toml%00.txt", "a%0a.toml", "x" * 300 + ".toml", "/".join(["d"] * 200) + "/a.toml", "pipe.toml", ".", "..", ""]
+    for path in escapes:
+        for method, body in (("GET", None), ("PUT", {"text": "stolen", "revision": ""})):
+            status, answer = server.ask(method, "/api/files/" + path, body)
+            check(status in (400, 403, 404) and "error" in answer, f"{method} {path!r}: {status} {answer}")
+        check(server.ask("PUT", "/api/journal/" + path, {"text": "x", "revision": ""})[0] in (400, 403, 404), f"journal {path!r}")
+        check(server.ask("POST", "/api/runs", {"path": urllib.parse.unquote(path)})[0] in (400, 403, 404), f"run of {path!r}")
+    check((folder.parent / "secret.toml").read_text() == "secret", "the file outside is unchanged")
+    for path in ("/../secret.toml", "/%2e%2e/secret.toml", "//etc/passwd", "/assets/../../secret.toml", "/.git/config"):
+        check(server.ask("GET", path)[0] in (400, 404), f"page {path}")
+    # Revisions: two tabs change the file, and the second is told.
+    first, second = read["text"] + "# first\n", read["text"] + "# second\n"
+    status, saved = server.ask("PUT", "/api/files/slope.toml", {"text": first, "revision": read["revision"]})
+    check(status == 200 and (folder / "slope.toml").read_text() == first, "save")
+    status, conflict = server.ask("PUT", "/api/files/slope.toml", {"text": second, "revision": read["revision"]})
+    check(status == 409 and conflict == {"text": first, "revision": saved["revision"]}, f"conflict: {status} {conflict}")
+    check((folder / "slope.toml").read_text() == first, "the first text stays")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": CASE, "revision": saved["revision"]})[0] == 200, "merged")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": "", "revision": ""})[0] == 409, "an existing file is not new")
+    check(server.ask("PUT", "/api/files/inner/new.toml", {"text": CASE, "revision": ""})[0] == 200, "new file")
+    (folder / "inner/new.toml").unlink()
+    check(server.ask("PUT", "/api/files/inner/new.toml", {"text": CASE, "revision": saved["revision"]})[0] == 409, "a file that was removed")
+    check(server.ask("PUT", "/api/files/absent/new.toml", {"text": CASE, "revision": ""})[0] == 404, "new folder")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": 5})[0] == 400, "a text that is none")
+    # The journal outlives kill -9 of the server; a saved text needs none.
+    check(server.ask("GET", "/api/journal/slope.toml")[1] is None, "no journal")
+    revision = server.ask("GET", "/api/files/slope.toml")[1]["revision"]
+    check(server.ask("PUT", "/api/journal/slope.toml", {"text": "typed", "revision": revision})[0] == 200, "journal")
+
+
+def check_runs(server, folder, program):
+    check(server.ask("POST", "/api/runs", {"path": "absent.toml"})[0] == 404, "run of an absent file")
+    check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"threads": 0}})[0] == 400, "no threads")
+    check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"a=b": 1}}})[0] == 400, "a key with =")
+    # What a shell would execute is a value that the case refuses.
+    status, hostile = server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"title;touch hacked": "$(touch hacked)"}}})
+    status, run = server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"materials.clay.cohesion": "12 kPa"}, "threads": 1}})
+    check(status == 200, f"run: {run}")
+    check(server.watch(hostile["id"])[-1][1]["state"] == "failed" and not (folder / "hacked").exists(), "a hostile setting")
+    events = server.watch(run["id"])
+    kind, last = events[-1]
+    check(kind == "done" and last["state"] == "done", f"end of a run: {last}")
+    text = CASE.replace('"10 kPa"', '"12 kPa"')
+    solved = server.ask("POST", "/api/solve", {"text": text})[1]
+    check(last["factor"] == solved["factor"], f"the run has {last['factor']}, the engine {solved['factor']}")
+    status, report = server.ask("GET", f"/api/runs/{run['id']}/report?token={server.token}", token=False)
+    check(status == 200 and b"<html" in report, "report")
+    check(server.headers["Content-Security-Policy"].startswith("sandbox"), "the report is in a sandbox")
+    check(server.ask("GET", f"/api/runs/{hostile['id']}/report")[0] == 404, "no report of a failed run")
+    for name in ("9999", "../0001", "0001%2f..", "x", ""):
+        check(server.ask("POST", f"/api/runs/{name}/stop")[0] == 404, f"run {name!r}")
+    check([r["state"] for r in server.ask("GET", "/api/runs")[1]["runs"]] == ["done", "failed"], "list of runs")
+    check(not list(folder.glob(".slope-0002*")), "the copy of the text is removed")
+
+
+def check_stop_and_restart(server, folder, program):
+    (folder / "long.toml").write_text(LONG, encoding="utf-8")
+    long = server.ask("POST", "/api/runs", {"path": "long.toml"})[1]["id"]
+    waiting = server.ask("POST", "/api/runs", {"path": "slope.toml"})[1]["id"]
+    later = server.ask("POST", "/api/runs", {"path": "slope.toml"})[1]["id"]
+    events = server.watch(long, lambda event: event[1].get("stage"))
+    check(events[-1][1].get("stage") == "long" and 0 <= events[-1][1]["fraction"] <= 1, f"progress: {events[-1]}")
+    check(server.ask("POST", f"/api/runs/{later}/stop")[0] == 200, "stop of a waiting run")
+    check(server.watch(later)[-1][1]["state"] == "stopped", "a waiting run is stopped")
+    # kill -9 of the server: the run goes on, and the next server finds it, the queue and the journal.
+    server.end(signal.SIGKILL)
+    server = Server(program, folder)
+    states = {r["id"]: r["state"] for r in server.ask("GET", "/api/runs")[1]["runs"]}
+    check(states[long] == "running" and states[waiting] == "waiting", f"states after a restart: {states}")
+    check(server.ask("GET", "/api/journal/slope.toml")[1]["text"] == "typed", "journal after a restart")
+    server.watch(long, lambda event: event[1].get("stage"))
+    check(server.ask("POST", f"/api/runs/{long}/stop")[0] == 200, "stop")
+    check(server.watch(long)[-1][1]["state"] == "stopped", "a stopped run")
+    check(server.watch(waiting)[-1][1]["state"] == "done", "the queue goes on")
+    check(server.ask("POST", f"/api/runs/{waiting}/resume")[0] == 409, "a finished run cannot be resumed")
+    check(server.ask("POST", f"/api/runs/{long}/resume")[0] == 200, "resume")
+    server.watch(long, lambda event: event[1].get("stage"))
+    check(server.ask("POST", f"/api/runs/{long}/stop")[0] == 200, "stop of the resumed run")
+    check(server.watch(long)[-1][1]["state"] == "stopped", "the resumed run is stopped")
+    return server
+
+
+def check_two_servers(server, folder, program):
+    other = Server(program, folder)
+    run = other.ask("POST", "/api/runs", {"path": "slope.toml"})[1]["id"]
+    check(server.watch(run)[-1][1]["state"] == "done", "a run of the other server")
+    revision = server.ask("GET", "/api/files/slope.toml")[1]["revision"]
+    check(other.ask("PUT", "/api/files/slope.toml", {"text": CASE + "#", "revision": revision})[0] == 200, "other server saves")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": CASE, "revision": revision})[0] == 409, "this one is told")
+    check(other.end() == 0, "the other server ends")
+
+
+def make_hostile(random_source, token, port):
+    """The bytes of a request."""
+    pick = random_source.choice
+    noise = bytes(random_source.randrange(256) for _ in range(random_source.randrange(1, 200)))
+    method = pick(["GET", "POST", "PUT", "DELETE", "HEAD", "OPTIONS", "PATCH", "TRACE", "get", "G\tT", ""])
+    path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/runs",
+                 "/api/runs/0001/stop", "/api/runs/0001/events", "/api/runs/0001/report", "/api/" + "a" * random_source.randrange(9000),
+                 "/" + "%" * 50, "/%ff%fe", "/api/files/" + "../" * 100, "/?" + "a=b&" * 500, "*", "//", "/\x00", "http://evil/"])
+    case = CASE.encode()
+    at = random_source.randrange(len(case))
+    changed = case[:at] + noise[:random_source.randrange(1, 30)] + case[at + random_source.randrange(30):]
+    body = pick([b"", noise, changed, json.dumps({"text": CASE, "options": {"circles": random_source.randrange(-5, 3000)}}).encode(),
+                 json.dumps({"text": changed.decode("latin-1"), "options": noise.decode("latin-1")}).encode(), b"[" * 50000, b"{\"a\":" * 5000,
+                 json.dumps({"path": noise.decode("latin-1"), "settings": {"set": {noise.decode("latin-1"): 1}}}).encode(),
+                 json.dumps({"text": noise.decode("latin-1"), "revision": "0"}).encode()])
+    length = pick([len(body)] * 6 + [0, len(body) + 5, 10**18, -1])
+    host = pick([f"127.0.0.1:{port}"] * 6 + ["evil", "", "a" * 9000])
+    lines = [f"{method} {path} HTTP/1.1", f"Host: {host}", f"Content-Length: {length}",
+             f"X-Talus-Token: {pick([token] * 6 + ['', 'x' * 5000])}", pick(["Connection: close", "Connection: keep-alive", "Transfer-Encoding: chunked",
+             "Expect: 100-continue", "Content-Type: multipart/form-data; boundary=", "Content-Encoding: gzip", "Range: bytes=0-9999999999", "X: " + "y" * 9000])]
+    return "\r\n".join(lines).encode("latin-1", "replace") + b"\r\n\r\n" + body
+
+
+def check_hostile(server, count, folder):
+    source = random.Random(60)
+    before = sorted(p.name for p in folder.parent.iterdir())
+    for number in range(count):
+        request = make_hostile(source, server.token, server.port)
+        try:
+            with socket.create_connection(("127.0.0.1", server.port), TIMEOUT) as connection:
+                connection.sendall(request)
+                connection.shutdown(socket.SHUT_WR)
+                while connection.recv(65536):
+                    pass
+        except OSError as error:
+            if isinstance(error, socket.timeout):
+                check(False, f"request {number} gave no end: {request[:200]!r}")
+        if server.process.poll() is not None:
+            check(False, f"request {number} ended the server ({server.process.returncode}): {request[:2000]!r}")
+            return
+    check(server.ask("GET", "/api/files")[0] == 200, "the server answers after hostile requests")
+    check(sorted(p.name for p in folder.parent.iterdir()) == before, "nothing was written outside the folder")
+
+
+def main():
+    program, count = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1000
+    if not (pathlib.Path(program).parent / "libtalus_http.so").exists():
+        print("SKIP: this build has no cpp-httplib: the server of the studio was NOT tested")
+        return 77
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name).resolve() / "cases"
+        (folder / "inner").mkdir(parents=True)
+        (folder / "slope.toml").write_text(CASE, encoding="utf-8")
+        (folder / "inner/other.toml").write_text(CASE, encoding="utf-8")
+        (folder / "notes.txt").write_text("notes")
+        (folder / ".hidden.toml").write_text("hidden")
+        (folder.parent / "secret.toml").write_text("secret")
+        (folder / "link.toml").symlink_to(folder.parent / "secret.toml")
+        (folder / "linked").symlink_to(folder.parent)
+        os.mkfifo(folder / "pipe.toml")
+        server = Server(program, folder)
+        try:
+            check_admission(server)
+            check_engine(server)
+            check_files(server, folder)
+            check_runs(server, folder, program)
+            server = check_stop_and_restart(server, folder, program)
+            check_two_servers(server, folder, program)
+            check_hostile(server, count, folder)
+            for run in server.ask("GET", "/api/runs")[1]["runs"]:
+                if run["state"] in ("waiting", "running"):
+                    server.ask("POST", f"/api/runs/{run['id']}/stop")
+                    server.watch(run["id"])
+            check(server.end() == 0, "the server ends at a signal")
+        finally:
+            if server.process.poll() is None:
+                server.process.kill()
+    print(f"{len(faults)} faults" if faults else "the server of the studio: no faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
