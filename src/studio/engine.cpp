@@ -37,6 +37,10 @@ template <class Work>
 std::string answer(Work work) {
   try {
     return write(work());
+  } catch (const InputError& error) {
+    const std::vector<Diagnostic>& faults = error.diagnostics();
+    const std::string first = faults.empty() ? error.what() : faults.front().sentence;
+    return write({{"error", faults.size() > 1 ? fmt::format("{} (and {} more)", first, faults.size() - 1) : first}});
   } catch (...) {
     return write({{"error", explain_failure(std::current_exception()).sentence}});
   }
@@ -57,6 +61,9 @@ class MessageWriter {
         spans_(find_spans(text)),
         size_(text.size()) {
     for (const auto& [path, span] : spans_.keys) names_.emplace(span[0], path);
+    // A list of tables begins where its first table does; the longer path is that of the table.
+    for (const auto& [path, span] : spans_.values)
+      if (std::string& known = starts_[span[0]]; path.size() > known.size()) known = path;
   }
 
   const TextSpans& spans() const { return spans_; }
@@ -81,7 +88,10 @@ class MessageWriter {
     const std::size_t at =
         lines_.find_byte(static_cast<std::size_t>(message.line), static_cast<std::size_t>(message.column));
     const auto name = names_.find(at);
-    std::string path = name != names_.end() ? name->second : sketch_.find_path(message);
+    const auto start = starts_.find(at);
+    const std::string path = name != names_.end()     ? name->second
+                             : start != starts_.end() ? start->second
+                                                      : sketch_.find_path(message);
     out["key"] = path;
     if (message.is_unknown_key && name != names_.end()) {
       out["span"] = spans_.keys.at(path);
@@ -100,7 +110,7 @@ class MessageWriter {
   std::vector<results::Point> ground_;
   TextSpans spans_;
   std::size_t size_;
-  std::map<std::size_t, std::string> names_;
+  std::map<std::size_t, std::string> names_, starts_;  ///< paths by the first byte of their name and of their value
 };
 
 /// Adds what LEM and the ground of a case without faults in its text show.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The server of the studio: routes of its interface over the engine, the files and the runs of a folder
-// (docs/manual/studio-server.md). Requests are refused before they are read unless they come from the page itself.
+// (docs/decisions/0052-studio-server.md). Requests are refused before they are read unless they come from the page itself.
 
 #include <atomic>
 #include <filesystem>
