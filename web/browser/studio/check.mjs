@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR
+// Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER]
 import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -12,9 +12,9 @@ import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawin
 import { useKeysAlone } from "./keyboard.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
-const [program, example, outGiven] = process.argv.slice(2);
+const [program, example, outGiven, pageFolder] = process.argv.slice(2);
 if (!program || !example || !outGiven) {
-  console.error("usage: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR");
+  console.error("usage: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER]");
   process.exit(2);
 }
 const out = resolve(outGiven);
@@ -24,7 +24,7 @@ copyFileSync(example, join(folder, "embankment.toml"));
 
 const list = new Checklist();
 const browser = await startBrowser();
-const studio = await startStudio(program, folder);
+const studio = await startStudio(program, folder, pageFolder ? ["--page", pageFolder] : []);
 const opened = [];
 const open = async (address, options) => {
   const session = await openPage(browser, address, options);

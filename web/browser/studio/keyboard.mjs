@@ -7,6 +7,7 @@ async function tabTo(page, wanted, key = "Tab") {
   for (let i = 0; i < 150; ++i) {
     const name = await page.evaluate(() => {
       const element = document.activeElement;
+      if (element === document.body) return "";
       return `#${element.id} .${element.getAttribute("class")} ${element.getAttribute("aria-label") ?? element.labels?.[0]?.textContent ?? element.textContent ?? ""}`;
     });
     if (wanted.test(name)) return true;

@@ -4,9 +4,9 @@ import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 
 /** Starts PROGRAM studio FOLDER; an address that is given in its place is used as it is. */
-export async function startStudio(program, folder) {
-  if (/^http/.test(program)) return { address: program, stop: () => undefined };
-  const server = spawn(program, ["studio", folder, "--port", "0", "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+export async function startStudio(program, folder, options = []) {
+  if (program.startsWith("http")) return { address: program, stop: () => undefined };
+  const server = spawn(program, ["studio", folder, "--no-open", ...options], { stdio: ["ignore", "pipe", "inherit"] });
   const address = await new Promise((resolve, reject) => {
     createInterface({ input: server.stdout }).on("line", (line) => {
       const found = /http:\/\/127\.0\.0\.1:\d+\/\S*/.exec(line);

@@ -15,7 +15,7 @@ export const files = signal<{ path: string; revision: string }[]>([]);
 export const file = signal<{ path: string; revision: string } | null>(null);
 export const savedText = signal("");
 /** The text of the file where it has changed meanwhile. */
-export const conflict = signal<FileText | null>(null);
+export const conflict = signal<(FileText & { path: string }) | null>(null);
 /** A journal that is newer than the file. */
 export const recovered = signal<string | null>(null);
 export const engineFault = signal("");
@@ -93,8 +93,9 @@ export async function start(found: Setting): Promise<void> {
   try {
     schema.value = await found.engine.schema();
     if (found.workspace) {
-      files.value = await found.workspace.listFiles();
-      const asked = new URLSearchParams(location.search).get("file");
+      const listed = await found.workspace.listFiles();
+      files.value = listed.files;
+      const asked = new URLSearchParams(location.search).get("file") || listed.open;
       const first = files.value.find(({ path }) => path === asked) ?? (files.value.length === 1 ? files.value[0] : undefined);
       if (first) await openFile(first.path);
     }
@@ -150,13 +151,13 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
     const revision = file.value?.path === path ? file.value.revision : "";
     const result = await workspace.saveFile(path, { text, revision });
     if (!result.saved) {
-      conflict.value = result.theirs;
+      conflict.value = { ...result.theirs, path };
       return;
     }
     file.value = { path, revision: result.revision };
     savedText.value = text;
     state.notice.value = { text: `Saved ${path}`, bad: false };
-    files.value = await workspace.listFiles();
+    files.value = (await workspace.listFiles()).files;
   } catch (error) {
     state.notice.value = { text: sentence(error), bad: true };
   }
@@ -165,8 +166,8 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
 /** Ends a conflict: mine is written over theirs, or theirs is opened as a step that can be undone. */
 export async function settle(choice: "mine" | "theirs"): Promise<void> {
   const theirs = conflict.value;
-  if (!theirs || !file.value) return;
-  file.value = { ...file.value, revision: theirs.revision };
+  if (!theirs) return;
+  file.value = { path: theirs.path, revision: theirs.revision };
   conflict.value = null;
   if (choice === "mine") return save();
   savedText.value = theirs.text;

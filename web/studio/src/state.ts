@@ -6,7 +6,7 @@ import { type Chain, listChains, listLoads, listSoils } from "./document/chains"
 import { EditFault } from "./document/edits";
 import { emptyCase } from "./document/operations";
 import { type CaseTree, findNode, readTree, toPlain } from "./document/tree";
-import { listVertices, pointsOf, segmentsOf } from "./document/vertices";
+import { listVertices, pointsOf, segmentsOf, type Vertex } from "./document/vertices";
 import type { Message, Section, Solved } from "./engine/engine";
 import type { SnapTargets } from "./geometry/snap";
 import { type Point, type Segment } from "./geometry/plane";
@@ -19,18 +19,23 @@ export const text = signal(history.text);
 export const undoNames = signal<string[]>([]);
 export const redoNames = signal<string[]>([]);
 
-const lastTree: { tree: CaseTree } = { tree: readTree(emptyCase).tree! };
+/** Chains and vertices during a drag, without reading the text anew for every place of the mouse; null otherwise. */
+export const live = signal<{ chains: Chain[]; vertices: Vertex[] } | null>(null);
+
+let lastRead = readTree(emptyCase);
+const lastTree: { tree: CaseTree } = { tree: lastRead.tree! };
 const read = computed(() => {
-  const found = readTree(text.value);
-  if (found.tree) lastTree.tree = found.tree;
-  return found;
+  if (live.value) return lastRead;
+  lastRead = readTree(text.value);
+  if (lastRead.tree) lastTree.tree = lastRead.tree;
+  return lastRead;
 });
 /** The last text that could be read; of the present one where `fault` is null. */
 export const tree = computed<CaseTree>(() => read.value.tree ?? lastTree.tree);
 export const fault = computed(() => read.value.fault);
 
-export const chains = computed<Chain[]>(() => listChains(tree.value));
-export const vertices = computed(() => listVertices(chains.value));
+export const chains = computed<Chain[]>(() => live.value?.chains ?? listChains(tree.value));
+export const vertices = computed<readonly Vertex[]>(() => live.value?.vertices ?? listVertices(chains.value));
 export const loads = computed(() => listLoads(tree.value));
 export const soils = computed(() => listSoils(tree.value));
 export const title = computed(() => String(toPlain(findNode(tree.value, ["title"])) ?? ""));
@@ -106,6 +111,7 @@ export const sealChange = (): void => history.seal();
 export function undo(): void {
   const step = history.undo();
   if (!step) return;
+  live.value = null;
   publish();
   notice.value = { text: `Undone: ${step.name}`, bad: false };
 }
@@ -113,6 +119,7 @@ export function undo(): void {
 export function redo(): void {
   const step = history.redo();
   if (!step) return;
+  live.value = null;
   publish();
   notice.value = { text: `Redone: ${step.name}`, bad: false };
 }
@@ -124,6 +131,7 @@ export const opened = signal(0);
 export function openText(found: string): void {
   history = new History(found);
   batch(() => {
+    live.value = null;
     selection.value = { kind: "none" };
     draft.value = [];
     tool.value = "select";

@@ -3,7 +3,7 @@
 import { findRoom } from "../../../src/drawing/ground";
 import { tabulateCategories, writeColour } from "../../../src/viewer/colours";
 import { pointsOf } from "../document/vertices";
-import { findTop, type Point } from "../geometry/plane";
+import { findExtent, findTop, type Point } from "../geometry/plane";
 import * as state from "../state";
 import { toScreen, transform, view } from "./camera";
 import { findGround } from "./hit";
@@ -119,14 +119,34 @@ export function WorldLayers() {
   );
 }
 
+type Shown = (typeof state.regions.value)[number];
+
+const rooms = new Map<string, ReturnType<typeof findRoom>>();
+
+/** The place for a name; regions inside of it are avoided. Places are kept by the shapes that they depend on. */
+function findNamePlace(region: Shown, later: readonly Shown[]): ReturnType<typeof findRoom> {
+  const extent = findExtent(region.points)!;
+  const [width, height] = [extent.high[0] - extent.low[0], extent.high[1] - extent.low[1]];
+  if (width * view.value.scale < 24 || height * view.value.scale < 18) return null;
+  const inside = later.filter(({ points }) => points.some(([x, y]) => x > extent.low[0] && x < extent.high[0] && y > extent.low[1] && y < extent.high[1]));
+  const key = JSON.stringify([region.points, ...inside.map(({ points }) => points)]);
+  const known = rooms.get(key);
+  if (known !== undefined) return known;
+  if (rooms.size > 2000) rooms.clear();
+  const found = findRoom(region.points, inside.map(({ points }) => points));
+  rooms.set(key, found);
+  return found;
+}
+
 /** Names of soils where there is room, marks of water tables, arrows of loads: of constant size. */
 export function Labels() {
   const regions = state.regions.value;
   const { scale } = view.value;
   return (
     <g class="labels">
-      {regions.map(({ id, name, soil, points }, i) => {
-        const room = findRoom(points, regions.slice(i + 1).map((other) => other.points));
+      {regions.map((region, i) => {
+        const { id, name, soil } = region;
+        const room = findNamePlace(region, regions.slice(i + 1));
         const text = soil && soil !== name ? `${name} · ${soil}` : name;
         const fitting = [text, name].find((t) => room && 6.6 * t.length <= 2.6 * room.radius * scale && room.radius * scale > 9);
         if (!room || !fitting) return null;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Moves of the selection: by dragging, by keys, by typed coordinates. Each is one step of the history. */
+import { batch } from "@preact/signals";
+
 import { applyEdits, removeAt, setValue, writeNumber } from "../document/edits";
 import { deleteRegion } from "../document/operations";
-import { applyInTurn, deleteVertex, listVertices, moveVertices, type Vertex } from "../document/vertices";
+import { applyInTurn, deleteVertex, listVertices, moveVertices, prepareMove, type Vertex } from "../document/vertices";
 import type { Point } from "../geometry/plane";
 import * as state from "../state";
 import type { Hit } from "./hit";
@@ -19,19 +21,29 @@ export interface Drag {
 let counter = 0;
 
 function dragVertices(name: string, from: Point, moved: Vertex[], follow: boolean): Drag {
-  const [tree, chains, all] = [state.tree.value, state.chains.value, state.vertices.value];
   const group = `drag ${++counter}`;
+  const move = prepareMove(state.tree.value, state.chains.value, moved, state.vertices.value);
+  const single = moved.length === 1;
   return {
     name,
     from,
     to(at) {
       const [dx, dy] = [at[0] - from[0], at[1] - from[1]];
-      const moves = moved.map((vertex) => ({ vertex, to: [vertex.at[0] + dx, vertex.at[1] + dy] as const }));
-      const single = moved.length === 1 ? [{ vertex: moved[0]!, to: at }] : moves;
-      const done = state.attempt(name, () => moveVertices(tree, chains, single, all), group);
-      if (done && follow) state.selection.value = { kind: "vertex", at };
+      const targets = moved.map((vertex): Point => (single ? at : [vertex.at[0] + dx, vertex.at[1] + dy]));
+      const { text, chains, vertices } = move(targets);
+      batch(() => {
+        state.live.value = { chains, vertices };
+        state.change(name, text, group);
+        if (follow) state.selection.value = { kind: "vertex", at };
+      });
     },
   };
+}
+
+/** Ends a drag: the text is read anew. */
+export function endDrag(): void {
+  state.live.value = null;
+  state.sealChange();
 }
 
 function dragLoad(index: number, end: number): Drag {

@@ -7,7 +7,7 @@ import * as state from "../state";
 import { panBy, toScreen, toWorld, view, zoomAt } from "./camera";
 import { addPoint, finishDraft, insertAt } from "./drawing";
 import { findHit, type Hit } from "./hit";
-import { type Drag, startDrag } from "./moving";
+import { type Drag, endDrag, startDrag } from "./moving";
 import { pointer } from "./overlay";
 
 /** Pixels within which a place snaps. */
@@ -55,7 +55,11 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
     svg.setPointerCapture(event.pointerId);
     const pixel = findPixel(event);
     fingers.set(event.pointerId, pixel);
-    if (fingers.size > 1) return void (press = null);
+    if (fingers.size > 1) {
+      if (press?.drag) endDrag();
+      press = null;
+      return;
+    }
     const selecting = state.tool.value === "select" && event.button === 0;
     const hit: Hit = selecting ? findHit(toWorld(pixel), findReach(event)) : { kind: "nothing" };
     press = { pixel, hit, drag: null, moved: false };
@@ -108,8 +112,8 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
     const now = press;
     fingers.delete(event.pointerId);
     press = null;
-    if (!now || event.type === "pointercancel") return state.sealChange();
-    if (now.drag) return state.sealChange();
+    if (now?.drag || event.type === "pointercancel") return endDrag();
+    if (!now) return;
     if (now.moved || event.button === 1) return;
     const pixel = findPixel(event);
     if (state.tool.value === "select") selectHit(now.hit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Shared vertices: coinciding corners of regions, lines and layers are one vertex and move together. */
 import { distance, isWithinSegment, listSegments, type Point, type Segment } from "../geometry/plane";
-import type { Chain, ChainKind, LengthAt } from "./chains";
+import type { Chain, ChainKind, ChainPoint, LengthAt } from "./chains";
 import { applyEdits, type Edit, EditFault, insertItem, removeAt, setValue, writeNumber, writePoint, writePoints } from "./edits";
 import { type CaseTree, readTree } from "./tree";
 
@@ -79,9 +79,8 @@ export interface Move {
  * Places where boundaries that meet in a T would come apart: a corner on the side of another region, when either moves. The corner
  * becomes a vertex of that side first.
  */
-function listJoints(chains: readonly Chain[], vertices: readonly Vertex[], moves: readonly Move[]): { chain: number; index: number; at: Point }[] {
+function listJoints(chains: readonly Chain[], vertices: readonly Vertex[], moved: readonly Vertex[]): { chain: number; index: number; at: Point }[] {
   const tolerance = findTolerance(chains);
-  const moving = new Set(moves.map(({ vertex }) => vertex));
   const joints: { chain: number; index: number; at: Point }[] = [];
   const fixed = vertices.filter((v) => v.corners.some((corner) => boundaries.has(chains[corner.chain]!.kind)));
   chains.forEach((chain, c) => {
@@ -89,8 +88,8 @@ function listJoints(chains: readonly Chain[], vertices: readonly Vertex[], moves
     const points = pointsOf(chain);
     listSegments(points, chain.closed).forEach((side, index) => {
       const ends = [index, (index + 1) % points.length];
-      const sideMoves = moves.some(({ vertex }) => vertex.corners.some((k) => k.chain === c && ends.includes(k.index)));
-      for (const vertex of sideMoves ? fixed : moving) {
+      const sideMoves = moved.some((vertex) => vertex.corners.some((k) => k.chain === c && ends.includes(k.index)));
+      for (const vertex of sideMoves ? fixed : moved) {
         if (!isWithinSegment(vertex.at, side, tolerance)) continue;
         if (!vertex.corners.some((corner) => boundaries.has(chains[corner.chain]!.kind))) continue;
         joints.push({ chain: c, index: index + 1, at: vertex.at });
@@ -100,35 +99,62 @@ function listJoints(chains: readonly Chain[], vertices: readonly Vertex[], moves
   return joints;
 }
 
-function isAlongSide(move: Move, chains: readonly Chain[], joints: readonly { chain: number; index: number }[]): boolean {
+function isAlongSide(to: Point, chains: readonly Chain[], joints: readonly { chain: number; index: number }[]): boolean {
   const tolerance = findTolerance(chains);
   return joints.every(({ chain, index }) => {
     const points = pointsOf(chains[chain]!);
-    return isWithinSegment(move.to, [points[index - 1]!, points[index % points.length]!], tolerance);
+    return isWithinSegment(to, [points[index - 1]!, points[index % points.length]!], tolerance);
   });
 }
 
-/** The text after vertices have moved; sides of other regions that they lie on follow. */
-export function moveVertices(tree: CaseTree, chains: readonly Chain[], moves: readonly Move[], listed = listVertices(chains)): string {
-  const joints = listJoints(chains, listed, moves);
-  const slides = moves.length === 1 && isAlongSide(moves[0]!, chains, joints);
-  const edits = moves.flatMap(({ vertex, to }) =>
-    vertex.corners.flatMap(({ chain, index }) => {
-      const { x, y } = chains[chain]!.points[index]!;
-      return [...writeLength(x, to[0]), ...writeLength(y, to[1])];
-    }),
-  );
-  if (slides || joints.length === 0) return applyEdits(tree.text, edits);
-  const sorted = joints.toSorted((a, b) => {
+export interface Moved {
+  text: string;
+  /** As they are in the text, but with the places of their numbers before the move. */
+  chains: Chain[];
+  vertices: Vertex[];
+}
+
+const movePoint = ({ x, y }: ChainPoint, [to_x, to_y]: Point): ChainPoint => ({ x: { ...x, value: to_x }, y: { ...y, value: to_y } });
+
+/**
+ * Prepares moves of vertices: what is costly is done once, so that a drag calls the result for every place of the mouse. Sides of
+ * other regions on which the vertices lie follow.
+ */
+export function prepareMove(tree: CaseTree, chains: readonly Chain[], moved: readonly Vertex[], listed: readonly Vertex[] = listVertices(chains)) {
+  const joints = listJoints(chains, listed, moved).toSorted((a, b) => {
     const start = pointsOf(chains[a.chain]!)[a.index - 1]!;
     return a.chain - b.chain || a.index - b.index || distance(start, a.at) - distance(start, b.at);
   });
-  // The corner of a vertex that moves is written where it goes.
-  const added = sorted.flatMap(({ chain, index, at }) => {
-    const target = moves.find(({ vertex }) => vertex.at === at)?.to ?? at;
-    return insertItem(tree, chains[chain]!.path, index, writePoint(target));
-  });
-  return applyEdits(tree.text, [...edits, ...added]);
+  return (targets: readonly Point[]): Moved => {
+    const places = new Map(moved.map((vertex, i) => [vertex, targets[i]!]));
+    const slides = moved.length === 1 && isAlongSide(targets[0]!, chains, joints);
+    const inserted = slides ? [] : joints;
+    const placeOf = (at: Point) => targets[moved.findIndex((vertex) => vertex.at === at)] ?? at;
+    const edits: Edit[] = [];
+    const after = chains.slice();
+    for (const [vertex, to] of places)
+      for (const { chain, index } of vertex.corners) {
+        const point = chains[chain]!.points[index]!;
+        edits.push(...writeLength(point.x, to[0]), ...writeLength(point.y, to[1]));
+        if (after[chain] === chains[chain]) after[chain] = { ...chains[chain]!, points: chains[chain]!.points.slice() };
+        after[chain]!.points[index] = movePoint(point, to);
+      }
+    // From the last to the first, so that the indices of the others hold.
+    for (const { chain, index, at } of inserted.toReversed()) {
+      if (after[chain] === chains[chain]) after[chain] = { ...chains[chain]!, points: chains[chain]!.points.slice() };
+      after[chain]!.points.splice(index, 0, movePoint(chains[chain]!.points[index - 1]!, placeOf(at)));
+    }
+    edits.push(...inserted.flatMap(({ chain, index, at }) => insertItem(tree, chains[chain]!.path, index, writePoint(placeOf(at)))));
+    const vertices = inserted.length
+      ? listVertices(after)
+      : listed.map((vertex) => (places.has(vertex) ? { ...vertex, at: places.get(vertex)! } : vertex));
+    return { text: applyEdits(tree.text, edits), chains: after, vertices };
+  };
+}
+
+/** The text after vertices have moved. */
+export function moveVertices(tree: CaseTree, chains: readonly Chain[], moves: readonly Move[], listed: readonly Vertex[] = listVertices(chains)): string {
+  return prepareMove(tree, chains, moves.map(({ vertex }) => vertex), listed)(moves.map(({ to }) => to)).text;
 }
 
 /** A vertex in every boundary that passes through a place, or only in `chain` where that is no boundary. */

@@ -11,22 +11,30 @@ export interface Run {
   id: string;
   path: string;
   state: "waiting" | "running" | "done" | "failed" | "stopped";
-  /** 0 to 1. */
-  progress?: number;
+  progress?: RunProgress | number | null;
   message?: string;
   factor?: number | null;
+}
+
+export interface RunProgress {
+  /** The last line of the program. */
+  line?: string;
+  stage?: string;
+  /** 0 to 1. */
+  fraction?: number | null;
 }
 
 export type SaveResult = { saved: true; revision: string } | { saved: false; theirs: FileText };
 
 export interface RunEvent {
   kind: "progress" | "done";
-  data: Record<string, unknown>;
+  data: RunProgress & { state?: Run["state"] };
 }
 
 /** Files and runs of the server; the static page has none. */
 export interface Workspace {
-  listFiles(): Promise<{ path: string; revision: string }[]>;
+  /** `open`: the file that the page opens first; may be empty. */
+  listFiles(): Promise<{ files: { path: string; revision: string }[]; open?: string }>;
   readFile(path: string): Promise<FileText>;
   saveFile(path: string, file: FileText): Promise<SaveResult>;
   readJournal(path: string): Promise<FileText | null>;
@@ -78,7 +86,7 @@ export class HttpEngine implements Engine, Workspace {
     return answer.text;
   };
 
-  listFiles = async () => (await this.get<{ files: { path: string; revision: string }[] }>("/api/files")).files;
+  listFiles = () => this.get<{ files: { path: string; revision: string }[]; open?: string }>("/api/files");
   readFile = (path: string) => this.get<FileText>(`/api/files/${encodePath(path)}`);
 
   async saveFile(path: string, file: FileText): Promise<SaveResult> {
@@ -121,7 +129,7 @@ export class HttpEngine implements Engine, Workspace {
     const source = new EventSource(`${this.base}/api/runs/${encodeURIComponent(id)}/events?token=${encodeURIComponent(this.token)}`);
     const read = (kind: RunEvent["kind"]) => (event: MessageEvent<string>) => {
       try {
-        listen({ kind, data: JSON.parse(event.data) as Record<string, unknown> });
+        listen({ kind, data: JSON.parse(event.data) as RunEvent["data"] });
       } catch {
         // A line that was cut is followed by another.
       }

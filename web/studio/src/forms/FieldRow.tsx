@@ -30,6 +30,8 @@ const title = (key: string) => key.replaceAll("_", " ").replace(/^./, (c) => c.t
 const units: Record<string, string> = { "kN/m3": "kN/m³", "kg/m3": "kg/m³", deg: "°", m2: "m²", "-": "", "1": "" };
 export const showUnit = (unit: string): string => units[unit] ?? unit;
 
+export const makeFieldId = (path: Path): string => `field-${writePath(path).replace(/[^\w-]/g, "-")}`;
+
 function findFault(field: Field, typed: string): string {
   if ((field.kind === "list" || field.kind === "table") && typed !== "" && readTree(`a = ${typed.replaceAll("\n", " ")}`).fault)
     return "This is not a list of TOML, such as [1, 2].";
@@ -47,7 +49,7 @@ function Marked({ text }: { text: string }) {
 }
 
 export function FieldRow({ path, field }: { path: Path; field: Field }) {
-  const id = `field-${writePath(path).replace(/[^\w-]/g, "-")}`;
+  const id = makeFieldId(path);
   const fault = useSignal("");
   const typed = readTyped(path);
   const key = writePath(path);

@@ -100,7 +100,7 @@ function Questions() {
   if (conflict.value)
     return (
       <p class="question" role="alert">
-        {file.value?.path} was changed by another program since it was opened. Nothing was overwritten.
+        {conflict.value.path} holds another text than the one that was opened. Nothing was overwritten.
         <button type="button" onClick={() => void settle("theirs")}>
           Open the other text (can be undone)
         </button>

@@ -5,7 +5,7 @@ import { useEffect } from "preact/hooks";
 
 import { formatFactor } from "../../../src/page/format";
 import type { SolvedSurface } from "../engine/engine";
-import type { Run, Workspace } from "../engine/http";
+import type { Run, RunProgress, Workspace } from "../engine/http";
 import { file, isChanged, save, setting } from "../session";
 import * as state from "../state";
 
@@ -64,7 +64,7 @@ function FullSearch() {
 }
 
 function RunRow({ run, workspace, refresh }: { run: Run; workspace: Workspace; refresh: () => void }) {
-  const live = useSignal<Record<string, unknown>>({});
+  const live = useSignal<RunProgress>({});
   const isActive = run.state === "running" || run.state === "waiting";
   useEffect(() => {
     if (!isActive) return;
@@ -73,8 +73,9 @@ function RunRow({ run, workspace, refresh }: { run: Run; workspace: Workspace; r
       if (kind === "done") refresh();
     });
   }, [run.id, isActive]);
-  const progress = Number(live.value.progress ?? run.progress ?? 0);
-  const message = String(live.value.message ?? live.value.text ?? run.message ?? "");
+  const stored = typeof run.progress === "object" && run.progress ? run.progress : {};
+  const { fraction, line } = { ...stored, ...live.value };
+  const message = (isActive && line) || run.message || "";
   const act = (what: Promise<void>) =>
     void what.then(refresh).catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
   return (
@@ -83,7 +84,7 @@ function RunRow({ run, workspace, refresh }: { run: Run; workspace: Workspace; r
         <b>{run.path}</b> <span class="muted">{run.state}</span>
         {typeof run.factor === "number" && <span> · F = {formatFactor(run.factor)}</span>}
       </div>
-      {isActive && <progress max="1" value={progress || undefined} aria-label={`Progress of ${run.path}`} />}
+      {isActive && <progress max="1" value={fraction ?? undefined} aria-label={`Progress of ${run.path}`} />}
       {message && <p class="muted">{message}</p>}
       <p class="tools">
         {isActive && (

@@ -5,6 +5,7 @@ import { useSignal } from "@preact/signals";
 import { findSoilColour } from "../canvas/layers";
 import { applyEdits, removeAt } from "../document/edits";
 import { addMaterial } from "../document/operations";
+import { makeFieldId } from "../forms/FieldRow";
 import { TableForm } from "../forms/TableForm";
 import { schema } from "../session";
 import * as state from "../state";
@@ -54,7 +55,16 @@ export function SoilsPanel() {
   const wanted = useSignal("");
   const missing = [...new Set(state.regions.value.map(({ soil }) => soil))].filter((soil) => soil && !state.soils.value.includes(soil));
   const add = (name: string) => {
-    if (name.trim() && state.attempt(`Add the soil ${name.trim()}`, () => addMaterial(state.tree.value, name.trim()).text)) wanted.value = "";
+    if (!name.trim()) return;
+    let made = "";
+    const done = state.attempt(`Add the soil ${name.trim()}`, () => {
+      const added = addMaterial(state.tree.value, name.trim());
+      made = added.name;
+      return added.text;
+    });
+    if (!done) return;
+    wanted.value = "";
+    setTimeout(() => document.getElementById(makeFieldId(["materials", made, "model"]))?.focus());
   };
   return (
     <>
