@@ -40,6 +40,7 @@ const manual = [
   [
     "Manual",
     [
+      "docs/manual/studio.md",
       "docs/manual/case-file.md",
       "docs/manual/command-line.md",
       "docs/manual/study.md",

@@ -3,6 +3,7 @@
 # Tests of the page of the reports. run.sh TALUS FOLDER source: the code of web/ by its linter (web/.oxlintrc.jsonc) and its own tests.
 # run.sh TALUS FOLDER NAME: the report of the dry slope on a coarse mesh, or of the case or study NAME.toml beside this script, as the program
 # writes it: checked against its contract and its results by the tests of web/, then opened and used in a headless Chromium.
+# run.sh TALUS FOLDER studio: the page of `talus studio` beside the program, used in a headless Chromium.
 # FOLDER receives the results and the screenshots, below NAME.
 set -euo pipefail
 talus=$1
@@ -19,6 +20,12 @@ cd "$root/web"
 if [ "$name" = source ]; then
   npx --no-install oxlint
   exec npx --no-install vitest run --exclude 'tests/{report,results,methods}.test.ts'
+fi
+if [ "$name" = studio ]; then
+  [ -e "$(dirname "$talus")/libtalus_http.so" ] || skip "this build has no cpp-httplib, so the studio is not tested"
+  [ -e "$(dirname "$talus")/studio/index.html" ] || skip "the page of the studio is not built (target talus_studio_page), so it is not tested"
+  [ -x "${TALUS_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium, so the studio is not opened"
+  exec node browser/studio/check.mjs "$talus" "$root/examples/layered_embankment/case.toml" "$folder/screenshots"
 fi
 
 case=$root/tests/page/$name.toml

@@ -20,7 +20,8 @@ if (!program || !example || !outGiven) {
 const out = resolve(outGiven);
 mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
-copyFileSync(example, join(folder, "embankment.toml"));
+// With one file alone the page would open it.
+for (const name of ["embankment.toml", "second.toml"]) copyFileSync(example, join(folder, name));
 
 const list = new Checklist();
 const browser = await startBrowser();

@@ -34,6 +34,7 @@ export async function useKeysAlone(list, page) {
   }
   list.expect(await tabTo(page, /Describe soil/), "the undescribed soil is reached");
   await page.keyboard.press("Enter");
+  await page.locator("#field-materials-soil-model:focus").waitFor();
   for (const [label, value] of [[/Unit weight/, "18"], [/Cohesion \*|Cohesion/, "5"], [/Friction angle/, "28"]]) {
     list.expect(await tabTo(page, label), `the field ${label} is reached`);
     await page.keyboard.type(value);

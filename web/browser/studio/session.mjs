@@ -59,14 +59,14 @@ export async function clickAt(page, point, options = {}) {
   await page.mouse.click(x + 2, y + 1, options);
 }
 
-export const readText = (page) =>
-  page.evaluate(() => new Promise((resolve) => {
-    document.getElementById("tab-text").click();
-    requestAnimationFrame(() => setTimeout(() => {
-      const content = document.querySelector(".text-editor").shadowRoot.querySelector(".cm-content");
-      resolve([...content.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
-    }, 60));
-  }));
+/** The lines that the editor shows: those of a short case are all in the page. */
+export async function readText(page) {
+  await page.evaluate(() => document.getElementById("tab-text").click());
+  const content = page.locator(".text-editor .cm-content");
+  await content.waitFor();
+  await page.waitForTimeout(80);
+  return content.evaluate((element) => [...element.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
+}
 
 /** The shown factor; null while there is none. */
 export async function readFactor(page) {

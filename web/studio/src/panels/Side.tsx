@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: MIT
 /** The panels beside the canvas: selection, soils, blocks of the case, text, runs. */
+import { signal } from "@preact/signals";
+
 import { setting } from "../session";
 import { CasePanel } from "./CasePanel";
 import { RunsPanel } from "./RunsPanel";
 import { SelectionPanel } from "./SelectionPanel";
 import { SoilsPanel } from "./SoilsPanel";
 import { type Tab, tab } from "./tabs";
-import { TextPanel } from "./TextPanel";
+
+const editor = signal<(() => preact.JSX.Element) | null>(null);
+
+/** The editor is half of the page's code: it is loaded when it is opened first. */
+function LateTextPanel() {
+  const Editor = editor.value;
+  if (!Editor) {
+    void import("./TextPanel").then(({ TextPanel }) => (editor.value = TextPanel));
+    return <p class="muted loading">Loading the editor …</p>;
+  }
+  return <Editor />;
+}
 
 const titles: Record<Tab, string> = { selection: "Section", soils: "Soils", case: "Case", text: "Text", runs: "Runs" };
 const panels: Record<Tab, () => preact.JSX.Element> = {
   selection: SelectionPanel,
   soils: SoilsPanel,
   case: CasePanel,
-  text: TextPanel,
+  text: LateTextPanel,
   runs: RunsPanel,
 };
 
