@@ -10,8 +10,8 @@ import { Messages } from "./panels/Messages";
 import { Palette } from "./panels/Palette";
 import { Side } from "./panels/Side";
 import { StatusBar } from "./panels/StatusBar";
-import { isChanged, save } from "./session";
-import { redo, undo } from "./state";
+import { isChanged, openLocal, save } from "./session";
+import { notice, redo, undo, undoNames } from "./state";
 
 /** Keys of the whole page. Undo covers every kind of edit, so that it also acts in the text. */
 function pressPageKey(event: KeyboardEvent): void {
@@ -23,6 +23,18 @@ function pressPageKey(event: KeyboardEvent): void {
   else if (key === "s") void save();
   else return;
   event.preventDefault();
+}
+
+/** A case file that is dropped on the page is opened, if nothing would be lost. */
+async function dropFile(event: DragEvent): Promise<void> {
+  const found = event.dataTransfer?.files[0];
+  if (!found) return;
+  event.preventDefault();
+  if (!found.name.endsWith(".toml")) {
+    notice.value = { text: `“${found.name}” is no case file (.toml). Drawings and tables are read by talus import.`, bad: true };
+  } else if (isChanged() && undoNames.value.length) {
+    notice.value = { text: "Save or undo the changes before another case is opened.", bad: true };
+  } else openLocal(found.name, await found.text());
 }
 
 export function App() {
@@ -39,7 +51,7 @@ export function App() {
     };
   }, []);
   return (
-    <div class="studio">
+    <div class="studio" onDragOver={(e) => e.preventDefault()} onDrop={(e) => void dropFile(e)}>
       <Bar />
       <main class="workbench">
         <h1 class="unseen">Talus studio</h1>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The engine at work: checks and quick searches behind every change, files with revisions, the journal of typing. */
-import { effect, signal, untracked } from "@preact/signals";
+import { batch, effect, signal, untracked } from "@preact/signals";
 
 import type { JsonSchema } from "./engine/engine";
 import type { FileText, Workspace } from "./engine/http";
@@ -89,7 +89,13 @@ export async function start(found: Setting): Promise<void> {
   setting.value = found;
   startChecks(found);
   startSearches(found);
-  if (found.workspace) startJournal(found.workspace);
+  const { workspace } = found;
+  if (workspace) {
+    effect(() => {
+      workspace.path = file.value?.path ?? "";
+    });
+    startJournal(workspace);
+  }
   try {
     schema.value = await found.engine.schema();
     if (found.workspace) {
@@ -111,9 +117,12 @@ export async function openFile(path: string): Promise<void> {
   if (!workspace) return;
   try {
     const found = await workspace.readFile(path);
-    state.openText(found.text);
-    file.value = { path, revision: found.revision };
-    savedText.value = found.text;
+    batch(() => {
+      file.value = { path, revision: found.revision };
+      savedText.value = found.text;
+      workspace.path = path;
+      state.openText(found.text);
+    });
     conflict.value = null;
     const journal = await workspace.readJournal(path);
     recovered.value = journal && journal.text !== found.text ? journal.text : null;

@@ -33,6 +33,7 @@ export interface RunEvent {
 
 /** Files and runs of the server; the static page has none. */
 export interface Workspace {
+  path: string;
   /** `open`: the file that the page opens first; may be empty. */
   listFiles(): Promise<{ files: { path: string; revision: string }[]; open?: string }>;
   readFile(path: string): Promise<FileText>;
@@ -78,8 +79,15 @@ export class HttpEngine implements Engine, Workspace {
     return openAnswer<T>((await this.request(path, method, body)).answer);
   }
 
-  check = (text: string) => this.get<Checked>("/api/check", "POST", text);
-  solve = (text: string, options: SolveOptions) => this.get<Solved>("/api/solve", "POST", JSON.stringify({ text, options }));
+  /** The open file, beside which the tables that a case names are found; empty for a case that was never saved. */
+  path = "";
+
+  private get query(): string {
+    return this.path ? `?path=${encodeURIComponent(this.path)}` : "";
+  }
+
+  check = (text: string) => this.get<Checked>(`/api/check${this.query}`, "POST", text);
+  solve = (text: string, options: SolveOptions) => this.get<Solved>(`/api/solve${this.query}`, "POST", JSON.stringify({ text, options }));
   schema = () => this.get<JsonSchema>("/api/schema");
   template = async () => {
     const answer = await this.get<{ text: string }>("/api/template");

@@ -10,46 +10,48 @@ export interface LibraryEntry {
 }
 
 export const source =
-  "NAVFAC DM-7.02 (1986), Foundations and Earth Structures, table 1, typical properties of compacted soils (standard Proctor); converted from pcf and psf";
+  "U.S. Bureau of Reclamation, average effective shear strength of compacted soils (standard Proctor), as in Huang (1983), Stability analysis of earth slopes, table 3.1; ± are its 90 % limits, converted from pcf and tsf";
 
 const poundsPerCubicFoot = 0.157087;
-const poundsPerSquareFoot = 0.0478803;
+const tonsPerSquareFoot = 95.7605;
 
-/** Maximum dry unit weight [pcf], optimum water content [%], saturated cohesion [psf], friction angle of effective stress [deg]. */
-type Row = readonly [symbol: string, name: string, dry: readonly [number, number], water: readonly [number, number], cohesion: number | null, friction: number, above?: true];
-
-const rows: readonly Row[] = [
-  ["GW", "Well-graded gravel", [125, 135], [8, 11], 0, 38, true],
-  ["GP", "Poorly graded gravel", [115, 125], [11, 14], 0, 37, true],
-  ["GM", "Silty gravel", [120, 135], [8, 12], null, 34, true],
-  ["GC", "Clayey gravel", [115, 130], [9, 14], null, 31, true],
-  ["SW", "Well-graded sand", [110, 130], [9, 16], 0, 38],
-  ["SP", "Poorly graded sand", [100, 120], [12, 21], 0, 37],
-  ["SM", "Silty sand", [110, 125], [11, 16], 420, 34],
-  ["SC", "Clayey sand", [105, 125], [11, 19], 230, 31],
-  ["ML", "Silt", [95, 120], [12, 24], 190, 32],
-  ["CL", "Clay of low plasticity", [95, 120], [12, 24], 270, 28],
-  ["MH", "Elastic silt", [70, 95], [24, 40], 420, 25],
-  ["CH", "Clay of high plasticity", [75, 105], [19, 36], 230, 19],
+type Mean = readonly [mean: number, plusMinus: number];
+/** Dry unit weight [pcf], optimum water content [%], saturated cohesion [tsf], friction angle [deg]; null: not in the table. */
+type Row = readonly [symbol: string, name: string, dry: Mean, water: Mean, cohesion: Mean | null, friction: Mean];
+/** Lower limits only: of clean and silty gravels. */
+const above: readonly (readonly [symbol: string, name: string, friction: number])[] = [
+  ["GW", "Well-graded gravel", 38],
+  ["GP", "Poorly graded gravel", 37],
+  ["GM", "Silty gravel", 34],
+  ["GC", "Clayey gravel", 31],
 ];
 
-const round = (value: number, digits: number) => Number(value.toFixed(digits));
+const rows: readonly Row[] = [
+  ["SW", "Well-graded sand", [119, 5], [13.3, 2.5], null, [38, 1]],
+  ["SP", "Poorly graded sand", [110, 2], [12.4, 1.0], null, [37, 1]],
+  ["SM", "Silty sand", [114, 1], [14.5, 0.4], [0.21, 0.07], [34, 1]],
+  ["SC", "Clayey sand", [115, 1], [14.7, 0.4], [0.12, 0.06], [31, 3]],
+  ["ML", "Silt of low plasticity", [103, 1], [19.2, 0.7], [0.09, 0], [32, 2]],
+  ["CL", "Clay of low plasticity", [108, 1], [17.3, 0.3], [0.14, 0.02], [28, 2]],
+  ["MH", "Silt of high plasticity", [82, 4], [36.3, 3.2], [0.21, 0.09], [25, 3]],
+  ["CH", "Clay of high plasticity", [94, 2], [25.5, 1.2], [0.12, 0.06], [19, 5]],
+];
 
-function readRow([symbol, name, dry, water, cohesion, friction, above]: Row): LibraryEntry {
-  // Moist weight at the optimum: the heavier soil has the smaller water content.
-  const weight = [dry[0] * (1 + water[1] / 100), dry[1] * (1 + water[0] / 100)].map((w) => round(w * poundsPerCubicFoot, 1));
-  const ranges: Record<string, readonly [number, number]> = {
-    unit_weight: [Math.min(...weight), Math.max(...weight)],
-    friction_angle: [friction, friction],
-  };
-  if (cohesion !== null) {
-    const c = round(cohesion * poundsPerSquareFoot, 1);
-    ranges.cohesion = [c, c];
-  }
-  return { symbol, name, ranges, note: above ? `φ' is above ${friction}°` : "" };
+const round = (value: number) => Number(value.toFixed(1));
+const limits = ([mean, plusMinus]: Mean, unit: number): [number, number] => [round((mean - plusMinus) * unit), round((mean + plusMinus) * unit)];
+
+function readRow([symbol, name, dry, water, cohesion, friction]: Row): LibraryEntry {
+  // Moist weight at the optimum.
+  const weight = (sign: -1 | 1) => round((dry[0] + sign * dry[1]) * (1 + (water[0] + sign * water[1]) / 100) * poundsPerCubicFoot);
+  const ranges: Record<string, readonly [number, number]> = { unit_weight: [weight(-1), weight(1)], friction_angle: limits(friction, 1) };
+  if (cohesion) ranges.cohesion = limits(cohesion, tonsPerSquareFoot);
+  return { symbol, name, ranges, note: cohesion ? "c' of the saturated soil" : "" };
 }
 
-export const entries: readonly LibraryEntry[] = rows.map(readRow);
+export const entries: readonly LibraryEntry[] = [
+  ...above.map(([symbol, name, friction]) => ({ symbol, name, ranges: { friction_angle: [friction, friction] as const }, note: `φ' is above ${friction}°` })),
+  ...rows.map(readRow),
+];
 
 const stored = "talus-studio-library";
 

@@ -26,6 +26,7 @@ export function FactorBox() {
   const found = state.solved.value;
   const errors = state.messages.value.some(({ severity }) => severity === "error");
   const factor = found && !errors ? found.factor : null;
+  const text = describe();
   const low = factor !== null && factor < 1;
   return (
     <div class={`factor-box${state.isSolving.value ? " stale" : ""}`}>
@@ -42,7 +43,9 @@ export function FactorBox() {
       <output class={low ? "factor low" : "factor"} aria-label="Factor of safety" aria-live="off">
         {formatFactor(factor)}
       </output>
-      <p aria-live="polite">{describe()}</p>
+      <p aria-live="polite" title={text}>
+        {text.replace(/^./, (c) => c.toUpperCase())}
+      </p>
     </div>
   );
 }
