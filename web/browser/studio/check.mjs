@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER]
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
@@ -9,6 +9,7 @@ import { Checklist } from "../checklist.mjs";
 import { checkWidth } from "../layout.mjs";
 import { startBrowser } from "../session.mjs";
 import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawing.mjs";
+import { editInTwoWindows, hostileCase, openHostile, recoverText, runCase } from "./files.mjs";
 import { useKeysAlone } from "./keyboard.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
@@ -22,6 +23,7 @@ mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
 // With one file alone the page would open it.
 for (const name of ["embankment.toml", "second.toml"]) copyFileSync(example, join(folder, name));
+writeFileSync(join(folder, "hostile.toml"), hostileCase);
 
 const list = new Checklist();
 const browser = await startBrowser();
@@ -42,9 +44,14 @@ try {
     await list.group("Undo", () => undoAll(list, page, drawn.empty));
     await list.group("Mistakes", () => makeMistakes(list, page, out));
     await list.group("Saving", () => saveAs(list, page));
+    await list.group("Runs", () => runCase(list, page));
   }
   await list.group("Keyboard", async () => useKeysAlone(list, await open(studio.address)));
   const embankment = addFile(studio.address, "embankment.toml");
+  const second = addFile(studio.address, "second.toml");
+  await list.group("Two windows", async () => editInTwoWindows(list, await open(second), await open(second)));
+  await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
+  await list.group("Hostile", async () => openHostile(list, await open(addFile(studio.address, "hostile.toml"))));
   for (const colorScheme of ["light", "dark"]) {
     await list.group(`Accessibility, ${colorScheme}`, async () => {
       const coloured = await open(embankment, { colorScheme });
@@ -74,7 +81,8 @@ try {
   await list.group("Silence", () => {
     const requests = opened.flatMap((session) => session.requests);
     list.expect(requests.length === 0, "nothing is asked of a network", requests.slice(0, 5).join(", "));
-    const faults = [...new Set(opened.flatMap((session) => session.faults))];
+    // A refused save is shown to the user; the browser notes its status as well.
+    const faults = [...new Set(opened.flatMap((session) => session.faults))].filter((fault) => !/status of 409/.test(fault));
     list.expect(faults.length === 0, "no errors in the console", faults.slice(0, 8).join(" | "));
   });
 } finally {

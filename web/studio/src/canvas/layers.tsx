@@ -76,6 +76,17 @@ function levelEnds(points: readonly Point[]): Point[] {
   return [[Math.min(first[0], ...x), first[1]], ...points, [Math.max(last[0], ...x), last[1]]];
 }
 
+/** Standing water, as the engine finds it above the ground. */
+function Ponds() {
+  return (
+    <g>
+      {(state.section.value?.ponds ?? []).map((pond, i) => (
+        <path key={i} class="pond" d={draw(pond, true)} />
+      ))}
+    </g>
+  );
+}
+
 function Supports() {
   return (
     <g>
@@ -112,6 +123,7 @@ export function WorldLayers() {
   return (
     <g transform={transform.value} class="world">
       <Regions />
+      <Ponds />
       <Slip />
       <Lines />
       <Supports />

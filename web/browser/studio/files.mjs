@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Files in two windows, unsaved texts after a crash, runs, and a hostile case file.
+import { readFactor, readText, waitForFactor } from "./session.mjs";
+
+async function setCohesion(page, soil, value) {
+  await page.getByRole("tab", { name: "Soils" }).click();
+  const field = page.locator(`#field-materials-${soil}-cohesion`);
+  if (!(await field.isVisible())) await page.locator(".soil > summary", { hasText: soil }).click();
+  await field.fill(value);
+  await field.press("Tab");
+}
+
+/** Two windows change one file: the second to save is asked, and nothing is lost. */
+export async function editInTwoWindows(list, first, second) {
+  await waitForFactor(first);
+  await waitForFactor(second);
+  await setCohesion(first, "fill", "11");
+  await first.getByRole("button", { name: "Save", exact: true }).click();
+  await first.locator(".changed").waitFor({ state: "detached" });
+  await setCohesion(second, "fill", "22");
+  await second.getByRole("button", { name: "Save", exact: true }).click();
+  const question = second.locator(".question");
+  await question.waitFor();
+  list.expect(/Nothing was overwritten/.test(await question.innerText()), "a file that has changed is not overwritten");
+  await second.getByRole("button", { name: /^Open the other text/ }).click();
+  list.expect(/cohesion = 11/.test(await readText(second)), "the other text can be opened");
+  await second.keyboard.press("Control+z");
+  list.expect(/cohesion = 22/.test(await readText(second)), "and the own one is a step back");
+}
+
+/** A window that is closed without saving offers its text at the next start. */
+export async function recoverText(list, page, reopen) {
+  await waitForFactor(page);
+  await setCohesion(page, "fill", "33");
+  await page.waitForTimeout(2500);
+  const again = await reopen();
+  const recover = again.getByRole("button", { name: "Recover them" });
+  await recover.waitFor();
+  await recover.click();
+  list.expect(/cohesion = 33/.test(await readText(again)), "the unsaved text is recovered");
+}
+
+/** Runs the drawn slope by the program itself and reads its report. */
+export async function runCase(list, page) {
+  await page.getByRole("tab", { name: "Runs" }).click();
+  await page.getByRole("button", { name: "Calculate" }).click();
+  await page.locator(".factors").waitFor();
+  const factors = await page.locator(".factors td.number").allInnerTexts();
+  list.note(`factors by the settings of the case: ${factors.join(", ")}`);
+  list.expect(factors.length >= 2 && factors.every((text) => Number(text) > 0.5), "every method has a factor", factors.join(", "));
+  await page.getByRole("button", { name: /^(Save and run|Run)$/ }).click();
+  const report = page.getByRole("link", { name: "Report" });
+  await report.waitFor({ timeout: 240_000 });
+  const shown = /F = (\d\.\d+)/.exec(await page.locator(".runs li").first().innerText());
+  list.expect(shown !== null, "a finished run shows its factor", await page.locator(".runs").innerText());
+  const [opened] = await Promise.all([page.context().waitForEvent("page"), report.click()]);
+  await opened.waitForLoadState();
+  await opened.locator("h1").first().waitFor();
+  list.expect(/Talus report/.test(await opened.title()), "its report opens", await opened.title());
+  await opened.close();
+}
+
+/** Names that would be scripts in a page that writes HTML. */
+export const hostileCase = `title = "<img src=x onerror=window.hostile=1>"
+
+[[geometry.polygon]]
+name = "<script>window.hostile=1</script>"
+points = [[0, 0], [40, 0], [40, 5], [30, 5], [12, 14], [0, 14]]
+
+[regions]
+"<script>window.hostile=1</script>" = "javascript:alert(1)//'\"><svg onload=window.hostile=1>"
+
+["materials"."javascript:alert(1)//'\\"><svg onload=window.hostile=1>"]
+model = "mohr_coulomb"
+unit_weight = 18
+cohesion = "<b>5</b>"
+friction_angle = 28
+
+[analysis]
+methods = ["lem"]
+`;
+
+export async function openHostile(list, page) {
+  await page.waitForTimeout(1500);
+  for (const tab of ["Section", "Soils", "Case", "Text", "Runs"]) {
+    await page.getByRole("tab", { name: tab }).click();
+    await page.waitForTimeout(200);
+  }
+  list.expect((await page.evaluate(() => window.hostile)) === undefined, "a hostile case file executes nothing");
+  const foreign = await page.evaluate(() => document.querySelectorAll("#app img, #app script, #app b > b").length);
+  list.expect(foreign === 0, "its names are text", String(foreign));
+  list.expect((await readFactor(page)) === null, "its faults have messages", await page.locator(".messages").innerText());
+}
