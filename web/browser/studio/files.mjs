@@ -61,7 +61,7 @@ export async function runCase(list, page) {
 }
 
 /** Names that would be scripts in a page that writes HTML. */
-export const hostileCase = `title = "<img src=x onerror=window.hostile=1>"
+export const hostileCase = String.raw`title = "<img src=x onerror=window.hostile=1>"
 
 [[geometry.polygon]]
 name = "<script>window.hostile=1</script>"
@@ -70,7 +70,7 @@ points = [[0, 0], [40, 0], [40, 5], [30, 5], [12, 14], [0, 14]]
 [regions]
 "<script>window.hostile=1</script>" = "javascript:alert(1)//'\"><svg onload=window.hostile=1>"
 
-["materials"."javascript:alert(1)//'\\"><svg onload=window.hostile=1>"]
+[materials."javascript:alert(1)//'\"><svg onload=window.hostile=1>"]
 model = "mohr_coulomb"
 unit_weight = 18
 cohesion = "<b>5</b>"
@@ -86,6 +86,7 @@ export async function openHostile(list, page) {
     await page.getByRole("tab", { name: tab }).click();
     await page.waitForTimeout(200);
   }
+  list.expect((await page.locator(".labels text").count()) > 0, "a hostile case is shown");
   list.expect((await page.evaluate(() => window.hostile)) === undefined, "a hostile case file executes nothing");
   const foreign = await page.evaluate(() => document.querySelectorAll("#app img, #app script, #app b > b").length);
   list.expect(foreign === 0, "its names are text", String(foreign));

@@ -8,8 +8,10 @@ import { entries } from "../src/library/library";
 import { findOffset } from "../src/panels/offsets";
 
 /** As `talus schema` writes it. */
-const schema: JsonSchema = {
-  allOf: [{ if: { properties: { model: { const: "mohr_coulomb" } }, required: ["model"] }, then: { required: ["cohesion"] } }],
+const schema = JSON.parse(`{"allOf": [{
+  "if": {"properties": {"model": {"const": "mohr_coulomb"}}, "required": ["model"]}, "then": {"required": ["cohesion"]}
+}]}`) as JsonSchema;
+Object.assign(schema, {
   properties: {
     unit_weight: {
       anyOf: [{ type: "number", exclusiveMinimum: 0 }, { type: "string", pattern: "x" }],
@@ -22,7 +24,7 @@ const schema: JsonSchema = {
     gsi: { type: "number", description: 'GSI of the rock mass. Usually 5 to 90. Only where model = "hoek_brown".' },
     model: { enum: ["mohr_coulomb", "tresca"], default: "tresca", description: "How stress follows strain. mohr_coulomb: with friction. tresca: without." },
   },
-};
+});
 
 describe("Fields", () => {
   const fields = listFields(schema, { model: "mohr_coulomb" });
