@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Sources of the engine: whole folders, without what needs files, processes, threads or a mesh generator.
+# Sources of the engine: whole folders, without what needs processes, threads, compiled libraries or a mesh generator, or serves results.
 set(folders base input lem material mesh results run/lem site studio)
 list(TRANSFORM folders PREPEND ${source}/)
 list(TRANSFORM folders APPEND /*.cpp)
 file(GLOB_RECURSE TALUS_WASM_SOURCES CONFIGURE_DEPENDS ${folders})
-set(left_out base/(aligned|folder_lock|foreign_code|memory|ranks|unit_database) mesh/(finish|generate|gmsh_mesh|points|quality|read_mesh_file)
-  material/external input/(echo|start_result) results/(tables|timeline|json) site/(flow_measures|known_state|mesh_sides|season|seepage_model))
-list(JOIN left_out "|" left_out)
+string(JOIN "|" left_out
+  "base/(aligned|folder_lock|foreign_code|memory|ranks|unit_database)"
+  "mesh/(generate|gmsh_mesh|points|quality|read_mesh_file)"
+  "material/external"
+  "results/(json|tables)"
+  "site/(flow_measures|known_state|mesh_sides|season|seepage_model)")
 list(FILTER TALUS_WASM_SOURCES EXCLUDE REGEX "/(${left_out})\\.cpp$")
 foreach(name common/section_of_case common/bars_of_case case_picture message_places picture_conditions picture_search)
   list(APPEND TALUS_WASM_SOURCES ${source}/run/${name}.cpp)

@@ -170,7 +170,8 @@ class Parser {
     std::size_t length = !rest_.empty() && (rest_[0] == '-' || rest_[0] == '+') ? 1 : 0;
     const std::size_t first = length;
     while (length < rest_.size() && is_digit(rest_[length]) && length < first + 2) ++length;
-    const bool is_whole = length > first && (length == rest_.size() || (!is_digit(rest_[length]) && rest_[length] != '.'));
+    const bool is_whole =
+        length > first && (length == rest_.size() || (!is_digit(rest_[length]) && rest_[length] != '.'));
     if (!is_whole) {
       if (is_raised) rest_ = "^";  // no unit
       return std::nullopt;

@@ -60,6 +60,12 @@ TEST(Units, KeepAnglesAndPlainNumbersApart) {
   EXPECT_NE(find_complaint("30 deg", "1"), "");
 }
 
+TEST(Units, KeepTimesAndRatesApart) {
+  // UDUNITS would convert 2 Hz to 0.5 s.
+  EXPECT_EQ(find_complaint("2 Hz", "s"), "'2 Hz' is a rate; cohesion needs a time such as \"2 s\"");
+  EXPECT_EQ(find_complaint("3 s", "Hz"), "'3 s' is a time; cohesion needs a rate such as \"2 Hz\"");
+}
+
 TEST(Units, RefuseWhatIsNoQuantity) {
   EXPECT_NE(find_complaint("2", "kPa").find("without a unit"), std::string::npos);
   EXPECT_NE(find_complaint("two kPa", "kPa").find("finite number"), std::string::npos);
