@@ -70,9 +70,9 @@ class SofteningHoekBrown : public SofteningLaw<SofteningHoekBrown> {
       .is_opaque = true,
       .paragraphs = {"mohr_coulomb", "softening"},
       .assumption =
-          "{}: the GSI of the Hoek–Brown criterion falls linearly with plastic shear strain in MPM. LEM and FEM take "
-          "the "
-          "peak or the residual strength of all the rock at once, as `limit_strength` says."};
+          "{}: the GSI of the Hoek–Brown criterion falls linearly with plastic shear strain in MPM, and in FEM with "
+          "[fem] softening = \"progressive\". Otherwise FEM, LEM and limit analysis use the peak or the residual "
+          "strength of `limit_strength` everywhere."};
   using Input = Needs<YoungInput, PoissonInput, HoekBrownInput, ResidualIndex, SofteningRange, FlowRatio>;
   static SofteningHoekBrown make(const Input& in, const StrengthChange& change);
   static void check(const Input& in, const SoilFindings& findings);
@@ -84,9 +84,11 @@ class SofteningHoekBrown : public SofteningLaw<SofteningHoekBrown> {
   template <int NS>
   Response<double> update_softened(double strain, double* sigma, const double* d_epsilon, double* state,
                                    const Surroundings<double>& around) const {
-    return CurvedLaw(*this, find_mass(strain), dilatancy_ratio_, factor_)
-        .update_point<NS>(sigma, d_epsilon, state, around);
+    return make_frozen(strain).update_point<NS>(sigma, d_epsilon, state, around);
   }
+  /// Returns the perfectly plastic law of the rock after a softening strain [-].
+  CurvedLaw make_frozen(double strain) const { return {*this, find_mass(strain), dilatancy_ratio_, factor_}; }
+  const SofteningRange& range() const { return range_; }
   /// Returns the rock after a softening strain [-].
   HoekBrownMass find_mass(double strain) const;
 

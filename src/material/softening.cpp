@@ -10,12 +10,14 @@
 namespace talus::material {
 namespace {
 
-/// Returns the strength after all softening, at constant volume. The tensile strength falls with the cohesion.
+/// Returns the strength after all softening, at constant volume unless flow is associated. The tensile strength falls
+/// with the cohesion.
 MohrCoulombStrength find_residual(const SofteningMohrCoulomb::Input& in) {
   const MohrCoulombStrength& peak = in.get<MohrCoulombStrength>();
   const ResidualStrength& s = in.get<ResidualStrength>();
   const double share = peak.cohesion > 0 ? s.residual_cohesion / peak.cohesion : 0;
-  return {s.residual_cohesion, s.residual_friction_angle, 0, share * peak.tensile_strength};
+  const double dilatancy = in.get<SofteningRange>().is_associated ? s.residual_friction_angle : 0;
+  return {s.residual_cohesion, s.residual_friction_angle, dilatancy, share * peak.tensile_strength};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Mohr–Coulomb whose c and tan φ fall from peak to residual values with the plastic shear strain, as of stiff clay or
-// sensitive soil. Over how much soil the strain is averaged, mesh.softening_length says (theory 23).
+// sensitive soil. mesh.softening_length is the length over which this strain is averaged (theory 23).
 
 #include "material/mohr_coulomb.hpp"
 #include "material/point_law.hpp"
@@ -30,6 +30,7 @@ struct SofteningRange {
   double softening_start = 0;  ///< ε_q^p at which the strength begins to fall [-]
   double softening_end = 0;    ///< ε_q^p at which it is residual [-]
   LimitStrength limit_strength = LimitStrength::residual;
+  bool is_associated = false;  ///< ψ = φ at every strain; set by FEM, not by the case
 
   /// Returns the share of the softening that a strain has caused, from 0 to 1.
   double find_share(double strain) const {
@@ -48,7 +49,7 @@ void describe(auto& v, SofteningRange& in, const Users& users) {
         "The same strain at which the strength is residual, linearly between.");
   v.key("limit_strength", in.limit_strength,
         users.need(plain()).by_methods({"lem", "fem", "bounds"}).example(R"("residual")"),
-        "Strength for LEM, FEM and limit analysis, which do not soften.");
+        "Strength for LEM and limit analysis, which do not soften, and for FEM where [fem] softening is \"none\".");
 }
 
 struct ResidualStrength {
@@ -70,7 +71,7 @@ void describe(auto& v, ResidualStrength& in, const Users& users) {
 template <class L>
 struct SofteningLaw : PointLaw<L> {
   using PointLaw<L>::PointLaw;
-  static constexpr int state_size = 3, gap_states = 1;
+  static constexpr int state_size = 3, gap_states = 1, softening_state = 1;
   static constexpr bool is_plastic = true;
 
   static std::vector<StateField> fields() { return {{"softening_strain", "-", 0}, separation_field}; }
@@ -107,9 +108,9 @@ class SofteningMohrCoulomb : public SofteningLaw<SofteningMohrCoulomb> {
       .is_opaque = true,
       .paragraphs = {"mohr_coulomb", "softening"},
       .assumption =
-          "{}: c and tan φ fall linearly with plastic shear strain in MPM. LEM, FEM and limit analysis take the peak "
-          "or "
-          "the residual strength of all the soil at once, as `limit_strength` says, and know no progressive failure.",
+          "{}: c and tan φ fall linearly with plastic shear strain in MPM, and in FEM with [fem] softening = "
+          "\"progressive\". Otherwise FEM, LEM and limit analysis use the peak or the residual strength of "
+          "`limit_strength` everywhere, without progressive failure.",
       .reduction = "In soil that softens the factor divides c and tan φ at every strain."};
   using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, ResidualStrength, SofteningRange>;
   static SofteningMohrCoulomb make(const Input& in, const StrengthChange& change);
@@ -130,6 +131,14 @@ class SofteningMohrCoulomb : public SofteningLaw<SofteningMohrCoulomb> {
     if (share == 1) return residual_.update<NS>(sigma, d_epsilon, state, true, around);
     return MohrCoulomb(*this, find_strength(strain)).update<NS>(sigma, d_epsilon, state, true, around);
   }
+  /// Returns the perfectly plastic law with the strength after a softening strain [-].
+  MohrCoulomb make_frozen(double strain) const {
+    const double share = range_.find_share(strain);
+    if (share == 0) return peak_;
+    if (share == 1) return residual_;
+    return MohrCoulomb(*this, find_strength(strain));
+  }
+  const SofteningRange& range() const { return range_; }
   /// Returns the strength after a softening strain [-].
   MohrCoulombStrength find_strength(double strain) const;
 

@@ -8,6 +8,7 @@
 #include "run/common/head.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/compare/compare.hpp"
+#include "run/fem/solid_of_case.hpp"
 #include "site/design_values.hpp"
 
 namespace talus::run {
@@ -15,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares FEM with ψ = φ with limit analysis, if both have the same tensile strength.
+/// Compares FEM with ψ = φ with limit analysis, if both have the same strength and tensile strength.
 void judge_elements(const input::Case& data, results::RunResult& run) {
   if (!run.elements || !run.bounds || !run.bounds->is_interval() || run.bounds->is_davis ||
-      find_judging_obstacle(data) || data.bounds.tension != input::BoundsTension::as_given)
+      find_judging_obstacle(data) || data.bounds.tension != input::BoundsTension::as_given || softens_in_trials(data))
     return;
   results::Referee referee;
   referee.lower = run.bounds->lower, referee.upper = run.bounds->upper;

@@ -71,15 +71,4 @@ class SolidNewton {
   std::vector<std::array<double, 2>> way_;  ///< displacement and out-of-balance force of each step so far
 };
 
-// Steps that equilibrium and strength reduction have in common. Internal to fem/.
-
-/// Returns the laws of all regions at a factor, with a placeholder for regions without elements.
-template <int D>
-std::vector<material::Law> make_laws(const SolidModel<D>& model, double factor);
-
-/// Applies the loads of the model from `start` in load steps.
-template <int D>
-SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton, const SolidAssembly<D>& assembly,
-                           const SolidOptions& options, const SolidState<D>& start);
-
 }  // namespace talus::fem

@@ -132,10 +132,16 @@ PointAnswer update_with_tangent(const L& law, double saturation, const double* d
 template <int NS>
 PointAnswer update_point(const material::Law& law, double saturation, const double* d_epsilon, double* sigma,
                          double* state, double* tangent) {
+  const auto update = [&](const auto& l) {
+    if (tangent) return update_with_tangent<NS>(l, saturation, d_epsilon, sigma, state, tangent);
+    return update_plain<NS>(l, saturation, d_epsilon, sigma, state);
+  };
   return std::visit(
-      [&](const auto& l) {
-        if (tangent) return update_with_tangent<NS>(l, saturation, d_epsilon, sigma, state, tangent);
-        return update_plain<NS>(l, saturation, d_epsilon, sigma, state);
+      [&]<class L>(const L& l) {
+        if constexpr (requires { l.make_frozen(0.0); })
+          return update(l.make_frozen(state[L::softening_state]));  // a perfectly plastic law does not use this state
+        else
+          return update(l);
       },
       law);
 }

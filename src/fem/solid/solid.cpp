@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "fem/solid/newton.hpp"
+#include "fem/solid/softening.hpp"
 #include "fem/solid/system.hpp"
 
 namespace talus::fem {
@@ -25,8 +25,8 @@ std::vector<material::Law> make_laws(const SolidModel<D>& model, double factor) 
 }
 
 template <int D>
-SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton, const SolidAssembly<D>& assembly,
-                           const SolidOptions& options, const SolidState<D>& start) {
+SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton, SolidSoftening<D>& softening,
+                           const SolidAssembly<D>& assembly, const SolidOptions& options, const SolidState<D>& start) {
   SolidResult<D> result;
   SolidState<D> now = start, end;
   const std::vector<double> still(system.load.size(), 0);
@@ -40,7 +40,7 @@ SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton,
     const double next = std::min(1.0, share + step);
     for (std::size_t i = 0; i < target.size(); ++i)
       target[i] = sums.force[i] + (next > 1 - 1e-12 ? 1 : next) * (system.load[i] - sums.force[i]);
-    const NewtonOutcome out = newton.solve(assembly, now, target, end);
+    const NewtonOutcome out = softening.solve(newton, assembly, now, target, end);
     result.iterations += out.iterations;
     result.force_residual = out.force_residual;
     result.displacement_residual = out.displacement_residual;
@@ -69,7 +69,8 @@ SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& 
   const SolidSystem<D> system(model);
   const SolidAssembly<D> assembly(system, make_laws(model, factor), options.threads, {factor, start == nullptr});
   SolidNewton<D> newton(system, options);
-  return apply_loads(system, newton, assembly, options, start ? *start : assembly.make_start());
+  SolidSoftening<D> softening(system, options);
+  return apply_loads(system, newton, softening, assembly, options, start ? *start : assembly.make_start());
 }
 
 std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor) {
@@ -78,9 +79,9 @@ std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const Soli
 
 template std::vector<material::Law> make_laws(const SolidModel<2>&, double);
 template std::vector<material::Law> make_laws(const SolidModel<3>&, double);
-template SolidResult<2> apply_loads(const SolidSystem<2>&, SolidNewton<2>&, const SolidAssembly<2>&,
+template SolidResult<2> apply_loads(const SolidSystem<2>&, SolidNewton<2>&, SolidSoftening<2>&, const SolidAssembly<2>&,
                                     const SolidOptions&, const SolidState<2>&);
-template SolidResult<3> apply_loads(const SolidSystem<3>&, SolidNewton<3>&, const SolidAssembly<3>&,
+template SolidResult<3> apply_loads(const SolidSystem<3>&, SolidNewton<3>&, SolidSoftening<3>&, const SolidAssembly<3>&,
                                     const SolidOptions&, const SolidState<3>&);
 template SolidResult<2> find_equilibrium<2>(const SolidModel<2>&, const SolidOptions&, double, const SolidState<2>*);
 template SolidResult<3> find_equilibrium<3>(const SolidModel<3>&, const SolidOptions&, double, const SolidState<3>*);

@@ -46,6 +46,8 @@ struct SolidModel {
   std::vector<Support<D>> supports;  ///< several on one side fix the directions of all of them
   std::vector<SurfaceLoad<D>> loads;
   std::vector<Bar> bars;  ///< plane strain only
+  /// Nonlocal length of laws that soften [m]; 0: each point softens by its own plastic strain.
+  double softening_length = 0;
   /// χ p at the corners of each element, positive in tension [Pa]; empty: dry.
   std::vector<std::array<double, D + 1>> pore_stress;
   /// S_w per element, for laws that depend on it; empty: 1.
@@ -65,6 +67,10 @@ struct SolidOptions {
   int most_halvings = 5;
   double runaway = 50;  ///< displacement, in elastic displacements, at which a step has failed [-]
   int threads = 0;      ///< of the assembly; 0: all of the machine
+  /// Remaining fall of any strength, over that from peak to residual, at which soil that softens is in equilibrium [-];
+  /// and the largest number of times that strengths are lowered in a load step or trial.
+  double softening_tolerance = 1e-3;
+  int most_softenings = 400;
 };
 
 /// A state of equilibrium, or the last one reached.
@@ -98,6 +104,7 @@ struct ReductionTrial {
   double force_residual = 0, displacement_residual = 0;
   double displacement = 0;  ///< largest since the equilibrium at full strength [m]
   double seconds = 0;
+  int softenings = 0;  ///< number of times that strengths were lowered
 };
 
 struct ReductionOptions {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its result does
 // not depend on the other trials.
-#include "fem/solid/newton.hpp"
+#include "fem/solid/softening.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,12 @@ class Reduction {
  public:
   Reduction(const SolidModel<D>& model, const ReductionOptions& options,
             const std::function<void(const ReductionTrial&)>& report)
-      : model_(model), options_(options), report_(report), system_(model), newton_(system_, options.solid) {}
+      : model_(model),
+        options_(options),
+        report_(report),
+        system_(model),
+        newton_(system_, options.solid),
+        softening_(system_, options.solid) {}
 
   ReductionResult<D> run() {
     const auto begin = Clock::now();
@@ -83,7 +88,7 @@ class Reduction {
     double factor = 1;
     while (factor >= options_.smallest) {
       const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads, {factor, true});
-      auto found = apply_loads(system_, newton_, assembly, options_.solid, assembly.make_start());
+      auto found = apply_loads(system_, newton_, softening_, assembly, options_.solid, assembly.make_start());
       result_.iterations += found.iterations;
       if (found.converged) {
         result_.base_factor = factor;
@@ -135,9 +140,10 @@ class Reduction {
     std::fill(start.displacement.begin(), start.displacement.end(), Vec<D>{});
     std::fill(start.yields.begin(), start.yields.end(), 0);
     std::fill(start.strain.begin(), start.strain.end(), std::array<double, 6>{});
-    const NewtonOutcome out = newton_.solve(assembly, start, system_.load, end);
+    const SofteningOutcome out = softening_.solve(newton_, assembly, start, system_.load, end);
     ReductionTrial trial{
-        factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
+        factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0,
+        0,      out.softenings};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
     if (!out.converged) {  // the failed trials come in the order of decreasing factors
@@ -155,6 +161,7 @@ class Reduction {
   std::function<void(const ReductionTrial&)> report_;
   SolidSystem<D> system_;
   SolidNewton<D> newton_;
+  SolidSoftening<D> softening_;
   double low_ = 0, high_ = 0;
   double unstable_ = 0;  ///< lowest factor at which the loads were not in equilibrium; 0: none
   ReductionResult<D> result_;

@@ -94,6 +94,7 @@ class SolidAssembly {
 
   /// Number of state variables per point.
   int state_size() const { return state_size_; }
+  const material::Law& get_law(std::size_t k) const { return laws_[static_cast<std::size_t>(system_.region(k))]; }
   /// Returns the initial state: stress and state variables of the model.
   SolidState<D> make_start() const;
 
@@ -133,7 +134,7 @@ struct PointAnswer {
 
 /// Updates stress and state (NS and state_size numbers) by the increment `d_epsilon`. If `tangent` (NS × NS, by rows)
 /// is given, also computes ∂σ/∂Δε (T19.3): by automatic differentiation of the law, or by differences for external
-/// models.
+/// models. Soil that softens keeps its softening strain, and so its strength.
 template <int NS>
 PointAnswer update_point(const material::Law& law, double saturation, const double* d_epsilon, double* sigma,
                          double* state, double* tangent);

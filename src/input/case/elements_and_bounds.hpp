@@ -16,12 +16,16 @@ enum class FlowRule { as_given, associated, both };
 /// Associated flow with the strength of Davis (1968) in place of ψ < φ, by the angles that give its share.
 enum class DavisRule { none, a, b, c };
 
+/// Treatment of soil that softens.
+enum class FemSoftening { none, progressive };
+
 struct FiniteElements {
   std::optional<double> size;  ///< element size [m]; not given: that of [mesh]
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
-  int meshes = 2;                        ///< 2: also a mesh of twice the size, with linear extrapolation
-  FlowRule flow = FlowRule::as_given;    ///< both: ψ as given, and ψ = φ
-  DavisRule davis = DavisRule::none;     ///< of the trials with ψ as given
+  int meshes = 2;                      ///< 2: also a mesh of twice the size, with linear extrapolation
+  FlowRule flow = FlowRule::as_given;  ///< both: ψ as given, and ψ = φ
+  DavisRule davis = DavisRule::none;   ///< of the trials with ψ as given
+  FemSoftening softening = FemSoftening::none;
   double from = 1.0, to = 2.0;           ///< initial bracket [-]
   double resolution = 0.005;             ///< width of the final bracket [-]
   double force_tolerance = 1e-4;         ///< relative [-]
@@ -45,6 +49,13 @@ inline constexpr auto choices<DavisRule> = std::array{
     Choice{DavisRule::c, "c", "φ reduced and ψ as given; no change where ψ exceeds the reduced φ"},
 };
 
+template <>
+inline constexpr auto choices<FemSoftening> = std::array{
+    Choice{FemSoftening::none, "none", "the peak or the residual strength everywhere, by `limit_strength`"},
+    Choice{FemSoftening::progressive, "progressive",
+           "the strength falls with plastic shear strain, averaged over mesh.softening_length"},
+};
+
 void describe(auto& v, FiniteElements& f) {
   v.key("size", f.size, quantity("m").above(0).example("1.0"),
         "Size of the quadratic elements; if not given, that of [mesh]. With two meshes it is that of the finer one.");
@@ -58,6 +69,9 @@ void describe(auto& v, FiniteElements& f) {
       "davis", f.davis, plain(),
       "Instead of ψ < φ, associated flow with c and tan φ times β = cos ψ cos φ/(1 − sin ψ sin φ) after Davis (1968), "
       "by these angles. The factor varies less with the mesh. It replaces the trials with ψ as given.");
+  v.key("softening", f.softening, plain(),
+        "Treatment of soil of the softening models. In a progressive failure the strength of a trial, at every strain, "
+        "is that of the case divided by the factor.");
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");

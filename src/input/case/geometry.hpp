@@ -94,9 +94,9 @@ void describe(auto& v, MeshBlock& m) {
         "Material points in each element filled with soil: 1, 3, 6 or 12 in 2D; 1, 4, 8 or 10 in 3D (where the default "
         "is 4).");
   v.key("softening_length", m.softening_length, quantity("m").above(0).by_methods({"mpm"}).example("0.3"),
-        "Length over which soil softens that dilates: its plastic volume is a mean over this neighbourhood. At least "
-        "twice the size of the elements where a band forms. If not given, bands are as thick as the elements, and what "
-        "softens depends on their size.");
+        "Nonlocal length: the plastic strain that softens is averaged over this radius, in MPM and in FEM with [fem] "
+        "softening = \"progressive\". At least twice the size of the elements where a band forms. If not given, bands "
+        "are as thick as the elements, and the results depend on their size.");
   v.tables("refine", plan.refinements, 0, "Smaller elements near a point or a polyline.");
 }
 

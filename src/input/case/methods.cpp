@@ -127,6 +127,29 @@ void check_davis_of_elements(const Case& data, Findings& findings) {
     findings.add("fem.davis", "'davis' replaces the trials with ψ as given, and flow = \"associated\" has none");
 }
 
+/// Checks that progressive failure has a soil that softens, and the strains over which it does.
+void check_progressive_failure(const Case& data, Findings& findings) {
+  if (!findings.is_sound("fem.softening")) return;
+  bool softens = false;
+  for (const auto& [name, material] : data.materials) {
+    if (!material::needs<material::SofteningRange>(material.model)) continue;
+    softens = true;
+    const std::string path = "materials." + name;
+    if (!findings.places.is_given(path + ".softening_end") && findings.is_sound(path + ".softening_end") &&
+        !uses(data, Method::mpm))
+      findings.add(path, "'softening_end' of material '{}' is missing; [fem] softening = \"progressive\" needs it",
+                   name);
+  }
+  if (!softens)
+    findings.add("fem.softening",
+                 "'softening' is \"progressive\", but no soil of the case softens; those of model {} do",
+                 material::list_words([](const material::Traits& t) { return t.softens && t.serves_slices; }));
+  if (softens && data.fem.davis != DavisRule::none && findings.is_sound("fem.davis"))
+    findings.add("fem.davis",
+                 "Davis's strength needs constant angles φ and ψ, and those of soil that softens fall; take 'davis' "
+                 "or softening = \"progressive\" out");
+}
+
 void check_bounds_need(const Case& data, Findings& findings) {
   if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
     findings.add("geometry.dimension",
@@ -309,6 +332,7 @@ void check_methods(const Case& data, Findings& findings) {
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
   if (has_elements && data.fem.davis != DavisRule::none) check_davis_of_elements(data, findings);
+  if (has_elements && data.fem.softening == FemSoftening::progressive) check_progressive_failure(data, findings);
   if (has_bounds) check_bounds_need(data, findings);
   if (has_bounds && data.bounds.flow == BoundsFlow::davis) check_davis(data, "bounds.flow", findings);
   check_reduces(data, findings);

@@ -10,6 +10,7 @@
 
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
+#include "run/fem/solid_of_case.hpp"
 #include "site/ground_line.hpp"
 
 namespace talus::run {
@@ -177,7 +178,8 @@ class Warnings {
       warn_outside(words, *governing_->found->surface.factor, {}, tension,
                    "The surface that was found may not be admissible: look at its forces.");
     }
-    if (run_.elements)
+    // In a progressive failure FEM has less strength than limit analysis at peak, and more than at residual strength.
+    if (run_.elements && !softens_in_trials(data_))
       for (const results::ElementRun& r : run_.elements->runs)
         warn_outside(
             fmt::format("FEM ({})", describe_flow(r)), r.factor,
@@ -218,6 +220,9 @@ class Warnings {
     if (given && associated && differ(given->factor, associated->factor) > difference / 3)
       causes.push_back(fmt::format("the flow rule, which makes {:.0f} % in FEM and which LEM does not have",
                                    100 * differ(given->factor, associated->factor)));
+    if ((given || associated) && softens_in_trials(data_))
+      causes.push_back(
+          "softening, which FEM follows, while LEM and limit analysis use the strength of `limit_strength`");
     if ((given || associated || results::find_points_factor(run_)) && input::has_passive_supports(data_))
       causes.push_back("passive supports, whose tensile strength the factor divides in LEM, and not in FEM and MPM");
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)

@@ -10,6 +10,7 @@
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
 #include "run/compare/slip_line.hpp"
+#include "run/fem/solid_of_case.hpp"
 
 namespace talus::run {
 namespace {
@@ -71,6 +72,8 @@ class Reading {
           surface_->slides_left ? "smaller" : "larger");
     read_suction();
     topic_ = results::Topic::elements;
+    if ((given_ || associated_) && softens_in_trials(data_))
+      say("Soil softens in FEM, while LEM and limit analysis use its peak or its residual strength everywhere.");
     read_flow();
     read_element_mesh();
     read_element_criterion();

@@ -13,6 +13,7 @@
 #include "run/common/bars_of_case.hpp"
 #include "run/common/head.hpp"
 #include "run/fem/fields_vtu.hpp"
+#include "run/fem/softening_band.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
 
@@ -40,7 +41,7 @@ double find_shear_strain(const std::array<double, 6>& e) {
 std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   double low = 1e9, high = -1e9;
   for (const auto& [region, name] : data.regions) {
-    const input::Material m = input::find_limit_soil(data.materials.at(name));
+    const input::Material m = find_trial_soil(data, data.materials.at(name));
     if (m.traits().strength == material::Strength::none) continue;
     // The angles of a curved envelope vary with the stress.
     if (material::needs<material::FlowRatio>(m.model)) continue;
@@ -168,7 +169,7 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
 /// Returns true if a soil of the case has ψ < φ.
 bool has_less_dilatancy(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
-    const input::Material m = input::find_limit_soil(data.materials.at(region.second));
+    const input::Material m = find_trial_soil(data, data.materials.at(region.second));
     if (material::needs<material::FlowRatio>(m.model)) return m.dilatancy_ratio < 1;
     return m.traits().strength != material::Strength::none && m.dilatancy_angle < m.friction_angle;
   });
@@ -278,6 +279,14 @@ LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& fo
   return least;
 }
 
+template <int D>
+void ElementRun<D>::add_softening_warning(const Model& model, const fem::ReductionResult<D>& found,
+                                          results::ElementRun& run) const {
+  if (!softens_in_trials(data())) return;
+  if (const auto warning = describe_soft_band<D>(data(), *model.solid.mesh, model.mesh, found.mechanism))
+    run.warnings.push_back(*warning);
+}
+
 /// Searches on the coarser mesh, and extrapolates both factors to h = 0 with the interval.
 template <int D>
 void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
@@ -295,6 +304,7 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
                             format_value(coarse.size, data().units().length, 3),
                             format_value(fine.size, data().units().length, 3)));
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
+  add_softening_warning(*model, found, run);
   run.factor = std::max(0.0, extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor));
   if (run.factor < least_extrapolated * fine.factor)
     run.warnings.push_back(
@@ -379,6 +389,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
                       "[fem] the factor may be higher{}",
                       t.factor, t.iterations,
                       found.flowing > 0 ? fmt::format(", up to {:.4g}, where the soil flows", found.flowing) : ""));
+  add_softening_warning(*model_, found, run);
   if (found.stable < 1)
     run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
   if (has_two_meshes()) {

@@ -83,10 +83,15 @@ class ElementRun : public MethodRun<results::ElementFile> {
   results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
                                              fem::ReductionResult<D>& found);
   fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
-  bool has_two_meshes() const { return data().fem.meshes > 1 && data().mesh.file.empty(); }
+  /// Returns false if the factor has no limit for elements of size zero too.
+  bool has_two_meshes() const {
+    return data().fem.meshes > 1 && data().mesh.file.empty() && (!softens_in_trials(data()) || data().softening_length);
+  }
   /// Returns the least mesh error of the factor, which is larger if thin layers are part of the mechanism; adds a
   /// warning of them to `run`.
   LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
+  /// Adds a warning if the factor on a mesh depends on its elements because soil softens.
+  void add_softening_warning(const Model& model, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void keep() const;
 

@@ -33,7 +33,7 @@ struct RegionSoil {
 };
 
 RegionSoil make_region_soil(const site::Site& site, const std::string& region) {
-  RegionSoil soil{input::find_limit_soil(site.get_soil(region))};
+  RegionSoil soil{find_trial_soil(site.data(), site.get_soil(region))};
   if (!soil.material.traits().serves_slices || soil.material.traits().only_slices)
     throw Error(ExitCode::wrong_input,
                 fmt::format("FEM cannot reduce the strength of material '{}': it takes the models {}",
@@ -91,6 +91,7 @@ class SolidBuilder {
     fem::SolidModel<D>& model = solid_.model;
     model.mesh = &mesh_;
     model.units = data_.units();
+    model.softening_length = data_.softening_length.value_or(0);
     // Throws for a section without a unique ground.
     if (!data_.mesh.polygons.empty() && D == 2 && site::needs_ground(site_)) site_.ground();
     model.direction = site_.find_body_force<D>();
@@ -189,6 +190,7 @@ void set_associated(input::Material& material) {
   material.dilatancy_angle = material.friction_angle;
   material.dilatancy_ratio = 1;
   material.bedding_dilatancy = material.bedding_friction;
+  material.is_associated = true;
 }
 
 template <int D>
@@ -211,6 +213,17 @@ void set_laws(const site::Site& site, SolidOfCase<D>& solid, bool associated, in
 }
 
 }  // namespace
+
+input::Material find_trial_soil(const input::Case& data, const input::Material& soil) {
+  return data.fem.softening == input::FemSoftening::progressive ? soil : input::find_limit_soil(soil);
+}
+
+bool softens_in_trials(const input::Case& data) {
+  return data.fem.softening == input::FemSoftening::progressive &&
+         std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
+           return material::needs<material::SofteningRange>(data.materials.at(region.second).model);
+         });
+}
 
 double compute_davis_share(input::DavisRule rule, double friction_angle, double dilatancy_angle, double factor) {
   if (rule == input::DavisRule::none) return 1;
@@ -298,8 +311,10 @@ double find_outline(const mesh::Mesh<2>& mesh, int e) {
   return length;
 }
 
-/// Mean shear strain of each quadratic element.
-std::vector<double> find_strains(const fem::QuadraticMesh<2>& mesh, const fem::SolidState<2>& motion) {
+}  // namespace
+
+template <int D>
+std::vector<double> compute_element_strains(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& motion) {
   std::vector<double> strains;
   const std::size_t elements = mesh.elements.size(), per = elements > 0 ? mesh.points.size() / elements : 0;
   for (std::size_t e = 0; e < elements; ++e) {
@@ -309,18 +324,18 @@ std::vector<double> find_strains(const fem::QuadraticMesh<2>& mesh, const fem::S
   }
   return strains;
 }
+template std::vector<double> compute_element_strains<2>(const fem::QuadraticMesh<2>&, const fem::SolidState<2>&);
+template std::vector<double> compute_element_strains<3>(const fem::QuadraticMesh<3>&, const fem::SolidState<3>&);
 
-double find_band_strain(std::vector<double> strains) {
+double compute_band_strain(std::vector<double> strains) {
   const auto at = strains.begin() + static_cast<std::ptrdiff_t>(below_band * static_cast<double>(strains.size() - 1));
   std::nth_element(strains.begin(), at, strains.end());
   return *at;
 }
 
-}  // namespace
-
 std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::QuadraticMesh<2>& quadratic,
                                           const fem::SolidState<2>& motion) {
-  const std::vector<double> strains = find_strains(quadratic, motion);
+  const std::vector<double> strains = compute_element_strains<2>(quadratic, motion);
   if (strains.empty()) return {};
   std::vector<Layer> layers(mesh.region_names.size());
   for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -332,7 +347,7 @@ std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::
     layer.altitudes += mesh.altitudes[e];
     layer.strain = std::max(layer.strain, strains[i]);
   }
-  const double band = find_band_strain(strains);
+  const double band = compute_band_strain(strains);
   std::vector<std::string> thin;
   for (std::size_t r = 0; r < layers.size(); ++r)
     if (layers[r].elements > 0 && layers[r].strain >= band && layers[r].count_rows() < fewest_element_rows)

@@ -41,12 +41,25 @@ void set_trial_laws(const site::Site& site, SolidOfCase<D>& solid, bool associat
 /// Angles [rad] are those of the case, `factor` is that of the trial.
 double compute_davis_share(input::DavisRule rule, double friction_angle, double dilatancy_angle, double factor);
 
+/// Returns the soil of the trials: that of the case in a progressive failure, else that without softening.
+input::Material find_trial_soil(const input::Case& data, const input::Material& soil);
+
+/// Returns true if a soil of the section softens in the trials.
+bool softens_in_trials(const input::Case& data);
+
 /// Throws Error (wrong_input) for materials and boundaries that make_solid() does not support, without a mesh.
 void check_solid(const site::Site& site);
 
 /// Returns the mesh plan of make_solid(): that of the case with the element size times `share`, and the algorithm, of
 /// [fem].
 mesh::Plan make_fem_plan(const site::Site& site, double share = 1);
+
+/// Returns the mean shear strain of each quadratic element.
+template <int D>
+std::vector<double> compute_element_strains(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& motion);
+
+/// Returns γ_c of (T19.11), the least strain of elements that are part of the mechanism.
+double compute_band_strain(std::vector<double> strains);
 
 /// Least number of rows of elements over the thickness of a layer. With fewer rows, two meshes do not show the error
 /// of the factor.

@@ -17,6 +17,7 @@ constexpr double resolution = 0.01, smallest_factor = 1.0 / 32;
 /// Soil that softens in MPM has not done so at the start.
 SolidOfCase<2> make_start_solid(const input::Case& data) {
   input::Case peak = data;
+  peak.fem.softening = input::FemSoftening::none;
   for (auto& [name, soil] : peak.materials) soil.limit_strength = material::LimitStrength::peak;
   return make_solid_on<2>(peak, std::make_shared<const mesh::Mesh<2>>(mesh::generate<2>(peak.mesh)));
 }
