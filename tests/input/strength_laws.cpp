@@ -101,6 +101,23 @@ const std::string soft =
     "2\nresidual_friction_angle = 14\nlimit_strength = \"residual\"\n";
 const std::string cone = "model = \"drucker_prager\"\ncohesion = 5\nfriction_angle = 30\ncone = \"plane_strain\"\n";
 
+/// The same with FEM and its block.
+std::string with_fem(const std::string& soil, const std::string& fem) {
+  return change(with_soil(soil), "[\"lem\"]", "[\"lem\", \"fem\"]") + "[fem]\nsize = 2\n" + fem;
+}
+
+TEST(StrengthLaws, ProgressiveFailureNeedsSoilThatSoftens) {
+  const std::string progressive = "softening = \"progressive\"\n", falls = soft + stiffness + "softening_end = 0.1\n";
+  EXPECT_TRUE(find_faults(with_fem(falls, progressive)).empty());
+  EXPECT_TRUE(find_faults(with_fem(soft + stiffness, "")).empty()) << "all soil at `limit_strength`";
+  expect_one_fault(with_fem(soft + stiffness, progressive), "'softening_end' of material 'soil' is missing");
+  expect_one_fault(
+      with_fem("model = \"mohr_coulomb\"\ncohesion = 3\nfriction_angle = 19.6\n" + stiffness, progressive),
+      "no soil of the case softens; those of model \"softening_mohr_coulomb\" or \"softening_hoek_brown\"");
+  expect_one_fault(with_fem(falls, progressive + "davis = \"a\"\n"), "those of soil that softens fall");
+  expect_one_fault(with_fem(falls, "softening = \"slow\"\n"), "softening");
+}
+
 TEST(StrengthLaws, SofteningConesAndSoundings) {
   for (const std::string& soil :
        {soft, cone,
