@@ -72,8 +72,6 @@ class Reading {
           surface_->slides_left ? "smaller" : "larger");
     read_suction();
     topic_ = results::Topic::elements;
-    if ((given_ || associated_) && softens_in_trials(data_))
-      say("Soil softens in FEM, while LEM and limit analysis use its peak or its residual strength everywhere.");
     read_flow();
     read_element_mesh();
     read_element_criterion();
@@ -307,7 +305,8 @@ class Reading {
           format_share(f / *slices_ - 1));
     else
       say("FEM ({}, {:.3f}) lies {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_, *slices_,
-          f <= *slices_ ? ""
+          softens_in_trials(data_) ? "; its soil softens, while LEM uses the strength of `limit_strength`"
+          : f <= *slices_          ? ""
           : input::has_passive_supports(data_)
               ? "; the factor divides the tensile strength of passive supports in LEM only"
               : "; a finer mesh ([fem] size) shows whether the elements are too stiff");
