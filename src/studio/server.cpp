@@ -115,6 +115,18 @@ void add_headers(Response& response, const char* policy) {
                                                    {"Cache-Control", "no-store"}});
 }
 
+/// One of several requests at a time.
+class Place {
+ public:
+  explicit Place(std::atomic<int>& taken) : taken_(taken) { ++taken_; }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  ~Place() { --taken_; }
+
+ private:
+  std::atomic<int>& taken_;
+};
+
 }  // namespace
 
 std::string make_token() {
@@ -196,15 +208,8 @@ Response StudioServer::route(const Request& request) {
   const std::string &path = request.path, &method = request.method;
   const auto is = [&](const char* verb, const char* name) { return method == verb && path == name; };
   if (!path.starts_with("/api")) return answer_page(path);
-  if (is("POST", "/api/check"))
-    return answer_engine(check(request.body, (workspace_.folder() / unnamed_case).string()));
-  if (is("POST", "/api/solve")) {
-    const json asked = read_object(request.body);
-    json options = asked.value("options", json::object());
-    if (options.is_object() && !options.contains("threads")) options["threads"] = options_.threads;
-    return answer_engine(
-        solve(get_text(asked, "text"), write_answer(options), (workspace_.folder() / unnamed_case).string()));
-  }
+  if (is("POST", "/api/check")) return answer_engine(check(request.body, find_name(find(request.query, "path"))));
+  if (is("POST", "/api/solve")) return answer_solve(request.body);
   if (is("GET", "/api/schema")) return answer_engine(schema());
   if (is("GET", "/api/template")) return make_answer(200, {{"text", template_text()}});
   if (is("GET", "/api/files")) {
@@ -218,6 +223,21 @@ Response StudioServer::route(const Request& request) {
   if (path.starts_with(journal)) return answer_journal(method, path.substr(journal.size()), request.body);
   if (path == runs || path.starts_with(runs + "/")) return answer_runs(method, path.substr(runs.size()), request.body);
   throw Refusal(404, fmt::format("there is no {} {}", method, make_printable(path)));
+}
+
+std::string StudioServer::find_name(const std::string& path) const {
+  return (path.empty() ? workspace_.folder() / unnamed_case : workspace_.find(path)).string();
+}
+
+Response StudioServer::answer_solve(const std::string& body) {
+  constexpr int most_searches = 4;
+  const json asked = read_object(body);
+  const std::string text = get_text(asked, "text"), name = find_name(get_text(asked, "path", false));
+  json options = asked.value("options", json::object());
+  if (options.is_object() && !options.contains("threads")) options["threads"] = options_.threads;
+  const Place place(searches_);
+  if (searches_ > most_searches) throw Refusal(503, "other searches are in progress; wait for them");
+  return answer_engine(solve(text, write_answer(options), name));
 }
 
 Response StudioServer::answer_file(const std::string& method, const std::string& path, const std::string& body) {
@@ -271,13 +291,6 @@ Response StudioServer::answer_runs(const std::string& method, const std::string&
 
 Response StudioServer::watch_run(const std::string& id) {
   constexpr int most_streams = 24;
-  struct Place {
-    std::atomic<int>& taken;
-    explicit Place(std::atomic<int>& count) : taken(count) { ++taken; }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-    ~Place() { --taken; }
-  };
   const auto place = std::make_shared<Place>(streams_);
   if (streams_ > most_streams) throw Refusal(503, "too many windows follow runs; close some of them");
   Response response;

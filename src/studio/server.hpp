@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The server of the studio: routes of its interface over the engine, the files and the runs of a folder
-// (docs/decisions/0052-studio-server.md). Requests are refused before they are read unless they come from the page itself.
+// (docs/decisions/0052-studio-server.md). Requests are refused before they are read unless they come from the page
+// itself.
 
 #include <atomic>
 #include <filesystem>
@@ -46,6 +47,9 @@ class StudioServer {
 
  private:
   Response route(const Request& request);
+  /// Returns the name of a text for the engine, whose folder is that of its tables. Throws Refusal for a bad path.
+  std::string find_name(const std::string& path) const;
+  Response answer_solve(const std::string& body);
   Response answer_file(const std::string& method, const std::string& path, const std::string& body);
   Response answer_journal(const std::string& method, const std::string& path, const std::string& body);
   Response answer_runs(const std::string& method, const std::string& rest, const std::string& body);
@@ -55,7 +59,7 @@ class StudioServer {
   const ServerOptions options_;
   const Workspace workspace_;
   RunQueue runs_;
-  std::atomic<int> streams_{0};
+  std::atomic<int> streams_{0}, searches_{0};
 };
 
 }  // namespace talus::studio

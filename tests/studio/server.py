@@ -150,6 +150,14 @@ def check_engine(server):
     check(answer["messages"][0]["key"] == "materials.clay.cohesion", "key of a message")
     status, answer = server.ask("POST", "/api/solve", {"text": CASE, "options": {"methods": ["bishop"], "circles": 1000}})
     check(status == 200 and 1.3 < answer["factor"] < 1.9, f"solve: {answer.get('factor')}")
+    # A table that the case names is beside it.
+    table = CASE.replace("[[geometry.polygon]]\nname", "[geometry]\nground = { file = \"ground.csv\" }\n\n[[geometry.layer]]\nlevel = 0\nname").replace(
+        "points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]\n", "")
+    check(server.ask("POST", "/api/check?path=inner/other.toml", table)[1]["messages"] == [], "a table beside the case")
+    check(server.ask("POST", "/api/check", table)[1]["messages"] != [], "no table in the folder itself")
+    check(server.ask("POST", "/api/check?path=../x.toml", table)[0] == 403, "a check outside the folder")
+    status, answer = server.ask("POST", "/api/solve", {"text": table, "path": "inner/other.toml", "options": {"circles": 500}})
+    check(status == 200 and answer.get("factor"), f"solve with a table: {answer}")
     check("properties" in server.ask("GET", "/api/schema")[1], "schema")
     check("[geometry]" in server.ask("GET", "/api/template")[1]["text"], "template")
     check(server.ask("POST", "/api/solve", "[]")[0] == 400, "solve without an object")
@@ -311,6 +319,7 @@ def main():
         (folder / "slope.toml").write_text(CASE, encoding="utf-8")
         (folder / "inner/other.toml").write_text(CASE, encoding="utf-8")
         (folder / "notes.txt").write_text("notes")
+        (folder / "inner/ground.csv").write_text("x [m],y [m]\n0,15\n12,15\n32,5\n44,5\n")
         (folder / ".hidden.toml").write_text("hidden")
         (folder.parent / "secret.toml").write_text("secret")
         (folder / "link.toml").symlink_to(folder.parent / "secret.toml")
