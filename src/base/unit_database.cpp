@@ -73,6 +73,7 @@ std::optional<UnitDefinition> define_unit(const std::string& text) {
   ut_format(unit.get(), definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
   const std::string si = strip_scale(definition.data());
   const Unit base(ut_parse(system, si.c_str(), UT_ASCII));
+  if (ut_are_convertible(unit.get(), base.get()) == 0) return std::nullopt;  // a date, "s since 2000-01-01"
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(unit.get(), base.get()),
                                                                          cv_free);
   if (converter == nullptr) fail_input("'{}' cannot be converted to SI units", text);
