@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/numbers.hpp"
+#include "base/text.hpp"
 #include "base/unit_definition.hpp"
 #include "base/unit_table_data.hpp"
 
@@ -23,11 +24,8 @@ bool is_digit(char c) {
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }
-bool is_alike(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-}
 bool are_alike(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_alike);
+  return a.size() == b.size() && to_lower(a) == to_lower(b);
 }
 
 /// Returns the entry of this name, ignoring its case, or else of this symbol.
