@@ -84,7 +84,8 @@ std::string describe_elements(const input::Case& data) {
       data.fem.davis == input::DavisRule::none || data.fem.flow == input::FlowRule::associated
           ? ""
           : fmt::format(", with the strength of Davis {:c}", "ABC"[static_cast<int>(data.fem.davis) - 1]);
-  return fmt::format("  FEM: strength reduction{}, {}{}\n", sizes, flow, davis);
+  const char* softening = data.fem.softening == input::FemSoftening::progressive ? ", with progressive failure" : "";
+  return fmt::format("  FEM: strength reduction{}, {}{}{}\n", sizes, flow, davis, softening);
 }
 
 std::string describe_bounds(const input::ProvenBounds& bounds) {

@@ -179,6 +179,9 @@ class Assumptions {
           "error of the mesh for orders of convergence of 0.6 and more, and the brackets of the search.");
     else if (!runs.empty())
       add("The factor by FEM is that of one mesh, and the mesh error is not known.");
+    if (data_.fem.softening == input::FemSoftening::progressive && !runs.empty())
+      add("Soil that softens loses strength in the trials of FEM by the plastic shear strain of their equilibria. The "
+          "factor divides c and tan φ at every strain and lies between those with residual and with peak strength.");
     for (const results::ElementRun& run : runs)
       if (run.davis)
         add("{} replaces soil with ψ < φ by a weaker one with associated flow, so that the factor depends less on the "
