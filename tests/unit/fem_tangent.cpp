@@ -194,6 +194,37 @@ TEST(SolidTangent, SymmetryIsDetected) {
   }
 }
 
+TEST(SolidTangent, SoilThatSoftensKeepsItsStrength) {
+  const double deg = std::acos(-1.0) / 180, strain = 0.05;  // half of the softening
+  struct Blocks : material::YoungInput,
+                  material::PoissonInput,
+                  material::MohrCoulombStrength,
+                  material::ResidualStrength,
+                  material::SofteningRange {};
+  Blocks in;
+  in.young_modulus = 30e6, in.poisson_ratio = 0.3;
+  static_cast<material::MohrCoulombStrength&>(in) = {20e3, 30 * deg, 5 * deg, 2e3};
+  static_cast<material::ResidualStrength&>(in) = {4e3, 15 * deg};
+  static_cast<material::SofteningRange&>(in) = {0, 2 * strain, material::LimitStrength::peak};
+  const auto falling = material::SofteningMohrCoulomb::make(in, {});
+  const material::MohrCoulomb constant(elastic, falling.find_strength(strain));
+  const std::array<double, 6> change{2e-3, -4e-3, 0, 1e-3, 0, 0};
+  Start a, b;
+  a.stress = b.stress = {-40e3, -50e3, -45e3, 0, 0, 0};
+  a.state[material::SofteningMohrCoulomb::softening_state] = strain;
+  std::array<double, 16> c{}, d{};
+  EXPECT_TRUE(update_point<4>(falling, 1, change.data(), a.stress.data(), a.state.data(), c.data()).yields);
+  update_point<4>(constant, 1, change.data(), b.stress.data(), b.state.data(), d.data());
+  EXPECT_EQ(a.stress, b.stress);
+  EXPECT_EQ(c, d);
+  EXPECT_EQ(a.state[0], b.state[0]);
+  EXPECT_EQ(a.state[material::SofteningMohrCoulomb::softening_state], strain);
+
+  in.is_associated = true, in.dilatancy_angle = in.friction_angle;
+  const auto strength = material::SofteningMohrCoulomb::make(in, {1.3, {}}).find_strength(strain);
+  EXPECT_NEAR(strength.dilatancy_angle, strength.friction_angle, 1e-12);
+}
+
 TEST(DualNumber, FunctionsHaveTheirDerivatives) {
   using T = Dual<2>;
   const T x = T::variable(1.7, 0), y = T::variable(0.3, 1);
