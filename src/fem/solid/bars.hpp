@@ -3,6 +3,7 @@
 // Straight bars and beams in plane soil: nails, anchors, bolts, geosynthetics, piles and plates. The elements of the
 // mesh need not conform to them. docs/theory/19-finite-elements.md has the equations.
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -52,6 +53,13 @@ struct BarCurve {
   std::vector<double> limit;  ///< strength at the place
 };
 
+/// Stress between a wall and the soil on one of its sides.
+struct FacePoint {
+  double place = 0;                ///< distance from the head [m]
+  double normal = 0;               ///< effective, positive in compression [Pa]
+  double shear = 0, strength = 0;  ///< shear stress of the soil on the wall, towards its toe, and its limit [Pa]
+};
+
 /// Forces of a bar in a state, tension positive.
 struct BarForces {
   BarCurve axial;                                    ///< [N]
@@ -61,6 +69,8 @@ struct BarForces {
   BarCurve lateral;                                  ///< force of the soil on the beam across it, per metre [Pa]; beams
   double plate = 0, plate_limit = 0, anchorage = 0;  ///< [N]
   double energy = 0;                                 ///< elastic energy of bar, bond, plate and anchorage [J]
+  std::array<std::vector<FacePoint>, 2> face;        ///< of walls: soil at the left and at the right, from the head
+  BarCurve strut;                                    ///< of walls: compression [N]
 };
 
 }  // namespace talus::fem

@@ -58,8 +58,10 @@ std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D
     }
   }
   const EdgeMiddles<D> middles(mesh);
+  const CutSet on_walls(list_cuts(model));
   for (const SurfaceLoad<D>& load : model.loads) {
     for (std::size_t s = 0; s < load.sides.size(); ++s) {
+      if (on_walls.contains(load.sides[s][0], load.sides[s][1])) continue;  // the wall carries it
       const auto nodes = middles.find_side(load.sides[s]);
       if (nodes.empty())
         fail_input("the load '{}' acts on a side at {}, where there is no soil", load.name,
@@ -119,27 +121,32 @@ EdgeMiddles<D>::EdgeMiddles(const QuadraticMesh<D>& mesh) {
   using Q = Quadratic<D>;
   for (const auto& element : mesh.elements)
     for (std::size_t i = 0; i < Q::edges.size(); ++i) {
-      const int a = element[Q::edges[i][0]], b = element[Q::edges[i][1]];
-      edges_.push_back({std::min(a, b), std::max(a, b), element[Q::corners + i]});
+      const int a = element[Q::edges[i][0]], b = element[Q::edges[i][1]], middle = element[Q::corners + i];
+      const int first = mesh.find_original(a), second = mesh.find_original(b);
+      edges_.push_back(first < second ? Edge{first, second, middle, a, b} : Edge{second, first, middle, b, a});
     }
   std::sort(edges_.begin(), edges_.end());
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
 template <int D>
-int EdgeMiddles<D>::find(int a, int b) const {
-  const std::array<int, 3> wanted{std::min(a, b), std::max(a, b), -1};
+auto EdgeMiddles<D>::find(int a, int b) const -> const Edge* {
+  const Edge wanted{std::min(a, b), std::max(a, b), -1, -1, -1};
   const auto it = std::lower_bound(edges_.begin(), edges_.end(), wanted);
-  return it != edges_.end() && (*it)[0] == wanted[0] && (*it)[1] == wanted[1] ? (*it)[2] : -1;
+  return it != edges_.end() && (*it)[0] == wanted[0] && (*it)[1] == wanted[1] ? &*it : nullptr;
 }
 
 template <int D>
 std::vector<int> EdgeMiddles<D>::find_side(const std::array<int, D>& side) const {
   std::vector<int> nodes(side.begin(), side.end());
   for (std::size_t i = 0; i < (D == 2 ? 1 : D); ++i) {
-    const int middle = find(side[i], side[(i + 1) % D]);
-    if (middle < 0) return {};
-    nodes.push_back(middle);
+    const std::size_t j = (i + 1) % D;
+    const Edge* edge = find(side[i], side[j]);
+    if (!edge) return {};
+    // A wall may have doubled the corners.
+    nodes[i] = (*edge)[side[i] < side[j] ? 3 : 4];
+    nodes[j] = (*edge)[side[i] < side[j] ? 4 : 3];
+    nodes.push_back((*edge)[2]);
   }
   return nodes;
 }

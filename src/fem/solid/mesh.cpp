@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
 #include "fem/solid/shape.hpp"
-#include "fem/solid/solid.hpp"
+#include "fem/solid/system.hpp"
 
 namespace talus::fem {
 namespace {
@@ -20,10 +22,88 @@ std::string describe_element(const mesh::Mesh<D>& mesh, std::size_t e, const Vec
   return fmt::format("element {}{} at ({:.4g}) m", e, soil, fmt::join(centre, ", "));
 }
 
+/// Doubles the nodes on cuts. The elements around a node form sectors that the cuts separate; each sector but the first
+/// gets a node of its own.
+class Splitter {
+ public:
+  Splitter(QuadraticMesh<2>& mesh, const Cuts& cuts) : mesh_(mesh), cuts_(cuts) {
+    for (const auto& cut : cuts)
+      for (const int node : cut) stars_[node];
+    for (std::size_t k = 0; k < mesh_.elements.size(); ++k)
+      for (std::size_t i = 0; i < Quadratic<2>::corners; ++i)
+        if (const auto star = stars_.find(mesh_.elements[k][i]); star != stars_.end()) star->second.push_back(k);
+  }
+
+  void run() {
+    mesh_.original.resize(mesh_.nodes.size());
+    std::iota(mesh_.original.begin(), mesh_.original.end(), 0);
+    const auto given = mesh_.elements;
+    for (const auto& [node, star] : stars_) split_corner(node, star, given);
+    split_middles(given);
+  }
+
+ private:
+  using Elements = decltype(QuadraticMesh<2>::elements);
+
+  int add_double(int node) {
+    mesh_.original.push_back(node);
+    mesh_.nodes.push_back(mesh_.nodes[static_cast<std::size_t>(node)]);
+    return static_cast<int>(mesh_.nodes.size()) - 1;
+  }
+  void replace(std::size_t k, int node, int by) {
+    std::replace(mesh_.elements[k].begin(), mesh_.elements[k].end(), node, by);
+  }
+
+  void split_corner(int node, const std::vector<std::size_t>& star, const Elements& given) {
+    // The far ends of the edges at the node that are no cuts join its elements to sectors.
+    std::vector<std::size_t> sector(star.size());
+    std::iota(sector.begin(), sector.end(), 0);
+    std::map<int, std::size_t> seen;
+    for (std::size_t s = 0; s < star.size(); ++s)
+      for (std::size_t i = 0; i < Quadratic<2>::corners; ++i) {
+        const int far = given[star[s]][i];
+        if (far == node || cuts_.contains(node, far)) continue;
+        const auto [other, is_new] = seen.try_emplace(far, s);
+        if (is_new) continue;
+        const std::size_t from = sector[s], to = sector[other->second];
+        std::replace(sector.begin(), sector.end(), std::max(from, to), std::min(from, to));
+      }
+    std::map<std::size_t, int> doubles;
+    for (std::size_t s = 0; s < star.size(); ++s) {
+      if (sector[s] == sector[0]) continue;
+      const auto [made, is_new] = doubles.try_emplace(sector[s], -1);
+      if (is_new) made->second = add_double(node);
+      replace(star[s], node, made->second);
+    }
+  }
+
+  void split_middles(const Elements& given) {
+    std::map<int, int> uses;
+    for (std::size_t k = 0; k < given.size(); ++k)
+      for (std::size_t i = 0; i < Quadratic<2>::edges.size(); ++i) {
+        const auto [a, b] = Quadratic<2>::edges[i];
+        const int middle = given[k][Quadratic<2>::corners + i];
+        if (cuts_.contains(given[k][a], given[k][b]) && uses[middle]++ > 0) replace(k, middle, add_double(middle));
+      }
+  }
+
+  QuadraticMesh<2>& mesh_;
+  CutSet cuts_;
+  std::map<int, std::vector<std::size_t>> stars_;  ///< elements at each node of the cuts
+};
+
 }  // namespace
 
 template <int D>
-QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
+Cuts list_cuts(const SolidModel<D>& model) {
+  Cuts cuts;
+  for (const Wall& wall : model.walls)
+    for (std::size_t i = 0; i + 1 < wall.nodes.size(); ++i) cuts.push_back({wall.nodes[i], wall.nodes[i + 1]});
+  return cuts;
+}
+
+template <int D>
+QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh, const Cuts& cuts) {
   using Q = Quadratic<D>;
   QuadraticMesh<D> r;
   r.nodes.assign(mesh.nodes.begin(), mesh.nodes.end());
@@ -79,10 +159,14 @@ QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh) {
     }
     r.elements[k][Q::corners + i] = number[first[place]];
   }
+  if constexpr (D == 2)
+    if (!cuts.empty()) Splitter(r, cuts).run();
   return r;
 }
 
-template QuadraticMesh<2> make_quadratic<2>(const mesh::Mesh<2>&);
-template QuadraticMesh<3> make_quadratic<3>(const mesh::Mesh<3>&);
+template QuadraticMesh<2> make_quadratic<2>(const mesh::Mesh<2>&, const Cuts&);
+template QuadraticMesh<3> make_quadratic<3>(const mesh::Mesh<3>&, const Cuts&);
+template Cuts list_cuts<2>(const SolidModel<2>&);
+template Cuts list_cuts<3>(const SolidModel<3>&);
 
 }  // namespace talus::fem

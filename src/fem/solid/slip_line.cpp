@@ -112,8 +112,9 @@ class SlipLines {
     std::map<std::array<int, 3>, int> uses;  // number of elements per half edge: a < b, middle
     for (const auto& element : mesh_.elements)
       for (std::size_t i = 0; i < Q::edges.size(); ++i) {
-        const int a = element[Q::edges[i][0]], b = element[Q::edges[i][1]];
-        ++uses[{std::min(a, b), std::max(a, b), element[Q::corners + i]}];
+        // The two sides of a wall count as one line inside the soil.
+        const int a = mesh_.find_original(element[Q::edges[i][0]]), b = mesh_.find_original(element[Q::edges[i][1]]);
+        ++uses[{std::min(a, b), std::max(a, b), mesh_.find_original(element[Q::corners + i])}];
       }
     ground_.assign(mesh_.nodes.size(), 0);
     for (const auto& [edge, count] : uses) {
@@ -248,11 +249,12 @@ class SlipLines {
     for (const auto& element : mesh_.elements)
       for (std::size_t i = 0; i < Q::nodes; ++i)
         for (std::size_t j = 0; j < Q::nodes; ++j) {
-          const auto a = static_cast<std::size_t>(element[i]), b = static_cast<std::size_t>(element[j]);
+          const auto a = static_cast<std::size_t>(mesh_.find_original(element[i])),
+                     b = static_cast<std::size_t>(mesh_.find_original(element[j]));
           if (a == b) continue;
           const double strain = std::clamp(0.5 * (strain_[a] + strain_[b]), least_share * cap_, cap_) / cap_;
           const double cost = find_distance(mesh_.nodes[a], mesh_.nodes[b]) / (strain * strain);
-          graph[a].push_back({element[j], ground_[a] && ground_[b] ? along_ground * cost : cost});
+          graph[a].push_back({static_cast<int>(b), ground_[a] && ground_[b] ? along_ground * cost : cost});
         }
     std::vector<double> best(mesh_.nodes.size(), std::numeric_limits<double>::infinity());
     std::vector<int> from(mesh_.nodes.size(), -1);

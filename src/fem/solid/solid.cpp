@@ -74,7 +74,7 @@ SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& 
 }
 
 std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor) {
-  return compute_bar_forces(model.bars, SolidSystem<2>(model).springs.list, state.bars, factor);
+  return compute_bar_forces(model.bars.size() + model.walls.size(), SolidSystem<2>(model).springs, state.bars, factor);
 }
 
 template std::vector<material::Law> make_laws(const SolidModel<2>&, double);

@@ -13,6 +13,7 @@
 #include "base/shown_units.hpp"
 #include "base/vec.hpp"
 #include "fem/solid/bars.hpp"
+#include "fem/solid/walls.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
 
@@ -45,7 +46,8 @@ struct SolidModel {
   Vec<D> direction{};                ///< of the body force per unit weight: gravity and earthquake [-]
   std::vector<Support<D>> supports;  ///< several on one side fix the directions of all of them
   std::vector<SurfaceLoad<D>> loads;
-  std::vector<Bar> bars;  ///< plane strain only
+  std::vector<Bar> bars;    ///< plane strain only
+  std::vector<Wall> walls;  ///< plane strain only
   /// Nonlocal length of laws that soften [m]; 0: each point softens by its own plastic strain.
   double softening_length = 0;
   /// χ p at the corners of each element, positive in tension [Pa]; empty: dry.
@@ -81,7 +83,8 @@ struct SolidState {
   std::vector<double> state;                  ///< state variables; per point the largest number of any law
   std::vector<std::array<double, 6>> strain;  ///< total, per integration point [-]; shear components are γ
   std::vector<char> yields;                   ///< per integration point: has yielded since the start, or in this trial
-  std::vector<double> bars;                   ///< elastic deformation of each spring of the bars (T19.10)
+  /// Elastic deformation of each spring of bars and walls (T19.10), then two of each joint (T19.13).
+  std::vector<double> bars;
 };
 
 template <int D>
@@ -143,9 +146,22 @@ struct QuadraticMesh {
   std::vector<int> linear_element;                           ///< index of each element in the linear mesh
   std::vector<Vec<D>> points;                                ///< integration points, element by element [m]
   std::vector<double> weights;                               ///< their volumes [m³; m² per metre]
+  std::vector<int> original;  ///< per node, the node that it doubles at a wall, or itself; empty without walls
+
+  int find_original(int node) const { return original.empty() ? node : original[static_cast<std::size_t>(node)]; }
 };
+
+/// Edges of the linear mesh along which walls separate the soil.
+using Cuts = std::vector<std::array<int, 2>>;
+
+/// Makes the quadratic mesh. Nodes on cuts are doubled, the doubles come last; the ends of a cut inside the soil remain
+/// single.
 template <int D>
-QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh);
+QuadraticMesh<D> make_quadratic(const mesh::Mesh<D>& mesh, const Cuts& cuts = {});
+
+/// Lists the edges of all walls.
+template <int D>
+Cuts list_cuts(const SolidModel<D>& model);
 
 /// Computes the equilibrium under gravity and loads with strengths divided by `factor`, from `start` (nullptr: from the
 /// initial state).
@@ -163,7 +179,7 @@ ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOp
 template <int D>
 bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, double factor);
 
-/// Returns the forces of each bar in a state at a factor.
+/// Returns the forces of each bar, and then of each wall, in a state at a factor.
 std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor = 1);
 
 /// A slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest.

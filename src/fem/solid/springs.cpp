@@ -18,6 +18,7 @@ namespace {
 
 constexpr double shortest_piece = 1e-3;  ///< of a line, over its mean piece: shorter ones join their neighbour
 constexpr double outside = 1e-9;         ///< barycentric coordinate at which a point still lies in an element
+constexpr double faded_opening = 1e-3;   ///< of a joint, at which its adhesion is lost [m]
 constexpr int fewest_pieces = 8;         ///< of the length of a bar outside the soil
 
 /// Points and weights of Gauss's rules on [0, 1].
@@ -389,11 +390,34 @@ SpringAnswer update_spring(const Spring& spring, const SpringStage& stage, doubl
                        deformation);
 }
 
-std::vector<BarForces> compute_bar_forces(const std::vector<Bar>& bars, const std::vector<Spring>& springs,
-                                          const std::vector<double>& state, double factor) {
-  std::vector<BarForces> found(bars.size());
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    const Spring& spring = springs[i];
+JointAnswer update_joint(const Joint& joint, const SpringStage& stage, const std::array<double, 2>& start,
+                         const std::array<double, 2>& deformation) {
+  const double kn = joint.normal_stiffness, kt = joint.tangential_stiffness;
+  const double opening = start[0] + deformation[0], slip = start[1] + deformation[1];
+  const double adhesion = joint.adhesion / stage.factor, friction = joint.friction / stage.factor;
+  JointAnswer answer{{opening, slip}, {std::min(0.0, kn * opening), kt * slip}, {opening < 0 ? kn : 0, 0, 0, kt}};
+  // An open joint has no friction, and its adhesion fades, so that the stress remains continuous.
+  double limit = adhesion - friction * answer.force[0], slope = -friction * kn;
+  if (opening > 0) {
+    limit = adhesion * std::max(0.0, 1 - opening / faded_opening);
+    slope = limit > 0 ? -adhesion / faded_opening : 0;
+  }
+  if (joint.is_rough && opening <= 0) return answer;
+  if (joint.is_rough) limit = slope = 0;
+  if (std::abs(answer.force[1]) <= limit) return answer;
+  const double sign = slip > 0 ? 1 : -1;
+  answer.force[1] = sign * limit;
+  answer.elastic[1] = answer.force[1] / kt;
+  answer.tangent[2] = sign * slope;
+  answer.tangent[3] = 0;
+  return answer;
+}
+
+std::vector<BarForces> compute_bar_forces(std::size_t count, const SpringSet& springs, const std::vector<double>& state,
+                                          double factor) {
+  std::vector<BarForces> found(count);
+  for (std::size_t i = 0; i < springs.list.size(); ++i) {
+    const Spring& spring = springs.list[i];
     BarForces& forces = found[static_cast<std::size_t>(spring.bar)];
     const double force = spring.slackens ? std::max(0.0, spring.stiffness * state[i]) : spring.stiffness * state[i];
     if (spring.stiffness > 0) forces.energy += 0.5 * spring.weight * force * force / spring.stiffness;
@@ -425,7 +449,18 @@ std::vector<BarForces> compute_bar_forces(const std::vector<Bar>& bars, const st
       case SpringKind::anchorage:
         forces.anchorage = force;
         break;
+      case SpringKind::strut:
+        add(forces.strut);
+        break;
     }
+  }
+  for (std::size_t j = 0; j < springs.joints.size(); ++j) {
+    const Joint& joint = springs.joints[j];
+    const std::size_t place = springs.list.size() + 2 * j;
+    const auto [tension, shear] = update_joint(joint, {factor}, {state[place], state[place + 1]}, {0, 0}).force;
+    found[static_cast<std::size_t>(joint.wall)].face[static_cast<std::size_t>(joint.side)].push_back(
+        {joint.place, -tension, shear,
+         joint.is_rough ? unlimited : (joint.adhesion - joint.friction * tension) / factor});
   }
   return found;
 }

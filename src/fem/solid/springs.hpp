@@ -15,12 +15,14 @@ template <int D>
 struct QuadraticMesh;
 template <int D>
 struct NodeUnknowns;
+template <int D>
+struct SolidModel;
 
-enum class SpringKind { axial, shear, bending, bond, lateral, plate, anchorage };
+enum class SpringKind { axial, shear, bending, bond, lateral, plate, anchorage, strut };
 
 /// An elastic, perfectly plastic spring. Its force is stiffness times elastic deformation, which is its state.
 struct Spring {
-  int bar = 0;
+  int bar = 0;  ///< or wall, counted after the bars
   SpringKind kind = SpringKind::axial;
   double place = 0;             ///< distance from the head of the bar [m]
   double weight = 1;            ///< length that it stands for [m]; 1 for plate and anchorage
@@ -35,8 +37,30 @@ struct Spring {
   std::vector<int> slots{};    ///< index of each pair of unknowns in the global matrix
 };
 
+/// A point of the interface between a wall and the soil on one of its sides: two deformations, opening and slip, with
+/// Mohr–Coulomb friction and no tension (T19.13).
+struct Joint {
+  int wall = 0;
+  int side = 0;       ///< 0: soil at the left of the way from head to toe, 1: at the right
+  double place = 0;   ///< distance from the head [m]
+  double weight = 0;  ///< length that it stands for [m]
+  double normal_stiffness = 0, tangential_stiffness = 0;
+  bool is_rough = false;  ///< no limit of the shear stress
+  double adhesion = 0, friction = 0;
+  double compression = 0;                 ///< initial effective stress [Pa]
+  std::vector<int> unknown{};             ///< unknowns of the deformations, each once
+  std::vector<double> opening{}, slip{};  ///< derivatives by each of them
+  std::vector<int> slots{};               ///< index of each pair of unknowns in the global matrix
+};
+
+struct JointAnswer {
+  std::array<double, 2> elastic{}, force{};  ///< opening and slip, the state of the joint; tension and shear [Pa]
+  std::array<double, 4> tangent{};           ///< by rows
+};
+
 struct SpringSet {
   std::vector<Spring> list;
+  std::vector<Joint> joints;
   int unknowns = 0;                           ///< of the bars
   std::vector<std::pair<int, double>> loads;  ///< on the bars: unknown and force [N]
 };
@@ -50,13 +74,22 @@ struct SpringStage {
 /// Returns the answer of a spring to a deformation since its elastic deformation was `start`.
 SpringAnswer update_spring(const Spring& spring, const SpringStage& stage, double start, double deformation);
 
+/// Returns the answer of a joint to an opening and a slip since its elastic deformations were `start`.
+JointAnswer update_joint(const Joint& joint, const SpringStage& stage, const std::array<double, 2>& start,
+                         const std::array<double, 2>& deformation);
+
+/// Adds springs, joints and loads of the walls of a model; their unknowns are numbered from `first`. Throws Error
+/// (wrong_input) for a wall that has no stiffness or soil, or that is no line of the mesh.
+void add_walls(const SolidModel<2>& model, const QuadraticMesh<2>& mesh, const std::vector<NodeUnknowns<2>>& nodes,
+               int first, SpringSet& set);
+
 /// Makes the springs of bars in a mesh; unknowns of the bars are numbered from `first`. Throws Error (wrong_input) for
 /// a bar without length, stiffness or contact with the soil.
 SpringSet make_springs(const std::vector<Bar>& bars, const QuadraticMesh<2>& mesh,
                        const std::vector<NodeUnknowns<2>>& nodes, int first);
 
-/// Returns the forces of each bar in a state of its springs.
-std::vector<BarForces> compute_bar_forces(const std::vector<Bar>& bars, const std::vector<Spring>& springs,
-                                          const std::vector<double>& state, double factor);
+/// Returns the forces of `count` bars and walls in a state of their springs and joints.
+std::vector<BarForces> compute_bar_forces(std::size_t count, const SpringSet& springs, const std::vector<double>& state,
+                                          double factor);
 
 }  // namespace talus::fem

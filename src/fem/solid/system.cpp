@@ -59,6 +59,17 @@ void add_spring(const Spring& spring, double tangent, std::vector<double>& matri
           spring.weight * tangent * spring.rate[i] * spring.rate[j];
 }
 
+void add_joint(const Joint& joint, const std::array<double, 4>& tangent, std::vector<double>& matrix) {
+  const std::size_t count = joint.unknown.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double by_opening = joint.opening[i] * tangent[0] + joint.slip[i] * tangent[2],
+                 by_slip = joint.opening[i] * tangent[1] + joint.slip[i] * tangent[3];
+    for (std::size_t j = 0; j < count; ++j)
+      matrix[static_cast<std::size_t>(joint.slots[i * count + j])] +=
+          joint.weight * (by_opening * joint.opening[j] + by_slip * joint.slip[j]);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -88,6 +99,10 @@ SolidState<D> SolidAssembly<D>::make_start() const {
   s.yields.assign(points, 0);
   s.state.assign(points * size, 0);
   s.bars.assign(system_.springs.list.size(), 0);
+  for (const Joint& joint : system_.springs.joints) {
+    s.bars.push_back(-joint.compression / joint.normal_stiffness);
+    s.bars.push_back(0);
+  }
   for (std::size_t p = 0; p < points; ++p) {
     const std::size_t k = p / Quadratic<D>::points;
     if (!system_.model.initial_stress.empty())
@@ -203,7 +218,7 @@ template <int D>
 void SolidAssembly<D>::evaluate_springs(const SolidState<D>& start, const std::vector<double>& q, bool with_matrix,
                                         SolidState<D>& end, SolidSums& sums) const {
   const auto& list = system_.springs.list;
-  end.bars.resize(list.size());
+  end.bars.resize(list.size() + 2 * system_.springs.joints.size());
   for (std::size_t s = 0; s < list.size(); ++s) {
     const Spring& spring = list[s];
     const std::size_t count = spring.unknown.size();
@@ -217,6 +232,24 @@ void SolidAssembly<D>::evaluate_springs(const SolidState<D>& start, const std::v
     for (std::size_t i = 0; i < count; ++i)
       sums.force[static_cast<std::size_t>(spring.unknown[i])] += spring.weight * answer.force * spring.rate[i];
     if (with_matrix) add_spring(spring, answer.tangent, sums.matrix);
+  }
+  for (std::size_t s = 0; s < system_.springs.joints.size(); ++s) {
+    const Joint& joint = system_.springs.joints[s];
+    const std::size_t place = list.size() + 2 * s;
+    std::array<double, 2> deformation{};
+    for (std::size_t i = 0; i < joint.unknown.size(); ++i) {
+      deformation[0] += joint.opening[i] * q[static_cast<std::size_t>(joint.unknown[i])];
+      deformation[1] += joint.slip[i] * q[static_cast<std::size_t>(joint.unknown[i])];
+    }
+    const JointAnswer answer = update_joint(joint, stage_, {start.bars[place], start.bars[place + 1]}, deformation);
+    end.bars[place] = answer.elastic[0];
+    end.bars[place + 1] = answer.elastic[1];
+    sums.yielding += answer.tangent[3] == 0;
+    sums.symmetric = sums.symmetric && answer.tangent[2] == 0;
+    for (std::size_t i = 0; i < joint.unknown.size(); ++i)
+      sums.force[static_cast<std::size_t>(joint.unknown[i])] +=
+          joint.weight * (joint.opening[i] * answer.force[0] + joint.slip[i] * answer.force[1]);
+    if (with_matrix) add_joint(joint, answer.tangent, sums.matrix);
   }
 }
 
@@ -263,6 +296,8 @@ void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<
       },
       sums);
   for (const Spring& spring : system_.springs.list) add_spring(spring, spring.stiffness, sums.matrix);
+  for (const Joint& joint : system_.springs.joints)
+    add_joint(joint, {joint.normal_stiffness, 0, 0, joint.tangential_stiffness}, sums.matrix);
   matrix = std::move(sums.matrix);
 }
 
@@ -312,7 +347,7 @@ bool is_along_axes(const std::vector<Vec<D>>& held) {
 }  // namespace
 
 template <int D>
-SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadratic(*m.mesh)) {
+SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadratic(*m.mesh, list_cuts(m))) {
   const auto held = find_held_directions(model, mesh);
   nodes.resize(mesh.nodes.size());
   std::vector<char> has_soil(mesh.nodes.size(), 0);
@@ -358,7 +393,10 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
       for (std::size_t i = 0; i < Q::corners; ++i) pore[k][q] += l[i] * p[i];
     }
   }
-  if constexpr (D == 2) springs = make_springs(model.bars, mesh, nodes, unknowns);
+  if constexpr (D == 2) {
+    springs = make_springs(model.bars, mesh, nodes, unknowns);
+    if (!model.walls.empty()) add_walls(model, mesh, nodes, unknowns, springs);
+  }
   unknowns += springs.unknowns;
   to_unknowns(find_loads(model, mesh), load);
   for (const auto& [unknown, force] : springs.loads) load[static_cast<std::size_t>(unknown)] += force;
@@ -383,10 +421,14 @@ void SolidSystem<D>::make_pattern() {
         for (int i : list)
           if (i >= 0) columns[static_cast<std::size_t>(j)].push_back(i);
   }
-  for (const Spring& spring : springs.list)
-    for (int j : spring.unknown)
-      columns[static_cast<std::size_t>(j)].insert(columns[static_cast<std::size_t>(j)].end(), spring.unknown.begin(),
-                                                  spring.unknown.end());
+  const auto couple = [&](const std::vector<int>& list) {
+    for (const int j : list) {
+      auto& column = columns[static_cast<std::size_t>(j)];
+      column.insert(column.end(), list.begin(), list.end());
+    }
+  };
+  for (const Spring& spring : springs.list) couple(spring.unknown);
+  for (const Joint& joint : springs.joints) couple(joint.unknown);
   column_start.assign(1, 0);
   for (auto& column : columns) {
     std::sort(column.begin(), column.end());
@@ -402,6 +444,9 @@ void SolidSystem<D>::make_pattern() {
   for (Spring& spring : springs.list)
     for (int i : spring.unknown)
       for (int j : spring.unknown) spring.slots.push_back(find_slot(i, j));
+  for (Joint& joint : springs.joints)
+    for (int i : joint.unknown)
+      for (int j : joint.unknown) joint.slots.push_back(find_slot(i, j));
   slots.resize(mesh.elements.size());
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
     const auto list = list_unknowns(k);

@@ -2,7 +2,10 @@
 #pragma once
 // The equations of equilibrium of a model: unknowns, loads, pattern of the matrix, and assembly. Internal to fem/.
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 #include "fem/solid/shape.hpp"
 #include "fem/solid/solid.hpp"
@@ -59,18 +62,31 @@ std::vector<std::vector<Vec<D>>> find_held_directions(const SolidModel<D>& model
 template <int D>
 std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D>& mesh);
 
-/// Look-up of mid-side nodes: for two corners the node between them, -1 if no soil has that edge.
+/// Look-up of the nodes of sides of the linear mesh.
 template <int D>
 class EdgeMiddles {
  public:
   explicit EdgeMiddles(const QuadraticMesh<D>& mesh);
-  int find(int a, int b) const;
   /// Returns the nodes of a side of the linear mesh: its corners, and the middles of its edges (0-1; in 3D 0-1, 1-2,
   /// 2-0). Empty if no soil has that side.
   std::vector<int> find_side(const std::array<int, D>& side) const;
 
  private:
-  std::vector<std::array<int, 3>> edges_;  ///< (a, b, middle) with a < b; sorted
+  using Edge = std::array<int, 5>;  ///< corners of the linear mesh a < b, middle, nodes at a and b
+  const Edge* find(int a, int b) const;
+  std::vector<Edge> edges_;  ///< sorted
+};
+
+/// Look-up of the edges along which walls separate the soil.
+class CutSet {
+ public:
+  explicit CutSet(const Cuts& cuts) {
+    for (const auto& [a, b] : cuts) edges_.insert(std::minmax(a, b));
+  }
+  bool contains(int a, int b) const { return edges_.contains(std::minmax(a, b)); }
+
+ private:
+  std::set<std::pair<int, int>> edges_;
 };
 
 // Sums over the elements: internal forces and tangent. Internal to fem/.
