@@ -69,6 +69,17 @@ template <>
 inline constexpr auto words<ElementBarLimit> =
     std::array{"none", "tension", "pull_out", "stripping", "bending", "shear"};
 
+/// Stress between a wall and the soil on one of its sides at failure.
+struct ElementFace {
+  std::vector<double> place;          ///< distance from the head [m]
+  std::vector<double> normal, shear;  ///< effective compression; shear on the wall towards its toe [Pa]
+};
+void describe(auto& v, As<ElementFace> auto& r) {
+  v.key("place", r.place, {"m", "distances from the head"});
+  v.key("normal", r.normal, {"Pa", "effective normal stress on the wall there, positive in compression"});
+  v.key("shear", r.shear, {"Pa", "shear stress of the soil on the wall there, towards its toe"});
+}
+
 /// Forces of a support along its length, per metre of slope; tension is positive.
 struct ElementBar {
   std::string support;                  ///< name in the case
@@ -84,6 +95,13 @@ struct ElementBar {
   /// plastic moment; shear strength. nullopt: there is no such limit.
   std::optional<double> tension, pull_out, stripping, bending, shear;
   ElementBarLimit limit = ElementBarLimit::none;
+  // Of piles and walls, at `place`:
+  std::optional<std::vector<double>> moments, shears;  ///< at failure [N m/m], [N/m]
+  // Of walls:
+  std::optional<std::vector<Point>> line;     ///< from head to toe [m]
+  std::optional<ElementFace> left, right;     ///< soil beside the way from head to toe; nullopt: none
+  std::optional<std::vector<double>> struts;  ///< compression at failure, from the head [N/m]
+  std::optional<double> sliding;              ///< fraction of the interfaces that slips at failure
 };
 void describe(auto& v, As<ElementBar> auto& r) {
   v.key("support", r.support, {"", "name of the support"});
@@ -103,6 +121,13 @@ void describe(auto& v, As<ElementBar> auto& r) {
   v.maybe("bending", r.bending, {"", "largest moment over plastic moment"});
   v.maybe("shear", r.shear, {"", "largest shear force over shear strength"});
   v.key("limit", r.limit, {"", "which limit is reached at failure"});
+  v.maybe("moments", r.moments, {"N.m/m", "bending moment there at failure"});
+  v.maybe("shears", r.shears, {"N/m", "shear force there at failure"});
+  v.maybe("line", r.line, {"m", "a wall from its head to its toe"});
+  v.maybe("left", r.left, {"", "soil at the left of the way from head to toe"});
+  v.maybe("right", r.right, {"", "soil at its right"});
+  v.maybe("struts", r.struts, {"N/m", "compression of the struts at failure"});
+  v.maybe("sliding", r.sliding, {"", "fraction of the interfaces that slips at failure"});
 }
 
 /// Strength reduction with one flow rule.

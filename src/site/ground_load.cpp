@@ -363,13 +363,17 @@ bool needs_ground(const Site& site) {
          data.earthquake.vertical != 0;
 }
 
+mesh::Plan add_corners(mesh::Plan plan, const std::vector<Point>& places, double tolerance) {
+  for (mesh::Polygon& polygon : plan.polygons) polygon.points = add_corners(polygon.points, places, tolerance);
+  return plan;
+}
+
 mesh::Plan conform_to_loads(const Site& site, mesh::Plan plan) {
   if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;
   const std::vector<Point> places = list_places(site);
   if (places.empty()) return plan;
   const double least = same_corner * (site.ground().back()[0] - site.ground().front()[0]);
-  for (mesh::Polygon& polygon : plan.polygons) polygon.points = add_corners(polygon.points, places, least);
-  return plan;
+  return add_corners(std::move(plan), places, least);
 }
 
 }  // namespace talus::site

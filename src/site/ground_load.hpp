@@ -45,4 +45,8 @@ bool needs_ground(const Site& site);
 /// Throws as Site::ground().
 mesh::Plan conform_to_loads(const Site& site, mesh::Plan plan);
 
+/// Returns `plan` with those of `places` that lie on an outline as corners of its polygons; those within `tolerance`
+/// [m] of a corner are left out.
+mesh::Plan add_corners(mesh::Plan plan, const std::vector<Point>& places, double tolerance);
+
 }  // namespace talus::site

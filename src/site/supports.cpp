@@ -50,6 +50,11 @@ Bar make_bar(const std::string& name, const input::Support& s, const input::BarL
   if (s.kind == input::SupportKind::anchor)
     bar.free_length = s.free_length ? *s.free_length : line.length() - *s.bond_length;
   const double share = 1 / s.out_of_plane_spacing;
+  if (s.kind == input::SupportKind::wall) {
+    bar.is_barrier = s.crossing == input::WallCrossing::excluded;
+    if (!bar.is_barrier) bar.lateral = bar.shear = *s.shear_strength;
+    if (s.shear_strength) bar.shear = *s.shear_strength;
+  }
   if (s.kind == input::SupportKind::pile) {
     bar.has_soil_pressure = s.lateral_law == input::LateralLaw::ito_matsui;
     bar.lateral = share * s.lateral_resistance.value_or(0);

@@ -156,6 +156,45 @@ TEST(Supports, PilesNeedAForce) {
                    "x = 99 m is not on the ground");
 }
 
+TEST(Supports, WallsHaveALineAndAnInterface) {
+  const auto write = [](const std::string& part, const std::string& place = "line = [[40, 30], [40, 22]]\n") {
+    return slices_alone + "[support.sheet]\nkind = \"wall\"\n" + place + part;
+  };
+  EXPECT_TRUE(find_faults(write("")).empty());
+  EXPECT_TRUE(find_faults(write("", "x = [40]\nlength = 8\n")).empty());
+  EXPECT_TRUE(find_faults(write("", "heads = [[40, 30]]\nends = [[41, 22]]\n")).empty());
+  EXPECT_TRUE(find_faults(write("", "line = [[30, 25], [50, 35], [60, 35]]\n")).empty()) << "a facing";
+  EXPECT_TRUE(find_faults(write("crossing = \"resisted\"\nshear_strength = 400\n")).empty());
+  expect_fault(write("crossing = @@\"resisted\"\n"), "needs the 'shear_strength' of the wall");
+  expect_one_fault(write("", ""), "it has no place; give either 'heads', or 'first' and 'rows', or 'x' of a wall");
+  expect_fault(write("length = @@8\n"), "'length' belongs to walls without 'line'");
+  expect_fault(write("", "line = @@[[40, 30]]\n"), "'line' has one point");
+  expect_fault(write("", "line = @@[[40, 30], [40, 30], [40, 22]]\n"), "the point (40, 30) twice in a row");
+  expect_fault(write("", "line = @@[[40, 33], [40, 22]]\n"), "lies in the air");
+  expect_fault(write("", "line = @@[[40, 30], [20, 30]]\n"), "above the ground");
+  expect_fault(write("interface_strength = @@1.2\n"), "it must be");
+  expect_fault(write("interface_strength = @@0.7\nbond_friction = 20\n"), "the interface is given twice");
+  expect_fault(write("strut_stiffness = @@1e4\n"), "'strut_stiffness' needs 'strut_levels'");
+  expect_fault(write("strut_levels = @@[28]\n"), "struts need 'strut_stiffness' and 'strut_strength' above 0");
+  expect_fault(write("strut_levels = [28]\nstrut_stiffness = 1e4\nstrut_strength = 100\nstrut_prestress = @@200\n"),
+               "the prestress exceeds 'strut_strength', 100 kN");
+  expect_fault(write("out_of_plane_spacing = @@2\n"), "'out_of_plane_spacing'");
+  expect_fault(write("plastic_moment = @@0\n"), "it must be above 0");
+  expect_fault(write("plastic_force = @@-1\n"), "it must be above 0");
+}
+
+TEST(Supports, WallsAreRefusedWhereTheyAreNotTaken) {
+  const std::string sheet = "[support.sheet]\nkind = \"wall\"\nline = [[40, 30], [40, 22]]\n",
+                    base = "[[boundary]]\non = \"bottom\"\nfix = \"full\"\n",
+                    stiffness = "axial_stiffness = 1e6\nbending_stiffness = 2e4\n";
+  expect_one_fault(with_elements + base + sheet + stiffness, "FEM needs its 'interface_strength'");
+  expect_one_fault(with_elements + base + sheet + "axial_stiffness = 1e6\ninterface_strength = 0.7\n",
+                   "FEM needs its 'bending_stiffness', E I of a metre of wall");
+  EXPECT_TRUE(find_faults(with_elements + base + sheet + stiffness + "interface_strength = 0.7\n").empty());
+  expect_one_fault(change(with_elements, "[\"lem\", \"fem\"]", "[\"lem\", \"bounds\"]") + base + sheet,
+                   "support 'sheet' is a wall, and limit analysis takes nails, anchors and geosynthetics");
+}
+
 TEST(Supports, SheetsMayLieInTheSoil) {
   const auto write = [](const std::string& connection) {
     return slices_alone +

@@ -11,6 +11,7 @@
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/elements_and_bounds.hpp"
+#include "input/case/support.hpp"
 
 namespace talus::input {
 
@@ -313,7 +314,69 @@ void check_suction(const Case& data, const Material& m, const std::string& name,
         name, m.traits().title);
 }
 
+/// Reports stiffness that FEM and MPM need.
+void check_stiffness(const Case& data, Findings& findings) {
+  const char* method = uses(data, Method::fem) ? "FEM" : "MPM";
+  for (const auto& [name, support] : data.supports) {
+    const BlockFindings block(findings, "support." + name);
+    if (!block.is_sound("kind")) continue;
+    const auto need = [&, name = name](const char* key, bool is_given, const char* words) {
+      if (!is_given && block.is_sound(key))
+        findings.add(block.path, fmt::format("support '{}': {} needs its '{}', {}", name, method, key, words));
+    };
+    if (support.kind == SupportKind::geosynthetic)
+      need("sheet_stiffness", support.sheet_stiffness.has_value(), "the stiffness J per metre of width");
+    else
+      need("axial_stiffness", support.axial_stiffness.has_value(),
+           support.kind == SupportKind::wall ? "E A of a metre of wall" : "E A of one bar");
+    if (support.kind == SupportKind::pile)
+      need("bending_stiffness", support.bending_stiffness.has_value(), "E I of one pile");
+    if (support.kind == SupportKind::wall) {
+      need("bending_stiffness", support.bending_stiffness.has_value(), "E I of a metre of wall");
+      need("interface_strength", support.interface_strength || support.bond_adhesion || support.bond_friction,
+           "the strength of its interface over that of the soil, or 'bond_adhesion' and 'bond_friction'");
+    }
+  }
+}
+
 }  // namespace
+
+void check_support_methods(const Case& data, Findings& findings) {
+  if (!findings.is_sound("analysis.methods")) return;
+  if (uses(data, Method::fem) || uses(data, Method::mpm)) check_stiffness(data, findings);
+  if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
+    findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
+  if (uses(data, Method::mpm))
+    for (const auto& [name, support] : data.supports) {
+      if (support.kind == SupportKind::pile)
+        findings.add(
+            "support." + name,
+            "support '{}' is a pile, and MPM takes bars in tension only; take \"mpm\" out of 'methods', or the "
+            "pile out of the case",
+            name);
+      if (support.kind == SupportKind::wall)
+        findings.add("support." + name,
+                     "support '{}' is a wall, and MPM takes bars in tension only; take \"mpm\" out of 'methods', or "
+                     "give the wall as a region of strong soil",
+                     name);
+    }
+  const bool is_released = data.timeline && data.timeline->release;
+  if ((is_released || data.initial.stress == InitialStress::elements) && uses(data, Method::mpm))
+    findings.add(is_released ? "timeline.release" : "initial.stress",
+                 "not with [support.{}]: in the stresses of FEM its bars carry a part, and in MPM they would begin "
+                 "without force; start from K0 stresses or with a stage that brings the weight",
+                 data.supports.begin()->first);
+  if (data.lem.drawdown)
+    findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
+                 data.supports.begin()->first);
+  if (data.lem.referee && findings.places.is_given("lem.referee"))
+    findings.add("lem.referee",
+                 "not with [support.{}]: the soil below its heads may fail in limit analysis and not in LEM; add "
+                 "\"bounds\" to 'methods' for the interval",
+                 data.supports.begin()->first);
+  if (data.mesh.dimension != 2)
+    findings.add("support." + data.supports.begin()->first, "supports need a plane section, with dimension = 2");
+}
 
 void check_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;

@@ -132,6 +132,8 @@ std::vector<Point> list_heads(const Support& support, const mesh::Polyline& grou
 
 BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const ShownUnit& unit) {
   BarLayout out;
+  for (std::size_t i = 0; i + 1 < support.line.size(); ++i) out.bars.push_back({support.line[i], support.line[i + 1]});
+  if (!support.line.empty()) return out;
   const std::vector<Point> heads = list_heads(support, ground, unit, out);
   // A case that was checked has one length or end for each head, and a spacing of its rows.
   const bool has_lengths =
@@ -139,8 +141,8 @@ BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const S
   if (out.fault.empty() && (support.ends.empty() ? !has_lengths : support.ends.size() != heads.size()))
     out.fault = "bars without a length";
   if (!out.fault.empty()) return out;
-  const bool is_pile = support.kind == SupportKind::pile;
-  const double dip = support.inclination.value_or(is_pile ? std::numbers::pi / 2 : 0);
+  const bool is_steep = support.kind == SupportKind::pile || support.kind == SupportKind::wall;
+  const double dip = support.inclination.value_or(is_steep ? std::numbers::pi / 2 : 0);
   const bool is_upright = std::cos(dip) < 1e-9;
   for (std::size_t i = 0; i < heads.size(); ++i) {
     BarLine bar{heads[i], {}, static_cast<int>(i) + 1};
@@ -179,6 +181,7 @@ class SupportCheck {
     check_resistance();
     if (s_.kind == SupportKind::anchor) check_anchor();
     if (s_.kind == SupportKind::pile) check_pile();
+    if (s_.kind == SupportKind::wall) check_wall();
     if (has_pattern && data_.mesh.dimension == 2 && !data_.mesh.polygons.empty() &&
         block_.findings.is_sound("geometry.polygon"))
       check_places();
@@ -195,15 +198,19 @@ class SupportCheck {
 
   /// Returns true if bars can be placed.
   bool check_pattern() const {
-    for (const char* key : {"heads", "ends", "x", "first", "rows", "row_spacing", "inclination", "length", "lengths"})
+    for (const char* key :
+         {"heads", "ends", "x", "line", "first", "rows", "row_spacing", "inclination", "length", "lengths"})
       if (!block_.is_sound(key)) return false;
-    const int given = int(!s_.heads.empty()) + int(!s_.x.empty()) + int(s_.first.has_value());
+    const int given = int(!s_.heads.empty()) + int(!s_.x.empty()) + int(s_.first.has_value()) + int(!s_.line.empty());
     if (given != 1) {
       fail("", "{}; give either 'heads', or 'first' and 'rows'{}",
            given == 0 ? "it has no place" : "its place is given twice",
-           s_.kind == SupportKind::pile ? ", or 'x' of piles" : "");
+           s_.kind == SupportKind::pile   ? ", or 'x' of piles"
+           : s_.kind == SupportKind::wall ? ", or 'x' of a wall, or its 'line'"
+                                          : "");
       return false;
     }
+    if (!s_.line.empty()) return check_line();
     if (!s_.first && (block_.is_given("rows") || s_.row_spacing)) {
       fail(s_.row_spacing ? "row_spacing" : "rows", "rows need their 'first' head");
       return false;
@@ -223,10 +230,29 @@ class SupportCheck {
       fail("lengths", "'lengths' has {} values for {} {}", s_.lengths.size(), bars, s_.first ? "rows" : "heads");
       return false;
     }
-    if (!s_.inclination && s_.kind != SupportKind::geosynthetic && s_.kind != SupportKind::pile) {
+    if (!s_.inclination && s_.kind != SupportKind::geosynthetic && s_.kind != SupportKind::pile &&
+        s_.kind != SupportKind::wall) {
       fail("", "it needs an 'inclination'{}", s_.first ? "" : ", or 'ends'");
       return false;
     }
+    return true;
+  }
+
+  bool check_line() const {
+    for (const char* key : {"ends", "inclination", "length", "lengths", "rows", "row_spacing"})
+      if (block_.is_given(key)) {
+        fail(key, "'{}' belongs to walls without 'line'", key);
+        return false;
+      }
+    if (s_.line.size() < 2) {
+      fail("line", "'line' has one point, and a wall goes from its head to its toe");
+      return false;
+    }
+    for (std::size_t i = 0; i + 1 < s_.line.size(); ++i)
+      if (s_.line[i] == s_.line[i + 1]) {
+        fail("line", "'line' has the point {} twice in a row", format_point(s_.line[i], data_.units().length));
+        return false;
+      }
     return true;
   }
 
@@ -270,6 +296,25 @@ class SupportCheck {
                   s_.free_length ? "the bonded part is given twice" : "an anchor is bonded over a part of its length");
   }
 
+  void check_wall() const {
+    for (const char* key : {"crossing", "shear_strength", "interface_strength", "bond_adhesion", "bond_friction",
+                            "strut_levels", "strut_stiffness", "strut_strength", "strut_prestress"})
+      if (!block_.is_sound(key)) return;
+    if (s_.crossing == WallCrossing::resisted && !s_.shear_strength)
+      fail("crossing", "crossing = \"resisted\" needs the 'shear_strength' of the wall");
+    if (s_.interface_strength && (s_.bond_adhesion || s_.bond_friction))
+      fail("interface_strength",
+           "the interface is given twice; give 'interface_strength', or 'bond_adhesion' and 'bond_friction'");
+    if (s_.strut_levels.empty()) {
+      for (const char* key : {"strut_stiffness", "strut_strength", "strut_prestress"})
+        if (block_.is_given(key)) fail(key, "'{}' needs 'strut_levels'", key);
+    } else if (!s_.strut_stiffness || !(s_.strut_strength > 0)) {
+      fail("strut_levels", "struts need 'strut_stiffness' and 'strut_strength' above 0");
+    } else if (s_.strut_prestress > s_.strut_strength) {
+      fail("strut_prestress", "the prestress exceeds 'strut_strength', {:g} kN", s_.strut_strength / 1e3);
+    }
+  }
+
   void check_pile() const {
     const bool is_given = s_.lateral_law == LateralLaw::given;
     if (!block_.is_sound("lateral_law") || !block_.is_sound("lateral_resistance")) return;
@@ -295,6 +340,7 @@ class SupportCheck {
     }
     std::vector<Point> heads = s_.heads;
     if (s_.first) heads.push_back(*s_.first);
+    if (!s_.line.empty()) heads.push_back(s_.line.front());
     for (const Point& head : heads)
       if (!check_head(head, ground)) return;
     const BarLayout layout = lay_bars(s_, ground, data_.units().length);
@@ -322,10 +368,11 @@ class SupportCheck {
   bool check_head(const Point& head, const mesh::Polyline& ground) const {
     const ShownUnit& unit = data_.units().length;
     const double near = near_ground * measure_width(ground);
-    const std::string head_key = s_.heads.empty() ? "first" : "heads";
+    const std::string head_key = !s_.line.empty() ? "line" : s_.heads.empty() ? "first" : "heads";
     const auto levels = find_levels(ground, head[0]);
     const double off = mesh::compute_distance(head, ground);
-    const bool may_be_buried = s_.kind == SupportKind::geosynthetic || s_.kind == SupportKind::pile;
+    const bool may_be_buried =
+        s_.kind == SupportKind::geosynthetic || s_.kind == SupportKind::pile || s_.kind == SupportKind::wall;
     if (!levels || (head[1] > (*levels)[1] && off > near)) {
       fail(head_key, "the head {} lies in the air, {} from the ground", format_point(head, unit),
            format_value(off, unit, 3));
@@ -355,8 +402,12 @@ class SupportCheck {
       const auto here = find_levels(ground, p[0]);
       const bool is_in_air = !here || p[1] > (*here)[1] + near, is_below = p[1] < bottom - near;
       if (!is_in_air && !is_below) continue;
-      const std::string key = s_.ends.empty() ? (s_.lengths.empty() ? "length" : "lengths") : "ends";
-      fail(key, "the bar in row {} from {} to {} leaves the soil at {}, {}", bar.row, format_point(bar.head, unit),
+      const std::string key = !s_.line.empty()     ? "line"
+                              : !s_.ends.empty()   ? "ends"
+                              : s_.lengths.empty() ? "length"
+                                                   : "lengths";
+      const std::string what = s_.kind == SupportKind::wall ? "the wall" : fmt::format("the bar in row {}", bar.row);
+      fail(key, "{} from {} to {} leaves the soil at {}, {}", what, format_point(bar.head, unit),
            format_point(bar.end, unit), format_point(p, unit),
            !here      ? "the side of the section"
            : is_below ? "below its bottom"
@@ -396,9 +447,11 @@ void warn_of_crossings(const Case& data, Findings& findings) {
     for (std::size_t j = 0; j < i; ++j) {
       const auto& [name, bar] = bars[i];
       const auto& [other_name, other] = bars[j];
-      const bool is_pile =
-          data.supports.at(*name).kind == SupportKind::pile || data.supports.at(*other_name).kind == SupportKind::pile;
-      if (is_pile || !do_cross(bar, other)) continue;
+      const auto may_cross = [&](const std::string& own) {
+        const SupportKind kind = data.supports.at(own).kind;
+        return kind == SupportKind::pile || kind == SupportKind::wall;
+      };
+      if (may_cross(*name) || may_cross(*other_name) || !do_cross(bar, other)) continue;
       return findings.warn(
           "support." + *name,
           "the bar of support '{}' in row {} crosses that of '{}' in row {} in the section. Both count "
@@ -415,7 +468,8 @@ bool has_passive_supports(const Case& data) {
 
 std::optional<std::string> find_support_obstacle(const Case& data) {
   for (const auto& [name, support] : data.supports) {
-    if (support.kind == SupportKind::pile || support.kind == SupportKind::bolt)
+    using K = SupportKind;
+    if (const K kind = support.kind; kind == K::pile || kind == K::wall || kind == K::bolt)
       return fmt::format("support '{}' is a {}, and limit analysis takes nails, anchors and geosynthetics", name,
                          get_word(support.kind));
     if (support.find_direction() != SupportDirection::axial)
@@ -424,67 +478,13 @@ std::optional<std::string> find_support_obstacle(const Case& data) {
   return std::nullopt;
 }
 
-namespace {
-
-/// Reports stiffness that FEM and MPM need.
-void check_stiffness(const Case& data, Findings& findings) {
-  const char* method = uses(data, Method::fem) ? "FEM" : "MPM";
-  for (const auto& [name, support] : data.supports) {
-    const BlockFindings block(findings, "support." + name);
-    if (!block.is_sound("kind")) continue;
-    const auto need = [&, name = name](const char* key, bool is_given, const char* words) {
-      if (!is_given && block.is_sound(key))
-        findings.add(block.path, fmt::format("support '{}': {} needs its '{}', {}", name, method, key, words));
-    };
-    if (support.kind == SupportKind::geosynthetic)
-      need("sheet_stiffness", support.sheet_stiffness.has_value(), "the stiffness J per metre of width");
-    else
-      need("axial_stiffness", support.axial_stiffness.has_value(), "E A of one bar");
-    if (support.kind == SupportKind::pile)
-      need("bending_stiffness", support.bending_stiffness.has_value(), "E I of one pile");
-  }
-}
-
-/// Reports methods that do not take supports.
-void check_support_methods(const Case& data, Findings& findings) {
-  if (!findings.is_sound("analysis.methods")) return;
-  if (uses(data, Method::fem) || uses(data, Method::mpm)) check_stiffness(data, findings);
-  if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
-    findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
-  if (uses(data, Method::mpm))
-    for (const auto& [name, support] : data.supports)
-      if (support.kind == SupportKind::pile)
-        findings.add(
-            "support." + name,
-            "support '{}' is a pile, and MPM takes bars in tension only; take \"mpm\" out of 'methods', or the "
-            "pile out of the case",
-            name);
-  const bool is_released = data.timeline && data.timeline->release;
-  if ((is_released || data.initial.stress == InitialStress::elements) && uses(data, Method::mpm))
-    findings.add(is_released ? "timeline.release" : "initial.stress",
-                 "not with [support.{}]: in the stresses of FEM its bars carry a part, and in MPM they would begin "
-                 "without force; start from K0 stresses or with a stage that brings the weight",
-                 data.supports.begin()->first);
-  if (data.lem.drawdown)
-    findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
-                 data.supports.begin()->first);
-  if (data.lem.referee && findings.places.is_given("lem.referee"))
-    findings.add("lem.referee",
-                 "not with [support.{}]: the soil below its heads may fail in limit analysis and not in LEM; add "
-                 "\"bounds\" to 'methods' for the interval",
-                 data.supports.begin()->first);
-  if (data.mesh.dimension != 2)
-    findings.add("support." + data.supports.begin()->first, "supports need a plane section, with dimension = 2");
-}
-
-}  // namespace
-
 void check_supports(const Case& data, Findings& findings) {
   if (data.supports.empty()) return;
   constexpr std::size_t most = 2000;
   std::size_t bars = 0;
   for (const auto& [name, support] : data.supports)
-    bars += std::max({support.heads.size(), support.x.size(), static_cast<std::size_t>(std::max(1, support.rows))});
+    bars += std::max({support.heads.size(), support.x.size(), support.line.size(),
+                      static_cast<std::size_t>(std::max(1, support.rows))});
   if (bars > most)
     return findings.add("support." + data.supports.begin()->first,
                         "the case has {} bars in [support], and at most {} are read; the forces of bars that lie close "

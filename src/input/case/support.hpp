@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [support.NAME]: nails, anchors, bolts, geosynthetics and piles, in one declaration for all methods.
+// [support.NAME]: nails, anchors, bolts, geosynthetics, piles and walls, in one declaration for all methods.
 
 #include <array>
 #include <optional>
@@ -15,20 +15,24 @@ namespace talus::input {
 struct Case;
 class Findings;
 
-enum class SupportKind { nail, anchor, bolt, geosynthetic, pile };
+enum class SupportKind { nail, anchor, bolt, geosynthetic, pile, wall };
 /// Active: a load that the factor of safety does not divide. Passive: a resistance that it divides.
 enum class SupportSense { usual, active, passive };
 enum class SupportDirection { usual, axial, tangent, bisector, normal };
 enum class RowSpacing { elevation, face };
 enum class BondSides { both, one };
 enum class LateralLaw { given, ito_matsui };
+/// Treatment in limit equilibrium of slip surfaces that cross a wall.
+enum class WallCrossing { excluded, resisted };
 
-/// Resistances of nails, anchors, bolts and piles are those of one bar, those of geosynthetics per metre of width.
+/// Resistances of nails, anchors, bolts and piles are those of one bar, those of geosynthetics and walls per metre of
+/// width.
 struct Support {
   SupportKind kind = SupportKind::nail;
   // The place of the bars is given by heads and ends, by x, or by a pattern of rows.
   std::vector<std::array<double, 2>> heads, ends;  ///< [m]
-  std::vector<double> x;                           ///< of piles from the ground down [m]
+  std::vector<double> x;                           ///< of piles and walls from the ground down [m]
+  std::vector<std::array<double, 2>> line;         ///< of a wall from its head to its toe [m]
   std::optional<std::array<double, 2>> first;      ///< head of the top row [m]
   int rows = 1;
   std::optional<double> row_spacing;  ///< [m]
@@ -55,6 +59,14 @@ struct Support {
   LateralLaw lateral_law = LateralLaw::given;
   std::optional<double> lateral_resistance;  ///< [N]
   std::optional<double> shear_strength;      ///< [N]
+  // Walls:
+  WallCrossing crossing = WallCrossing::excluded;
+  std::optional<double> interface_strength;  ///< strength of the interface over that of the soil, R_inter [-]
+  std::optional<double> plastic_force;       ///< N_p [N]
+  std::vector<double> strut_levels;          ///< [m]
+  std::optional<double> strut_stiffness;     ///< [N/m]
+  double strut_strength = 0;                 ///< [N]
+  double strut_prestress = 0;                ///< [N]
   // How the force acts:
   SupportSense sense = SupportSense::usual;
   SupportDirection direction = SupportDirection::usual;
@@ -70,10 +82,11 @@ struct Support {
     if (sense != SupportSense::usual) return sense == SupportSense::active;
     return kind == SupportKind::anchor || kind == SupportKind::bolt;
   }
-  /// Returns the direction of the force; along the slip surface for piles where none is given.
+  /// Returns the direction of the force; along the slip surface for piles and walls where none is given.
   SupportDirection find_direction() const {
     if (direction != SupportDirection::usual) return direction;
-    return kind == SupportKind::pile ? SupportDirection::tangent : SupportDirection::axial;
+    const bool is_across = kind == SupportKind::pile || kind == SupportKind::wall;
+    return is_across ? SupportDirection::tangent : SupportDirection::axial;
   }
 };
 
@@ -84,6 +97,7 @@ inline constexpr auto choices<SupportKind> = std::array{
     Choice{SupportKind::bolt, "bolt", "a bar that is anchored at its end: its capacity is the same all along"},
     Choice{SupportKind::geosynthetic, "geosynthetic", "a geogrid, geotextile or strip: friction on its sides"},
     Choice{SupportKind::pile, "pile", "a pile or shear key: a force across it where the slip surface crosses"},
+    Choice{SupportKind::wall, "wall", "a sheet pile, diaphragm wall, gabion or facing: a plate along the slope"},
 };
 template <>
 inline constexpr auto choices<SupportSense> = std::array{
@@ -94,7 +108,7 @@ inline constexpr auto choices<SupportSense> = std::array{
 };
 template <>
 inline constexpr auto choices<SupportDirection> = std::array{
-    Choice{SupportDirection::usual, "usual", "tangent for piles, axial for the others"},
+    Choice{SupportDirection::usual, "usual", "tangent for piles and walls, axial for the others"},
     Choice{SupportDirection::axial, "axial", "along the bar"},
     Choice{SupportDirection::tangent, "tangent", "along the slip surface, against the sliding"},
     Choice{SupportDirection::bisector, "bisector", "half-way between these two"},
@@ -118,6 +132,12 @@ inline constexpr auto choices<LateralLaw> = std::array{
            "Matsui 1975)"},
 };
 
+template <>
+inline constexpr auto choices<WallCrossing> = std::array{
+    Choice{WallCrossing::excluded, "excluded", "the search leaves out surfaces that cross the wall"},
+    Choice{WallCrossing::resisted, "resisted", "`shear_strength` of the wall holds the sliding mass"},
+};
+
 /// Declares where the bars lie.
 void describe_bars(auto& v, Support& s) {
   v.key("heads", s.heads, quantity("m").example("[[10, 6], [10, 4.5]]"),
@@ -125,14 +145,17 @@ void describe_bars(auto& v, Support& s) {
         "`first` and `rows`, or `x` of piles.");
   v.key("ends", s.ends, quantity("m").example("[[2, 5], [2, 3.5]]"),
         "Ends in the soil, one for each head, instead of `inclination` and `length`.");
-  v.key("x", s.x, quantity("m").allowed_with("kind", s.kind, SupportKind::pile).example("[17.5]"),
-        "Instead of heads: x of piles that begin at the ground.");
+  v.key("x", s.x, quantity("m").allowed_with("kind", s.kind, {SupportKind::pile, SupportKind::wall}).example("[17.5]"),
+        "Instead of heads: x of piles, or of vertical walls, that begin at the ground.");
+  v.key("line", s.line, quantity("m").allowed_with("kind", s.kind, SupportKind::wall).example("[[10, 6], [10, -2]]"),
+        "Instead of heads: a wall from its head to its toe, [x, y] each; a facing as a polyline along the ground.");
   v.key("first", s.first, quantity("m").example("[10, 6]"), "Head of the top row, on the ground.");
   v.key("rows", s.rows, plain().at_least(1).at_most(200), "Rows from `first` down the slope.");
   v.key("row_spacing", s.row_spacing, quantity("m").above(0).example("1.5"), "Distance of the rows.");
   v.key("spacing_along", s.spacing_along, plain(), "How that distance is measured.");
   v.key("inclination", s.inclination, quantity("deg").at_least(-90).at_most(90).usual(-10, 90).example("15"),
-        "Inclination below the horizontal, from the head into the soil. Geosynthetics: 0 if not given; piles: 90.");
+        "Inclination below the horizontal, from the head into the soil. Geosynthetics: 0 if not given; piles and "
+        "walls: 90.");
   v.key("length", s.length, quantity("m").above(0).example("8"), "Length of all bars.");
   v.key("lengths", s.lengths, quantity("m").above(0).example("[8, 8, 6]"), "Instead: the length of each row or head.");
   v.key("out_of_plane_spacing", s.out_of_plane_spacing,
@@ -156,15 +179,19 @@ void describe_pull_out(auto& v, Support& s) {
   v.key("bond", s.bond, quantity("kN/m").above(0).allowed_with("kind", s.kind, {K::nail, K::anchor}).example("15"),
         "Resistance to pull-out of a bar per metre of its grouted length, instead of adhesion and friction.");
   v.key("bond_adhesion", s.bond_adhesion,
-        quantity("kPa").at_least(0).allowed_with("kind", s.kind, {K::nail, K::anchor, K::geosynthetic}).example("5"),
-        "Constant part of the bond stress on the surface of the grout or the sides of the sheet.");
+        quantity("kPa")
+            .at_least(0)
+            .allowed_with("kind", s.kind, {K::nail, K::anchor, K::geosynthetic, K::wall})
+            .example("5"),
+        "Constant part of the bond stress on the surface of the grout, or on the sides of a sheet or wall.");
   v.key("bond_friction", s.bond_friction,
         quantity("deg")
             .at_least(0)
             .below(90)
-            .allowed_with("kind", s.kind, {K::nail, K::anchor, K::geosynthetic})
+            .allowed_with("kind", s.kind, {K::nail, K::anchor, K::geosynthetic, K::wall})
             .example("24"),
-        "δ: the bond stress grows by α σ'_v tan δ, with the vertical effective stress of the soil above the bar.");
+        "δ: the bond stress grows by α σ'_v tan δ, with the vertical effective stress of the soil above the bar; on "
+        "a wall by σ'_n tan δ of the stress across it.");
   v.key("bond_scale", s.bond_scale,
         plain().above(0).at_most(10).allowed_with("kind", s.kind, {K::nail, K::anchor, K::geosynthetic}),
         "α, a factor on the friction: scale effect of geosynthetics, or K of nails.");
@@ -192,6 +219,29 @@ void describe_pull_out(auto& v, Support& s) {
         "Width of the strips over the distance of their axes; 1: a sheet. It reduces strength, connection and bond.");
 }
 
+/// Declares what walls alone have.
+void describe_wall(auto& v, Support& s) {
+  using K = SupportKind;
+  v.key("crossing", s.crossing, plain().allowed_with("kind", s.kind, K::wall),
+        "Slip surfaces of LEM that cross the wall.");
+  v.key("interface_strength", s.interface_strength,
+        plain().above(0).at_most(1).allowed_with("kind", s.kind, K::wall).example("0.67"),
+        "R_inter: cohesion and tan φ of the interface over those of the soil beside it, for FEM, instead of "
+        "`bond_adhesion` and `bond_friction`.");
+  v.key("plastic_force", s.plastic_force, quantity("kN").above(0).allowed_with("kind", s.kind, K::wall).example("2500"),
+        "N_p of a metre of wall, for FEM: its axial strength in tension and compression.");
+  v.key("strut_levels", s.strut_levels, quantity("m").allowed_with("kind", s.kind, K::wall).example("[5, 2]"),
+        "y of horizontal struts on the side of the wall without soil, for FEM.");
+  v.key("strut_stiffness", s.strut_stiffness,
+        quantity("kN/m").above(0).allowed_with("kind", s.kind, K::wall).example("5e4"),
+        "E A over the free length of a strut, per metre of wall.");
+  v.key("strut_strength", s.strut_strength,
+        quantity("kN").at_least(0).or_infinite().allowed_with("kind", s.kind, K::wall).example("400"),
+        "Compressive strength of a strut, per metre of wall. In tension it has none.");
+  v.key("strut_prestress", s.strut_prestress, quantity("kN").at_least(0).allowed_with("kind", s.kind, K::wall),
+        "Compression of a strut after the loads are applied, at which it is locked off.");
+}
+
 void describe(auto& v, Support& s) {
   using K = SupportKind;
   v.key("kind", s.kind, plain().required().example(R"("nail")"), "What the support is.");
@@ -203,22 +253,26 @@ void describe(auto& v, Support& s) {
         quantity("kN").above(0).allowed_with("kind", s.kind, K::pile).example("50"),
         "Force of one pile on the sliding soil, with lateral_law = \"given\".");
   v.key("shear_strength", s.shear_strength,
-        quantity("kN").above(0).allowed_with("kind", s.kind, K::pile).example("300"),
-        "Shear strength of one pile, an upper limit of its force.");
+        quantity("kN").above(0).allowed_with("kind", s.kind, {K::pile, K::wall}).example("300"),
+        "Shear strength of one pile or of a metre of wall, an upper limit of its force.");
+  describe_wall(v, s);
   v.key("sense", s.sense, plain(), "How the force enters the factor of safety. It is printed with every factor.");
   v.key("direction", s.direction, plain(), "Direction of the force on the sliding mass in LEM.");
   v.key("axial_stiffness", s.axial_stiffness,
-        quantity("kN").above(0).allowed_with("kind", s.kind, {K::nail, K::anchor, K::bolt, K::pile}).example("1e5"),
-        "E A of one bar, for FEM and MPM.");
+        quantity("kN")
+            .above(0)
+            .allowed_with("kind", s.kind, {K::nail, K::anchor, K::bolt, K::pile, K::wall})
+            .example("1e5"),
+        "E A of one bar, for FEM and MPM, or of a metre of wall.");
   v.key("sheet_stiffness", s.sheet_stiffness,
         quantity("kN/m").above(0).allowed_with("kind", s.kind, K::geosynthetic).example("800"),
         "Stiffness J of a geosynthetic per metre of width, for FEM and MPM.");
   v.key("bending_stiffness", s.bending_stiffness,
-        quantity("kN.m2").above(0).allowed_with("kind", s.kind, {K::nail, K::pile}).example("2e4"),
-        "E I of one bar, for FEM.");
+        quantity("kN.m2").above(0).allowed_with("kind", s.kind, {K::nail, K::pile, K::wall}).example("2e4"),
+        "E I of one bar or of a metre of wall, for FEM.");
   v.key("plastic_moment", s.plastic_moment,
-        quantity("kN.m").above(0).allowed_with("kind", s.kind, {K::nail, K::pile}).example("150"),
-        "Plastic moment M_p of one bar, for FEM and limit analysis.");
+        quantity("kN.m").above(0).allowed_with("kind", s.kind, {K::nail, K::pile, K::wall}).example("150"),
+        "Plastic moment M_p of one bar or of a metre of wall, for FEM.");
   v.key("rupture_strain", s.rupture_strain,
         plain()
             .above(0)
@@ -231,8 +285,8 @@ void describe(auto& v, Support& s) {
 /// A bar of a support in the section.
 struct BarLine {
   std::array<double, 2> head{}, end{};  ///< [m]
-  int row = 1;                          ///< from the top of the pattern, or the number of its head
-  double length() const;                ///< [m]
+  int row = 1;  ///< from the top of the pattern, or the number of its head; the pieces of a polyline have the same
+  double length() const;  ///< [m]
 };
 
 /// The bars of a support, or the reason for which they have no place: a sentence, and the key to which it belongs.
@@ -249,6 +303,9 @@ BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const S
 bool has_passive_supports(const Case& data);
 /// Returns why limit analysis does not take the supports of a case; nullopt if it does.
 std::optional<std::string> find_support_obstacle(const Case& data);
+
+/// Reports methods that do not take the supports of a case, and the stiffness that FEM and MPM need.
+void check_support_methods(const Case& data, Findings& findings);
 
 /// Checks [support.NAME]: patterns, resistances, and places in the soil.
 void check_supports(const Case& data, Findings& findings);

@@ -11,6 +11,7 @@
 #include "mesh/planar.hpp"
 #include "run/common/head.hpp"
 #include "run/common/section_of_case.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "site/supports.hpp"
 
 namespace talus::run {
@@ -92,7 +93,8 @@ class BarMaker {
 
   std::vector<fem::Bar> make() const {
     std::vector<fem::Bar> made;
-    for (std::size_t i = 0; i < bars_.size(); ++i) made.push_back(make(i));
+    for (std::size_t i = 0; i < bars_.size(); ++i)
+      if (bars_[i].kind != input::SupportKind::wall) made.push_back(make(i));
     return made;
   }
 
@@ -207,13 +209,20 @@ std::vector<fem::Bar> make_bars(const site::Site& site) {
 
 std::string describe_bars(const input::Case& data) {
   std::string reduced;
-  for (const auto& [name, support] : data.supports)
-    if (support.sense == input::SupportSense::passive) reduced += (reduced.empty() ? "'" : ", '") + name + "'";
-  if (reduced.empty()) return "the factor divides the strength of the soil, not that of the supports or of their bond";
+  bool has_walls = false;
+  for (const auto& [name, support] : data.supports) {
+    has_walls = has_walls || support.kind == input::SupportKind::wall;
+    if (support.sense == input::SupportSense::passive && support.kind != input::SupportKind::wall)
+      reduced += (reduced.empty() ? "'" : ", '") + name + "'";
+  }
+  const char* walls = has_walls ? "; it divides the interfaces of walls as it divides the soil" : "";
+  if (reduced.empty())
+    return fmt::format("the factor divides the strength of the soil, not that of the supports or of their bond{}",
+                       walls);
   return fmt::format(
       "the factor divides the strength of the soil, and the bond of supports with sense = \"passive\" ({}), not that "
-      "of the supports themselves",
-      reduced);
+      "of the supports themselves{}",
+      reduced, walls);
 }
 
 results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::BarForces& start) {
@@ -231,6 +240,11 @@ results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::Bar
   out.tension = find_utilisation(failed.axial);
   out.bending = find_utilisation(failed.moment);
   out.shear = find_utilisation(failed.shear);
+  if (!failed.moment.value.empty()) {
+    out.moments.emplace(), out.shears.emplace();
+    for (const double m : failed.moment.value) out.moments->push_back(round_to(m, force_digits));
+    for (const double v : failed.shear.value) out.shears->push_back(round_to(v, force_digits));
+  }
   if (out.largest > 0) {
     const double place = failed.axial.place[top];
     const Used behind = sum_bond(failed.bond, place, 1e300), front = sum_bond(failed.bond, 0, place);
@@ -254,7 +268,8 @@ results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::Bar
 
 std::vector<results::ElementBar> make_bar_results(const site::Site& site, const fem::SolidModel<2>& model,
                                                   const fem::ReductionResult<2>& found) {
-  const std::vector<site::Bar> bars = site::list_bars(site);
+  std::vector<site::Bar> bars = site::list_bars(site);
+  std::erase_if(bars, [](const site::Bar& bar) { return bar.kind == input::SupportKind::wall; });
   const auto failed = fem::compute_bar_forces(model, found.at_failure, found.failed),
              start = fem::compute_bar_forces(model, found.at_full_strength, found.base_factor);
   std::vector<results::ElementBar> results;
@@ -266,6 +281,9 @@ std::vector<results::ElementBar> make_bar_results(const site::Site& site, const 
     out.head = bars[i].head;
     out.end = bars[i].end;
   }
+  const std::vector<WallLine> walls = list_walls(site);
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    results.push_back(make_wall_result(walls[w], failed[bars.size() + w], start[bars.size() + w]));
   return results;
 }
 

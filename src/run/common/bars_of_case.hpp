@@ -11,14 +11,14 @@
 
 namespace talus::run {
 
-/// Makes the bars of a plane case, with the bond of LEM along them. Throws what site::list_bars() and, where the bond
-/// depends on σ'_v, make_section() throw.
+/// Makes the bars of a plane case, without its walls, with the bond of LEM along them. Throws what site::list_bars()
+/// and, where the bond depends on σ'_v, make_section() throw.
 std::vector<fem::Bar> make_bars(const site::Site& site);
 
 /// Returns the sentence on what the factor divides.
 std::string describe_bars(const input::Case& data);
 
-/// Returns the forces of the bars at failure and at full strength.
+/// Returns the forces of bars and walls at failure and at full strength.
 std::vector<results::ElementBar> make_bar_results(const site::Site& site, const fem::SolidModel<2>& model,
                                                   const fem::ReductionResult<2>& found);
 

@@ -326,13 +326,15 @@ void add_bars(const site::Site& site, lem::Section& section) {
     if (bar.kind == input::SupportKind::bolt) made.hold = lem::BarHold::end_anchor;
     if (bar.kind == input::SupportKind::pile)
       made.hold = bar.has_soil_pressure ? lem::BarHold::soil_pressure : lem::BarHold::across;
+    // A wall that surfaces do not cross has no force; its toe is a seed of the search.
+    if (bar.kind == input::SupportKind::wall) made.hold = lem::BarHold::across;
     made.free_length = bar.free_length;
     made.tensile = bar.tensile;
     made.plate = bar.plate;
     made.bond = bar.bond;
     made.bond_factor = bar.bond_factor;
     made.prestress = bar.prestress;
-    made.lateral = bar.lateral > 0 ? bar.lateral : bar.shear;
+    made.lateral = bar.is_barrier ? 0 : bar.lateral > 0 ? bar.lateral : bar.shear;
     made.shear = bar.shear;
     made.diameter = bar.diameter;
     made.spacing = bar.spacing;

@@ -211,7 +211,7 @@ void ElementRun<D>::prepare() {
 template <int D>
 auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
   SolidOfCase<D> solid = make_solid<D>(site_, share);
-  fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
+  fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh, fem::list_cuts(solid.model));
   return std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
 }
 
@@ -371,7 +371,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   run.seconds = found.seconds;
   for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(make_trial_result(t));
   if constexpr (D == 2) {
-    if (!model_->solid.model.bars.empty()) run.supports = make_bar_results(site_, model_->solid.model, found);
+    if (!data().supports.empty()) run.supports = make_bar_results(site_, model_->solid.model, found);
     std::vector<results::SideLine> lines;
     for (fem::SlipLine& line : fem::find_slip_lines(model_->solid.model, model_->mesh, found.mechanism))
       lines.push_back({line.direction, std::move(line.points)});

@@ -12,6 +12,7 @@
 #include "run/common/bars_of_case.hpp"
 #include "run/common/bedding_lines.hpp"
 #include "run/common/soil_column.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
@@ -121,6 +122,7 @@ class SolidBuilder {
   void add_bars() {
     if (data_.supports.empty()) return;
     solid_.model.bars = make_bars(site_);
+    solid_.model.walls = make_walls(site_, mesh_);
     solid_.notes.push_back(describe_bars(data_));
   }
 
@@ -237,7 +239,7 @@ double compute_davis_share(input::DavisRule rule, double friction_angle, double 
 mesh::Plan make_fem_plan(const site::Site& site, double share) {
   const input::Case& data = site.data();
   if (!data.mesh.file.empty()) return data.mesh;
-  mesh::Plan plan = site::conform_to_loads(site, data.mesh);
+  mesh::Plan plan = conform_to_walls(site, site::conform_to_loads(site, data.mesh));
   plan.algorithm = data.fem.algorithm;
   if (!data.fem.size && share == 1) return plan;
   const double size = share * data.fem.size.value_or(plan.size);

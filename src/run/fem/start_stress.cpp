@@ -75,7 +75,7 @@ std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& d
                                                             results::StressStart& result) {
   const SolidOfCase<2> solid = make_start_solid(data);
   const fem::SolidResult<2> found = find_weakest(solid, make_solid_options(data.fem, threads), result.factor);
-  const fem::QuadraticMesh<2> mesh = fem::make_quadratic<2>(*solid.mesh);
+  const fem::QuadraticMesh<2> mesh = fem::make_quadratic<2>(*solid.mesh, fem::list_cuts(solid.model));
   auto known = std::make_shared<input::KnownStress>();
   known->mesh = *solid.mesh;
   known->elements.resize(known->mesh.elements.size());

@@ -50,8 +50,29 @@ lem::TangentLines make_tangent(const input::Case& data, const input::TangentCirc
   return lines;
 }
 
-std::shared_ptr<const lem::SurfaceLimits> make_limits(const input::LimitEquilibrium& settings) {
+/// Half the width of the area that stands for a wall, and the length that it is shorter at both ends, over the length
+/// of a piece of the wall.
+constexpr double wall_width = 1e-4;
+
+/// Adds the walls that surfaces must not cross, each piece as a thin area.
+void exclude_walls(const input::Case& data, std::vector<std::vector<lem::Point>>& areas) {
+  for (const auto& [name, support] : data.supports) {
+    if (support.kind != input::SupportKind::wall || support.crossing != input::WallCrossing::excluded) continue;
+    for (const input::BarLine& bar : input::lay_bars(support, mesh::find_ground(data.mesh), data.units().length).bars) {
+      const double dx = wall_width * (bar.end[0] - bar.head[0]), dy = wall_width * (bar.end[1] - bar.head[1]);
+      const lem::Point head{bar.head[0] + dx, bar.head[1] + dy}, end{bar.end[0] - dx, bar.end[1] - dy};
+      areas.push_back({{head[0] - dy, head[1] + dx},
+                       {head[0] + dy, head[1] - dx},
+                       {end[0] + dy, end[1] - dx},
+                       {end[0] - dy, end[1] + dx}});
+    }
+  }
+}
+
+std::shared_ptr<const lem::SurfaceLimits> make_limits(const input::Case& data) {
+  const input::LimitEquilibrium& settings = data.lem;
   lem::SurfaceLimits limits;
+  exclude_walls(data, limits.excluded);
   for (const input::ExcludedArea& area : settings.excluded)
     limits.excluded.emplace_back(area.points.begin(), area.points.end());
   for (const input::SurfaceWindow& w : settings.passages) limits.passages.push_back(make_window(w));
@@ -186,7 +207,7 @@ lem::SearchOptions make_search_options(const input::Case& data, int threads) {
     options.checks.smallest_depth = *settings.smallest_depth;
     options.finds_skins = true;
   }
-  options.checks.limits = make_limits(settings);
+  options.checks.limits = make_limits(data);
   options.checks.composite = settings.composite;
   options.checks.reject = settings.reject;
   options.composite = settings.composite;

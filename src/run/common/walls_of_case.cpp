@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "run/common/walls_of_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+#include "mesh/planar.hpp"
+#include "run/common/bars_of_case.hpp"
+#include "run/common/head.hpp"
+#include "site/ground_load.hpp"
+#include "site/supports.hpp"
+
+namespace talus::run {
+
+namespace {
+
+/// A point of a wall within this fraction of the width of the section lies on the ground.
+constexpr double near_ground = 1e-3;
+/// Distance of nodes from the line of a wall, over the extent of the mesh, at which they lie on it.
+constexpr double on_line = 1e-7;
+/// Stiffness of an interface over Young's modulus of the softest soil beside it [1/m]: that of a layer of 10 mm.
+constexpr double joint_share = 100;
+/// Tangential over normal stiffness of an interface: G/E with ν = 0.3.
+constexpr double shear_joint = 1 / 2.6;
+/// Shear stiffness κ G A over E A, of a rectangle with ν = 0.2.
+constexpr double shear_share = 5.0 / 6 / 2.4;
+constexpr double force_digits = 10;
+/// Utilisation from which an interface slips.
+constexpr double slips = 0.999;
+
+/// Returns the place of a point on the ground: the nearest corner or the foot of the perpendicular, if it is near.
+site::Point snap(const site::Point& p, const site::Polyline& ground) {
+  const double near = near_ground * (ground.back()[0] - ground.front()[0]);
+  for (const site::Point& corner : ground)
+    if (std::hypot(p[0] - corner[0], p[1] - corner[1]) <= near) return corner;
+  for (std::size_t i = 1; i < ground.size(); ++i) {
+    const site::Point &a = ground[i - 1], &b = ground[i];
+    const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+    if (!(square > 0) || mesh::compute_distance(p, a, b) > near) continue;
+    const double t = std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0);
+    return {a[0] + t * dx, a[1] + t * dy};
+  }
+  return p;
+}
+
+/// Returns the nodes of a mesh on a line, in its direction.
+std::vector<int> list_nodes(const WallLine& wall, const mesh::Mesh<2>& mesh, const ShownUnits& units) {
+  double extent = 0;
+  for (const auto& x : mesh.nodes)
+    extent = std::max({extent, std::abs(x[0] - mesh.nodes[0][0]), std::abs(x[1] - mesh.nodes[0][1])});
+  const double near = on_line * extent;
+  std::vector<std::pair<double, int>> found;
+  double before = 0;
+  for (std::size_t i = 0; i + 1 < wall.points.size(); ++i) {
+    const site::Point &a = wall.points[i], &b = wall.points[i + 1];
+    const double dx = b[0] - a[0], dy = b[1] - a[1], length = std::hypot(dx, dy);
+    for (int n = 0; n < mesh.node_count(); ++n) {
+      const auto& x = mesh.nodes[n];
+      if (mesh::compute_distance(x, a, b) > near) continue;
+      const double s = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / length;
+      if (i == 0 || s > near) found.emplace_back(before + s, n);
+    }
+    before += length;
+  }
+  std::sort(found.begin(), found.end());
+  std::set<std::pair<int, int>> edges;
+  for (const auto& e : mesh.elements)
+    for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(e[i], e[(i + 1) % 3]));
+  std::vector<int> nodes;
+  for (const auto& [s, n] : found) nodes.push_back(n);
+  bool conforms = found.size() > 1 && found.front().first <= near && found.back().first >= before - near;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    conforms = conforms && edges.contains(std::minmax(nodes[i], nodes[i + 1]));
+  if (!conforms)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the mesh does not conform to wall '{}' from {} to {}: its line must consist of edges of "
+                            "the mesh",
+                            wall.support, format_point(wall.points.front(), units.length),
+                            format_point(wall.points.back(), units.length)));
+  return nodes;
+}
+
+/// Returns the strength of the interface to each region of a mesh.
+std::vector<fem::InterfaceStrength> list_strengths(const site::Site& site, const input::Support& support,
+                                                   const std::string& name, const std::vector<std::string>& regions) {
+  std::vector<fem::InterfaceStrength> strengths;
+  for (const std::string& region : regions) {
+    if (!support.interface_strength) {
+      strengths.push_back(
+          {support.bond_adhesion.value_or(0), support.bond_scale * std::tan(support.bond_friction.value_or(0))});
+      continue;
+    }
+    const input::Material soil = input::find_limit_soil(site.get_soil(region));
+    const std::string model = soil.traits().word;
+    if (model != "mohr_coulomb" && model != "tresca")
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("wall '{}': 'interface_strength' is a fraction of c and φ, which material '{}' with the "
+                              "model {} does not have; give 'bond_adhesion' and 'bond_friction'",
+                              name, site.data().regions.at(region), model));
+    strengths.push_back({*support.interface_strength * soil.cohesion,
+                         *support.interface_strength * (model == "tresca" ? 0 : std::tan(soil.friction_angle))});
+  }
+  return strengths;
+}
+
+double find_softest(const site::Site& site) {
+  double young = fem::unlimited;
+  for (const auto& [region, material] : site.data().regions)
+    if (const double own = site.get_soil(region).young_modulus; own > 0) young = std::min(young, own);
+  return young;
+}
+
+results::ElementFace make_face_result(std::vector<fem::FacePoint> points) {
+  std::stable_sort(points.begin(), points.end(),
+                   [](const fem::FacePoint& a, const fem::FacePoint& b) { return a.place < b.place; });
+  results::ElementFace face;
+  for (const fem::FacePoint& p : points) {
+    face.place.push_back(round_to(p.place, 1e6));
+    face.normal.push_back(round_to(p.normal, force_digits));
+    face.shear.push_back(round_to(p.shear, force_digits));
+  }
+  return face;
+}
+
+}  // namespace
+
+std::vector<WallLine> list_walls(const site::Site& site) {
+  std::vector<WallLine> walls;
+  for (const site::Bar& bar : site::list_bars(site)) {
+    if (bar.kind != input::SupportKind::wall) continue;
+    const site::Point head = snap(bar.head, site.ground()), end = snap(bar.end, site.ground());
+    const bool goes_on = !walls.empty() && walls.back().support == bar.support && walls.back().row == bar.row;
+    if (!goes_on) walls.push_back({bar.support, bar.row, {head}});
+    walls.back().points.push_back(end);
+  }
+  return walls;
+}
+
+mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan) {
+  if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;
+  const std::vector<WallLine> walls = list_walls(site);
+  if (walls.empty()) return plan;
+  std::vector<site::Point> places;
+  for (const WallLine& wall : walls) {
+    places.insert(places.end(), wall.points.begin(), wall.points.end());
+    plan.lines.push_back({fmt::format("[support.{}] {}", wall.support, wall.row), wall.points});
+  }
+  return site::add_corners(std::move(plan), places, 1e-9 * (site.ground().back()[0] - site.ground().front()[0]));
+}
+
+std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& mesh) {
+  std::vector<fem::Wall> walls;
+  for (const WallLine& line : list_walls(site)) {
+    const input::Support& support = site.data().supports.at(line.support);
+    fem::Wall& wall = walls.emplace_back();
+    wall.name = line.support;
+    wall.nodes = list_nodes(line, mesh, site.data().units());
+    wall.axial_stiffness = support.axial_stiffness.value_or(0);
+    wall.axial = support.plastic_force.value_or(fem::unlimited);
+    wall.bending_stiffness = support.bending_stiffness.value_or(0);
+    wall.shear_stiffness = shear_share * wall.axial_stiffness;
+    wall.moment = support.plastic_moment.value_or(fem::unlimited);
+    wall.shear = support.shear_strength.value_or(fem::unlimited);
+    wall.normal_stiffness = joint_share * find_softest(site);
+    wall.tangential_stiffness = shear_joint * wall.normal_stiffness;
+    wall.interface = [strengths = list_strengths(site, support, line.support, mesh.region_names)](
+                         int region, const Vec<2>&) { return strengths[static_cast<std::size_t>(region)]; };
+    for (const double level : support.strut_levels)
+      wall.struts.push_back({level, *support.strut_stiffness, support.strut_strength, support.strut_prestress});
+  }
+  return walls;
+}
+
+results::ElementBar make_wall_result(const WallLine& wall, const fem::BarForces& failed, const fem::BarForces& start) {
+  results::ElementBar out = make_bar_result(failed, start);
+  out.support = wall.support;
+  out.kind = input::get_word(input::SupportKind::wall);
+  out.row = wall.row;
+  out.head = wall.points.front();
+  out.end = wall.points.back();
+  out.line = wall.points;
+  out.largest = 0;
+  for (const double n : out.force)
+    if (std::abs(n) > std::abs(out.largest)) out.largest = n;
+  std::size_t sliding = 0, all = 0;
+  for (const auto& face : failed.face)
+    for (const fem::FacePoint& p : face) ++all, sliding += std::abs(p.shear) >= slips * p.strength;
+  if (all > 0) out.sliding = static_cast<double>(sliding) / static_cast<double>(all);
+  if (!failed.face[0].empty()) out.left = make_face_result(failed.face[0]);
+  if (!failed.face[1].empty()) out.right = make_face_result(failed.face[1]);
+  if (!failed.strut.value.empty()) {
+    out.struts.emplace();
+    for (const double n : failed.strut.value) out.struts->push_back(round_to(n, force_digits));
+  }
+  return out;
+}
+
+}  // namespace talus::run

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The walls of a case in FEM: lines of the mesh, beams with interfaces, and their forces as results.
+
+#include <string>
+#include <vector>
+
+#include "fem/solid/solid.hpp"
+#include "results/elements.hpp"
+#include "site/site.hpp"
+
+namespace talus::run {
+
+/// A wall as a polyline from its head to its toe. Points near the ground are moved onto it.
+struct WallLine {
+  std::string support;  ///< its name in the case
+  int row = 1;
+  site::Polyline points;  ///< [m]
+};
+
+/// Returns the walls of a case in the order of their names. Throws as site::list_bars().
+std::vector<WallLine> list_walls(const site::Site& site);
+
+/// Returns `plan` with the walls as lines, and their ends on the ground as corners.
+mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan);
+
+/// Makes the walls on a mesh that conforms to them. Throws Error (wrong_input) if it does not, or if the strength of
+/// the soil does not give that of the interface.
+std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& mesh);
+inline std::vector<fem::Wall> make_walls(const site::Site&, const mesh::Mesh<3>&) {
+  return {};
+}
+
+/// Returns the forces of a wall, and the limit that it has reached. `start`: at full strength.
+results::ElementBar make_wall_result(const WallLine& wall, const fem::BarForces& failed, const fem::BarForces& start);
+
+}  // namespace talus::run

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// [support.NAME] with kind = "wall" in FEM and LEM: a published plate (Torggler 2016), a cantilever sheet pile beside
+// its limit equilibrium on two meshes, a strut, and surfaces that do not cross the wall.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/extrapolate.hpp"
+#include "input/read.hpp"
+#include "lem/search/search.hpp"
+#include "run/common/bars_of_case.hpp"
+#include "run/common/section_of_case.hpp"
+#include "run/fem/solid_of_case.hpp"
+#include "run/lem/run_lem.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+site::Site read_site(const std::string& text) {
+  return site::Site(input::read_case_text(text, "wall.toml").data);
+}
+
+struct Reduced {
+  run::SolidOfCase<2> solid;
+  fem::ReductionResult<2> found;
+};
+
+Reduced reduce(const site::Site& site, double share, double from, double to) {
+  Reduced reduced{run::make_solid<2>(site, share), {}};
+  fem::ReductionOptions options;
+  options.from = from, options.to = to;
+  reduced.found = fem::reduce_strength<2>(reduced.solid.model, options);
+  return reduced;
+}
+
+/// Torggler (2016), 10 m at 30°: PLAXIS has 1.111, and 1.175 with a plate of 7.5 m in the middle of the slope.
+std::string write_plate() {
+  return R"(
+title = "Plate in a slope"
+[geometry]
+ground = [[0, 20], [20, 20], [37.32, 30], [57, 30]]
+[[geometry.layer]]
+name = "soil"
+level = 0
+[regions]
+soil = "soil"
+[materials.soil]
+model = "mohr_coulomb"
+unit_weight = 16
+cohesion = 10
+friction_angle = 15
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = 2
+poisson_ratio = 0.4
+[analysis]
+methods = ["fem"]
+[fem]
+size = 1
+[support.plate]
+kind = "wall"
+line = [[28.66, 25], [28.66, 17.5]]
+interface_strength = 1
+axial_stiffness = 2e6
+bending_stiffness = 4e4
+)";
+}
+
+TEST(SheetPiles, PlateOfTorgglerHasItsPublishedFactor) {
+  const site::Site site = read_site(write_plate());
+  const double coarse = reduce(site, 2, 1.05, 1.25).found.factor;
+  const Reduced fine = reduce(site, 1, 1.05, 1.25);
+  EXPECT_NEAR(extrapolate_to_zero(2, coarse, 1, fine.found.factor), 1.175, 0.02 * 1.175)
+      << coarse << " " << fine.found.factor;
+  const auto results = run::make_bar_results(site, fine.solid.model, fine.found);
+  ASSERT_EQ(results.size(), 1u);
+  const results::ElementBar& plate = results[0];
+  EXPECT_EQ(plate.kind, "wall");
+  ASSERT_TRUE(plate.moments && plate.shears && plate.left && plate.right && plate.line && plate.sliding);
+  EXPECT_EQ(plate.moments->size(), plate.place.size());
+  EXPECT_GT(plate.moment, 1e3);
+  EXPECT_GT(*plate.sliding, 0.05);
+  EXPECT_EQ(plate.limit, results::ElementBarLimit::none);
+}
+
+/// A smooth sheet pile of `length` along a cut of 3 m in sand, φ = ψ = 35°.
+std::string write_sheet(double length, const std::string& more = "") {
+  return fmt::format(R"(
+title = "Cantilever sheet pile"
+[geometry]
+ground = [[0, 3], [12, 3], [12, 0], [24, 0]]
+[[geometry.layer]]
+name = "sand"
+level = -9
+[regions]
+sand = "sand"
+[materials.sand]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 0.2
+friction_angle = 35
+dilatancy_angle = 35
+tensile_strength = 0
+young_modulus = 30
+poisson_ratio = 0.3
+[analysis]
+methods = ["fem", "lem"]
+[lem]
+methods = ["bishop"]
+[fem]
+size = 0.5
+[support.sheet]
+kind = "wall"
+line = [[12, 3], [12, {}]]
+bond_friction = 0
+axial_stiffness = 2e6
+bending_stiffness = 5e4
+{}
+)",
+                     3 - length, more);
+}
+
+/// Factor of a smooth cantilever wall: Rankine's pressures of the reduced strength, which change sides at the point
+/// about which the wall turns; force and moment are in balance. Units kN and m.
+double find_cantilever_factor(double free, double embedded, double friction, double cohesion) {
+  constexpr double weight = 20;
+  const auto is_stable = [&](double factor) {
+    const double phi = std::atan(std::tan(friction) / factor), root = std::tan(pi / 4 + phi / 2),
+                 c = 2 * cohesion / factor;
+    const auto push = [&](double depth) { return std::max(0.0, weight * depth / (root * root) - c / root); };
+    const auto resist = [&](double depth) { return depth > 0 ? weight * depth * root * root + c * root : 0; };
+    const auto balance = [&](double turn) {  // force and moment about the toe
+      std::array<double, 2> sum{};
+      constexpr int parts = 2000;
+      const double step = (free + embedded) / parts;
+      for (int i = 0; i < parts; ++i) {
+        const double depth = (i + 0.5) * step, below = depth - free;
+        const double p = below < turn ? push(depth) - resist(below) : resist(depth) - push(below);
+        sum[0] += p * step, sum[1] += p * step * (free + embedded - depth);
+      }
+      return sum;
+    };
+    double low = 0, high = embedded;
+    for (int i = 0; i < 40; ++i) (balance(0.5 * (low + high))[0] > 0 ? low : high) = 0.5 * (low + high);
+    return balance(low)[1] < 0;
+  };
+  double low = 0.5, high = 3;
+  for (int i = 0; i < 25; ++i) (is_stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+TEST(SheetPiles, CantileverHasTheFactorOfItsLimitEquilibrium) {
+  EXPECT_NEAR(find_cantilever_factor(3, 3, 35 * pi / 180, 0), 1.230, 2e-3);
+  const double expected = find_cantilever_factor(3, 3, 35 * pi / 180, 0.2);
+  const site::Site site = read_site(write_sheet(6));
+  const double coarse = reduce(site, 2, 1.1, 1.4).found.factor;
+  const Reduced fine = reduce(site, 1, 1.1, 1.4);
+  const double factor = extrapolate_to_zero(2, coarse, 1, fine.found.factor);
+  EXPECT_NEAR(factor, expected, 0.05 * expected) << coarse << " " << fine.found.factor;
+  const auto wall = run::make_bar_results(site, fine.solid.model, fine.found).at(0);
+  // At the bottom of the cut: M = γ K_a H³/6 and V = γ K_a H²/2 of the reduced strength.
+  const double phi = std::atan(std::tan(35 * pi / 180) / fine.found.failed),
+               active = std::pow(std::tan(pi / 4 - phi / 2), 2);
+  double shear = 0;
+  for (std::size_t i = 0; i < wall.place.size(); ++i)
+    if (wall.place[i] < 3) shear = std::abs((*wall.shears)[i]);
+  EXPECT_NEAR(shear, 20e3 * active * 4.5, 0.1 * 20e3 * active * 4.5);
+}
+
+TEST(SheetPiles, HingeLowersTheFactor) {
+  const site::Site site = read_site(write_sheet(8, "plastic_moment = 40"));
+  const Reduced found = reduce(site, 2, 1, 1.4);
+  const auto wall = run::make_bar_results(site, found.solid.model, found.found).at(0);
+  EXPECT_EQ(wall.limit, results::ElementBarLimit::bending);
+  EXPECT_NEAR(*wall.bending, 1, 0.02);
+  EXPECT_LT(found.found.factor, reduce(read_site(write_sheet(8)), 2, 1, 1.8).found.factor - 0.1);
+}
+
+TEST(SheetPiles, StrutRaisesTheFactor) {
+  const site::Site site =
+      read_site(write_sheet(5, "strut_levels = [2.5]\nstrut_stiffness = 2e4\nstrut_strength = 200"));
+  const Reduced found = reduce(site, 2, 1, 2);
+  EXPECT_GT(found.found.factor, reduce(read_site(write_sheet(5)), 2, 0.8, 1.4).found.factor + 0.1);
+  const auto wall = run::make_bar_results(site, found.solid.model, found.found).at(0);
+  ASSERT_TRUE(wall.struts);
+  EXPECT_GT(wall.struts->at(0), 1e3);
+}
+
+TEST(SheetPiles, LimitEquilibriumSearchesBelowTheToe) {
+  const auto search = [](const std::string& text) {
+    const site::Site site = read_site(text);
+    return lem::search(lem::Slope(run::make_section(site).section), run::make_search_options(site.data(), 2));
+  };
+  const auto excluded = search(write_sheet(6));
+  const auto& surface = excluded.circular.at(0).surface;
+  ASSERT_TRUE(surface.circle);
+  EXPECT_LT(surface.from, 12);
+  EXPECT_GT(surface.to, 12);
+  const auto& circle = *surface.circle;
+  EXPECT_LE(circle.centre[1] - std::sqrt(circle.radius * circle.radius - std::pow(12 - circle.centre[0], 2)),
+            -3 + 1e-3);
+  const auto resisted = search(write_sheet(6, "crossing = \"resisted\"\nshear_strength = 20"));
+  EXPECT_LT(resisted.circular.at(0).solution.factor, excluded.circular.at(0).solution.factor);
+}
+
+TEST(SheetPiles, InterfaceOfASoilWithoutCohesionAndAngleIsRefused) {
+  std::string text = write_plate();
+  text.replace(text.find("mohr_coulomb"), 12, "hoek_brown");
+  const auto from = text.find("cohesion"), to = text.find("young_modulus");
+  text.replace(from, to - from, "intact_strength = 30\ngsi = 40\nintact_constant = 10\ndilatancy_ratio = 0\n");
+  try {
+    run::make_solid<2>(read_site(text), 2);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("bond_adhesion"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace talus
