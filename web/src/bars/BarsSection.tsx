@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Supports in FEM and MPM: the axial force along each bar, and what limits it. */
+/** Supports in FEM and MPM: the axial force along each bar, moment and shear force of piles and walls, and what limits them. */
 import * as Plot from "@observablehq/plot";
 
 import { layOut, makeAxis } from "../charts/base/axes";
@@ -16,33 +16,55 @@ interface BarPoint {
   name: string;
   /** In the unit of lengths. */
   place: number;
-  /** [kN/m] */
+  /** [kN/m], or [kN m/m] of moments. */
   force: number;
 }
+
+/** A quantity along bars. */
+interface Quantity {
+  id: string;
+  title: string;
+  unit: string;
+  /** In files. */
+  si: string;
+  get: (row: BarRow) => (number | null)[];
+}
+
+const axialForce: Quantity = { id: "force", title: "Axial force", unit: "kN/m", si: "N/m", get: (r) => r.force };
+const ofBeams: Quantity[] = [
+  { id: "moment", title: "Bending moment", unit: "kN·m/m", si: "N.m/m", get: (r) => r.moments },
+  { id: "shear", title: "Shear force", unit: "kN/m", si: "N/m", get: (r) => r.shears },
+];
 
 const kilo = (force: number | null) => (force === null ? "–" : formatNumber(force / 1e3, 4));
 const share = (used: number | null) => (used === null ? "–" : `${(100 * used).toFixed(0)} %`);
 
-function listPoints(rows: BarRow[], unit: number): BarPoint[] {
-  return rows.flatMap(({ name, place, force }, bar) =>
-    place.map((s, i) => ({ bar, name, place: (s ?? 0) / unit, force: (force[i] ?? 0) / 1e3 })),
+function listPoints(rows: BarRow[], quantity: Quantity, unit: number): BarPoint[] {
+  return rows.flatMap((row, bar) =>
+    quantity
+      .get(row)
+      .map((value, i) => ({ bar, name: row.name, place: (row.place[i] ?? 0) / unit, force: (value ?? 0) / 1e3 })),
   );
 }
 
-function BarFigure({ table }: { table: BarTable }) {
+function BarFigure({ table, quantity = axialForce }: { table: BarTable; quantity?: Quantity }) {
   const { length } = report.value.units;
   const [hidden, toggle] = useSwitches();
   const { rows } = table;
-  const points = listPoints(rows, length.si).filter(({ name }) => !hidden.has(name));
+  const points = listPoints(rows, quantity, length.si).filter(({ name }) => !hidden.has(name));
+  const isAxial = quantity === axialForce;
   const draw = (width: number) =>
     layOut({
       height: Math.max(260, Math.min(340, width * 0.45)),
       margins: [28, 20, 46, 62],
       x: { label: `Distance from the head [${length.name}]`, ticks: Math.max(4, width / 90) },
       y: makeAxis({
-        title: "Axial force",
-        unit: "kN/m",
-        domain: [Math.min(0, ...points.map((p) => p.force)), 1.05 * Math.max(1e-9, ...points.map((p) => p.force))],
+        title: quantity.title,
+        unit: quantity.unit,
+        domain: [
+          Math.min(0, 1.05 * Math.min(...points.map((p) => p.force))),
+          1.05 * Math.max(1e-9, ...points.map((p) => p.force)),
+        ],
         log: false,
       }),
       marks: rows.map((_, bar) => {
@@ -52,17 +74,17 @@ function BarFigure({ table }: { table: BarTable }) {
       }),
     });
   return (
-    <figure class="chart-figure" aria-label={`Forces of supports, ${table.title}`}>
+    <figure class="chart-figure" aria-label={`${quantity.title} of supports, ${table.title}`}>
       <div class="chart-head">
         <h4>
-          {table.title}: axial force {table.state}
+          {table.title}: {quantity.title.toLowerCase()} {table.state}
         </h4>
         <CsvButton
-          part={`supports-${table.id}`}
+          part={`supports-${table.id}${isAxial ? "" : `-${quantity.id}`}`}
           columns={() => [
-            { name: "support", values: rows.flatMap((r) => r.place.map(() => r.name)) },
-            { name: "place", unit: "m", values: rows.flatMap((r) => r.place) },
-            { name: "force", unit: "N/m", values: rows.flatMap((r) => r.force) },
+            { name: "support", values: rows.flatMap((r) => quantity.get(r).map(() => r.name)) },
+            { name: "place", unit: "m", values: rows.flatMap((r) => quantity.get(r).map((_, i) => r.place[i] ?? null)) },
+            { name: quantity.id, unit: quantity.si, values: rows.flatMap((r) => quantity.get(r)) },
           ]}
         />
       </div>
@@ -72,7 +94,7 @@ function BarFigure({ table }: { table: BarTable }) {
         items={rows.map(({ name }, bar) => ({ id: name, title: name, style: styleOf(bar) }))}
       />
       <Chart
-        label={`Axial force along the supports by ${table.title}`}
+        label={`${quantity.title} along the supports by ${table.title}`}
         draw={draw}
         depends={[hidden, table]}
         stops={points.map((p) => p.place)}
@@ -80,24 +102,38 @@ function BarFigure({ table }: { table: BarTable }) {
         read={(i) => {
           const p = points[i]!;
           return {
-            text: `${p.name}, ${formatQuantity(p.place, length.name, 3)} from its head: ${formatQuantity(p.force, "kN/m", 3)}`,
+            text: `${p.name}, ${formatQuantity(p.place, length.name, 3)} from its head: ${formatQuantity(p.force, quantity.unit, 3)}`,
             marks: [{ value: p.force, at: p.place, colour: styleOf(p.bar).colour }],
           };
         }}
       />
-      <ChartTable
-        label={`Forces of supports by ${table.title}`}
-        rows={rows}
-        columns={[
-          ["Support", (r) => r.name, "name"],
-          ["Largest force [kN/m]", (r) => kilo(r.largest), "number"],
-          ["Head [kN/m]", (r) => kilo(r.plate), "number"],
-          ["Tension", (r) => share(r.tension), "number"],
-          ["Pull-out", (r) => share(r.pullOut), "number"],
-          ["Stripping", (r) => share(r.stripping), "number"],
-          ["Limit reached", (r) => r.limit, "name"],
-        ]}
-      />
+      {isAxial ? (
+        <ChartTable
+          label={`Forces of supports by ${table.title}`}
+          rows={rows}
+          columns={[
+            ["Support", (r) => r.name, "name"],
+            ["Largest force [kN/m]", (r) => kilo(r.largest), "number"],
+            ["Head [kN/m]", (r) => kilo(r.plate), "number"],
+            ["Tension", (r) => share(r.tension), "number"],
+            ["Pull-out", (r) => share(r.pullOut), "number"],
+            ["Stripping", (r) => share(r.stripping), "number"],
+            ["Limit reached", (r) => r.limit, "name"],
+          ]}
+        />
+      ) : quantity.id === "moment" ? (
+        <ChartTable
+          label={`Moments of supports by ${table.title}`}
+          rows={rows.filter((r) => r.moments.length > 0)}
+          columns={[
+            ["Support", (r) => r.name, "name"],
+            ["Largest moment [kN·m/m]", (r) => kilo(r.moment), "number"],
+            ["Over M_p", (r) => share(r.bending), "number"],
+            ["Shear force over strength", (r) => share(r.shear), "number"],
+            ["Limit reached", (r) => r.limit, "name"],
+          ]}
+        />
+      ) : null}
     </figure>
   );
 }
@@ -106,7 +142,11 @@ export function BarsSection() {
   return (
     <>
       {listBarTables(report.value).map((table) => (
-        <BarFigure key={table.id} table={table} />
+        <>
+          <BarFigure key={table.id} table={table} />
+          {table.rows.some((r) => r.moments.length > 0) &&
+            ofBeams.map((quantity) => <BarFigure key={quantity.id} table={table} quantity={quantity} />)}
+        </>
       ))}
       <p class="chart-note">
         Per metre of slope, tension positive. Percentages: the largest force over the tensile strength; the bond behind

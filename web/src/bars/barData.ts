@@ -8,11 +8,17 @@ export interface BarRow {
   place: (number | null)[];
   /** Axial force there [N/m]. */
   force: (number | null)[];
+  /** Bending moment and shear force there, of piles and walls [N m/m], [N/m]. */
+  moments: (number | null)[];
+  shears: (number | null)[];
   largest: number | null;
   plate: number | null;
+  moment: number | null;
   tension: number | null;
   pullOut: number | null;
   stripping: number | null;
+  bending: number | null;
+  shear: number | null;
   limit: string;
 }
 
@@ -41,9 +47,14 @@ interface Bar {
   force: (number | null)[];
   largest: number | null;
   plate: number | null;
+  moments?: (number | null)[];
+  shears?: (number | null)[];
+  moment?: number | null;
   tension?: number | null;
   pull_out?: number | null;
   stripping?: number | null;
+  bending?: number | null;
+  shear?: number | null;
   limit: string;
 }
 
@@ -51,11 +62,16 @@ const makeRow = (bar: Bar): BarRow => ({
   name: `${bar.support} ${bar.row}`,
   place: bar.place,
   force: bar.force,
+  moments: bar.moments ?? [],
+  shears: bar.shears ?? [],
   largest: bar.largest,
   plate: bar.plate,
+  moment: bar.moment ?? null,
   tension: bar.tension ?? null,
   pullOut: bar.pull_out ?? null,
   stripping: bar.stripping ?? null,
+  bending: bar.bending ?? null,
+  shear: bar.shear ?? null,
   limit: limits[bar.limit] ?? bar.limit,
 });
 
