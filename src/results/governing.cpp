@@ -25,6 +25,16 @@ bool has_verdict(const SliceResult& slices, Verdict verdict) {
   return has(slices.critical) || has(slices.noncircular) || has(slices.given);
 }
 
+/// Returns true if a method other than limit analysis had supports.
+bool has_supports(const RunResult& run) {
+  const auto crosses = [](const CriticalSurface& c) { return c.supports.has_value(); };
+  if (run.slices)
+    for (const auto* list : {&run.slices->critical, &run.slices->noncircular, &run.slices->given})
+      if (std::any_of(list->begin(), list->end(), crosses)) return true;
+  const auto holds = [](const ElementRun& r) { return r.supports.has_value(); };
+  return run.supports || (run.elements && std::any_of(run.elements->runs.begin(), run.elements->runs.end(), holds));
+}
+
 }  // namespace
 
 std::string describe_side(const EarthquakeSide& side, const char* what) {
@@ -130,8 +140,9 @@ std::optional<double> find_main_factor(const RunResult& run) {
     if (const TimedReduction* elements = find_least_reduction(*run.timeline)) take(elements->runs.front().factor);
   }
   if (!run.bounds || run.bounds->is_davis) return least;
-  // The upper bound of limit analysis limits the factors of the other methods. With limit analysis alone the lower
-  // bound is the result.
+  // The upper bound of limit analysis limits the factors of the other methods, except with supports: its mechanism may
+  // be that of the soil below their heads. With limit analysis alone the lower bound is the result.
+  if (least && has_supports(run)) return least;
   take(least ? run.bounds->upper : run.bounds->lower);
   return least;
 }

@@ -99,6 +99,31 @@ TEST(MainFactor, IsNotAboveTheUpperBound) {
   EXPECT_FALSE(is_main_factor_proven(run));
 }
 
+TEST(MainFactor, IsNotTheUpperBoundWhereSupportsActInAnotherMethod) {
+  // The mechanism of the upper bound may be that of the soil below the heads, which the other methods do not judge.
+  RunResult fem;
+  fem.bounds.emplace().lower = 1.1, fem.bounds->upper = 1.2;
+  auto& elements = fem.elements.emplace().runs.emplace_back();
+  elements.factor = 1.3;
+  elements.supports.emplace();
+  EXPECT_EQ(find_main_factor(fem), 1.3);
+  EXPECT_FALSE(is_main_factor_proven(fem));
+  elements.supports.reset();
+  EXPECT_EQ(find_main_factor(fem), 1.2) << "without supports it limits the factor";
+  RunResult lem;
+  lem.bounds = fem.bounds;
+  lem.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.5)};
+  lem.slices->critical[0].supports.emplace();
+  EXPECT_EQ(find_main_factor(lem), 1.5);
+  RunResult mpm;
+  mpm.bounds = fem.bounds;
+  mpm.factor_of_safety.emplace().value = 1.4;
+  mpm.supports.emplace();
+  EXPECT_EQ(find_main_factor(mpm), 1.4);
+  mpm.factor_of_safety.reset();
+  EXPECT_EQ(find_main_factor(mpm), 1.1) << "limit analysis alone";
+}
+
 TEST(MainFactor, IsNoFactorByFemOutsideTheBounds) {
   RunResult run;
   run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
