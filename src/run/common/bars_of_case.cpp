@@ -29,8 +29,6 @@ constexpr double strong = 2;
 constexpr double shear_share = 5.0 / 6 / 2.4;
 /// Width of the facing that a head presses on, where no other head is nearer [m].
 constexpr double widest_plate = 1;
-/// Utilisation from which a limit counts as reached.
-constexpr double reached = 0.98;
 /// Forces are rounded to this many parts of one newton per metre.
 constexpr double force_digits = 10;
 
@@ -254,15 +252,12 @@ results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::Bar
       out.stripping = (failed.plate - front.force) / (front.limit + failed.plate_limit);
   }
   using Limit = results::ElementBarLimit;
-  double most = reached;
-  const auto choose = [&](const std::optional<double>& used, Limit limit) {
-    if (used && *used >= most) most = *used, out.limit = limit;
-  };
-  choose(out.stripping, Limit::stripping);
-  choose(out.pull_out, Limit::pull_out);
-  choose(out.tension, Limit::tension);
-  choose(out.shear, Limit::shear);
-  choose(out.bending, Limit::bending);
+  out.limit = select_limit<Limit>({{out.stripping, Limit::stripping},
+                                   {out.pull_out, Limit::pull_out},
+                                   {out.tension, Limit::tension},
+                                   {out.shear, Limit::shear},
+                                   {out.bending, Limit::bending}},
+                                  Limit::none);
   return out;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 // The supports of a case as bars and beams of FEM, and their forces as results.
 
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +26,24 @@ std::vector<results::ElementBar> make_bar_results(const site::Site& site, const 
 
 /// Returns the forces of one bar, and the limit that it has reached. `start`: at full strength.
 results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::BarForces& start);
+
+/// A limit of a bar, with its utilisation; nullopt where the bar does not have it.
+template <class Limit>
+struct UsedLimit {
+  std::optional<double> used;
+  Limit limit;
+};
+
+/// Returns the limit with the largest utilisation among those that are reached, of equal ones the last; `none` if no
+/// limit is.
+template <class Limit>
+Limit select_limit(std::initializer_list<UsedLimit<Limit>> limits, Limit none) {
+  constexpr double reached = 0.98;
+  double most = reached;
+  Limit found = none;
+  for (const UsedLimit<Limit>& u : limits)
+    if (u.used && *u.used >= most) most = *u.used, found = u.limit;
+  return found;
+}
 
 }  // namespace talus::run

@@ -21,8 +21,6 @@ constexpr int fewest_pieces = 6;
 constexpr double places_per_element = 4;
 /// Distance into the soil at which the element of a place on the ground is sought, over the size of elements.
 constexpr double inwards = 1e-4;
-/// Utilisation from which a limit counts as reached.
-constexpr double reached = 0.98;
 
 class BarPlacer {
  public:
@@ -140,13 +138,8 @@ void judge(const mpm::Bar& bar, results::PointBar& out) {
   if (front.limit + bar.plate.law.upper > 0)
     out.stripping = (front.force + bar.plate.force) / (front.limit + bar.plate.law.upper);
   if (out.torn > 0) return;
-  double most = reached;
-  const auto choose = [&](const std::optional<double>& used, Limit limit) {
-    if (used && *used >= most) most = *used, out.limit = limit;
-  };
-  choose(out.stripping, Limit::stripping);
-  choose(out.pull_out, Limit::pull_out);
-  choose(out.tension, Limit::tension);
+  out.limit = select_limit<Limit>(
+      {{out.stripping, Limit::stripping}, {out.pull_out, Limit::pull_out}, {out.tension, Limit::tension}}, Limit::none);
 }
 
 }  // namespace
