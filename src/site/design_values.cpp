@@ -29,7 +29,7 @@ std::vector<results::PartialFactor> list_values(const input::PartialFactorValues
           {"resistance", "resistance", "γ_R;e", v.resistance}};
 }
 
-/// Divides the strength parameters of one soil by the partial factors and records each change.
+/// Divides the strength parameters of one soil or support by the partial factors and records each change.
 class SoilFactors : public material::PartialDivision {
  public:
   SoilFactors(const std::string& name, const input::PartialFactorValues& v, std::vector<results::DesignValue>& out)
@@ -41,7 +41,7 @@ class SoilFactors : public material::PartialDivision {
 
   void divide(double& value, double factor, const char* quantity, const char* symbol, const char* unit,
               double unit_si) override {
-    if (value == 0 || factor == 1) return;
+    if (value == 0 || factor == 1 || std::isinf(value)) return;
     tell(quantity, symbol, unit, value / unit_si, value / factor / unit_si);
     value /= factor;
   }
@@ -80,14 +80,35 @@ void factor_soil(const std::string& name, input::Material& m, const input::Parti
   soil.divide(m.grain_density, v.weight, "density of the grains", "ρ_s", "kg/m3", 1);
 }
 
-/// Divides the resistances of a support.
-void factor_support(input::Support& s, const input::PartialFactorValues& v) {
-  for (double* value : {&s.tensile_strength, &s.plate, &s.strength, &s.connection}) *value /= v.tensile;
-  for (std::optional<double>* value : {&s.bond, &s.bond_adhesion})
-    if (*value) **value /= v.bond;
-  s.bond_scale /= v.bond;
-  for (std::optional<double>* value : {&s.lateral_resistance, &s.shear_strength})
-    if (*value) **value /= v.lateral;
+/// Divides the resistances of a support. Where γ_G, which multiplies the weight, divides what is not weight instead, it
+/// divides a prestress too, a favourable action without a factor; but not the friction of the bond, which follows the
+/// weight.
+void factor_support(const std::string& name, input::Support& s, const input::PartialFactorValues& v,
+                    double permanent_load, std::vector<results::DesignValue>& out) {
+  const std::string title = "support " + name;
+  SoilFactors values(title, v, out);
+  constexpr double kN = 1e3;
+  values.divide(s.tensile_strength, v.tensile, "tensile strength", "T", "kN", kN);
+  values.divide(s.plate, v.tensile, "resistance of plate and head", "R", "kN", kN);
+  values.divide(s.strength, v.tensile, "tensile strength", "T", "kN/m", kN);
+  values.divide(s.connection, v.tensile, "connection", "R", "kN/m", kN);
+  values.divide(s.bond, v.bond, "bond", "q", "kN/m", kN);
+  values.divide(s.bond_adhesion, v.bond, "adhesion of the bond", "a", "kPa", kN);
+  if (s.bond_friction)
+    values.divide(s.bond_scale, v.bond / permanent_load, "factor on the friction of the bond", "α", "", 1);
+  values.divide(s.lateral_resistance, v.lateral, "lateral resistance", "R", "kN", kN);
+  values.divide(s.shear_strength, v.lateral, "shear strength", "V", "kN", kN);
+  values.divide(s.plastic_moment, v.lateral, "plastic moment", "M_p", "kN.m", kN);
+  values.divide(s.prestress, permanent_load, "prestress", "P", "kN", kN);
+}
+
+/// Returns the design values of the supports as one sentence; empty without any.
+std::string describe_supports(const std::vector<results::DesignValue>& values) {
+  std::string text;
+  for (const results::DesignValue& v : values)
+    text += fmt::format("{}{}, {} {:.4g} → {:.4g}{}{}", text.empty() ? "" : "; ", v.material, v.quantity,
+                        v.characteristic, v.design, v.unit.empty() ? "" : " ", v.unit);
+  return text.empty() ? "" : "Design values of supports: " + text + ".";
 }
 
 std::string list_words(const std::vector<results::PartialFactor>& values) {
@@ -112,7 +133,15 @@ DesignValues apply_partial_factors(const input::Case& data) {
     if (roots.bundle)  // the cohesion of a bundle is proportional to the tensile strength of the roots
       for (double& strength : roots.bundle->strengths) strength /= v.cohesion;
   }
-  for (auto& [name, support] : result.data.supports) factor_support(support, v);
+  std::vector<results::DesignValue> of_supports;
+  for (auto& [name, support] : result.data.supports) {
+    factor_support(name, support, v, given.permanent_load, of_supports);
+    if (support.lateral_law == input::LateralLaw::ito_matsui && given.lateral != 1)
+      out.notes.push_back(
+          fmt::format("The lateral force of support '{}' by Ito and Matsui follows from the design strengths of the "
+                      "soil; γ_lateral divides the strengths of its piles only.",
+                      name));
+  }
   for (input::Stage& stage : result.data.stages)
     if (stage.cohesion) *stage.cohesion /= v.cohesion;
   for (input::Surcharge& s : result.data.surcharges) {
@@ -126,6 +155,9 @@ DesignValues apply_partial_factors(const input::Case& data) {
                     "The calculation divides strengths in {} by γ_G and multiplies variable loads by γ_Q/γ_G = {:g}, "
                     "which gives the same factor of safety.",
                     given.permanent_load, data.units().stress.name, v.variable_load));
+  if (std::string supports = describe_supports(of_supports); !supports.empty())
+    out.notes.push_back(std::move(supports));
+  out.materials.insert(out.materials.end(), of_supports.begin(), of_supports.end());
   if (!data.surcharges.empty())
     out.notes.push_back(
         "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");

@@ -141,6 +141,83 @@ set = ")";
   }
 }
 
+/// Nails with friction and an anchor with prestress in the dry slope, which falls from (12, 15) to (32, 5).
+const std::string supports = R"(
+[support.nails]
+kind = "nail"
+first = [14, 14]
+rows = 3
+row_spacing = 3
+inclination = 10
+length = 12
+out_of_plane_spacing = 1.5
+tensile_strength = 100
+plate = inf
+bond_adhesion = 10
+bond_friction = 25
+diameter = 0.1
+[support.tie]
+kind = "anchor"
+heads = [[28, 7]]
+inclination = 20
+length = 14
+bond_length = 6
+out_of_plane_spacing = 2
+tensile_strength = 400
+plate = 300
+bond = 60
+prestress = 120
+[support.row]
+kind = "pile"
+x = [30]
+length = 4
+out_of_plane_spacing = 2
+lateral_law = "ito_matsui"
+diameter = 0.5
+shear_strength = 30
+plastic_moment = 50
+)";
+
+TEST(DesignValues, DivideTheResistancesOfSupports) {
+  const std::string factors = "[partial_factors]\nset = \"by_hand\"\nbond = 1.1\ntensile = 1.25\nlateral = 1.4\n";
+  const DesignValues d = apply_partial_factors(read(supports + factors));
+  const input::Support &nails = d.data.supports.at("nails"), &tie = d.data.supports.at("tie"),
+                       &row = d.data.supports.at("row");
+  EXPECT_NEAR(nails.tensile_strength, 80e3, 1e-6);
+  EXPECT_TRUE(std::isinf(nails.plate));
+  EXPECT_NEAR(*nails.bond_adhesion, 10e3 / 1.1, 1e-6);
+  EXPECT_NEAR(nails.bond_scale, 1 / 1.1, 1e-12);
+  EXPECT_NEAR(tie.plate, 240e3, 1e-6);
+  EXPECT_NEAR(*tie.bond, 60e3 / 1.1, 1e-6);
+  EXPECT_NEAR(tie.prestress, 120e3, 1e-6) << "a favourable action";
+  EXPECT_NEAR(*row.shear_strength, 30e3 / 1.4, 1e-6);
+  EXPECT_NEAR(*row.plastic_moment, 50e3 / 1.4, 1e-6);
+  std::map<std::string, double> design;
+  for (const results::DesignValue& v : d.statement->materials) design[v.material + ", " + v.quantity] = v.design;
+  EXPECT_NEAR(design.at("support nails, tensile strength"), 80, 1e-9);
+  EXPECT_NEAR(design.at("support tie, bond"), 60 / 1.1, 1e-9);
+  EXPECT_FALSE(design.contains("support nails, resistance of plate and head"));
+  std::string notes;
+  for (const std::string& note : d.statement->notes) notes += note + "\n";
+  EXPECT_NE(notes.find("support tie, tensile strength 400 → 320 kN"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("lateral force of support 'row' by Ito and Matsui follows from the design strengths"),
+            std::string::npos);
+}
+
+/// γ_G multiplies the weight. Resistances and prestress, which it does not, are divided by it instead; friction of the
+/// bond follows the weight.
+TEST(DesignValues, PermanentActionsLeaveForcesOfSupportsAlone) {
+  const DesignValues design = apply_partial_factors(read(supports + "[partial_factors]\nset = \"DA1-1\"\n"));
+  EXPECT_NEAR(design.data.supports.at("tie").prestress, 120e3 / 1.35, 1e-6);
+  EXPECT_EQ(design.data.supports.at("nails").bond_scale, 1);
+  input::Case heavy = read(supports);
+  heavy.materials.at("sand").grain_density *= 1.35;
+  const auto a = search(design.data), b = search(heavy);
+  ASSERT_FALSE(a.empty());
+  for (const auto& [method, critical] : a)
+    EXPECT_NEAR(critical.solution.factor, b.at(method).solution.factor, 1e-5) << to_word(method);
+}
+
 TEST(DesignValues, WarnOfFactoredActionsBesideAnEarthquake) {
   const auto describe = [](const std::string& set, const std::string& quake) {
     return describe_factored_quake(read("[partial_factors]\nset = \"" + set + "\"\n" + quake));

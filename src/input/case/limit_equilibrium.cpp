@@ -81,8 +81,8 @@ void check_settings(const LimitEquilibrium& lem, Findings& findings) {
 
 void check_partial_factors(const Case& data, Findings& findings) {
   const PartialFactors& p = data.partial_factors;
-  const bool has_any =
-      p.cohesion || p.friction || p.undrained || p.weight || p.permanent_load || p.variable_load || p.resistance;
+  const bool has_any = p.cohesion || p.friction || p.undrained || p.weight || p.permanent_load || p.variable_load ||
+                       p.resistance || p.bond || p.tensile || p.lateral;
   if (p.set == DesignApproach::by_hand && !has_any && findings.is_sound("partial_factors"))
     findings.add("partial_factors.set", "set = \"by_hand\" needs at least one factor, for example friction = 1.25");
   if (p.set == DesignApproach::none || !findings.is_sound("materials")) return;
