@@ -185,6 +185,24 @@ void Reader::report_missing(const Scope& scope) {
                 write_missing(write_place(scope.header), scope.missing));
 }
 
+namespace {
+
+/// Returns why a key that is reserved for a later version is refused; nullptr for any other key.
+const char* find_reserved(const std::string& path, const std::string& name) {
+  struct Reserved {
+    const char *block, *key, *why;
+  };
+  constexpr Reserved list[] = {
+      {"support.", "stage",
+       "stages of construction are not computed yet, so that every support acts from the beginning; compare cases with "
+       "and without it"}};
+  for (const Reserved& r : list)
+    if (name == r.key && path.starts_with(r.block)) return r.why;
+  return nullptr;
+}
+
+}  // namespace
+
 void Reader::leave() {
   const Scope scope = std::move(scopes_.back());
   scopes_.pop_back();
@@ -199,13 +217,16 @@ void Reader::leave() {
     const std::string owners =
         near.empty() && findings_.describe_owners ? findings_.describe_owners(name) : std::string();
     const std::string path = scope.path.empty() ? name : scope.path + "." + name;
+    const char* reserved = find_reserved(scope.path, name);
     const toml::source_position at = key.source().begin;
     findings_.add_unknown_key(
         findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path,
-        fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
-                    !near.empty()     ? fmt::format("did you mean '{}'?", near)
-                    : !owners.empty() ? owners
-                                      : fmt::format("known are '{}'", fmt::join(scope.known, "', '"))));
+        reserved != nullptr
+            ? fmt::format("'{}' {}: {}", name, write_place(scope.header), reserved)
+            : fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
+                          !near.empty()     ? fmt::format("did you mean '{}'?", near)
+                          : !owners.empty() ? owners
+                                            : fmt::format("known are '{}'", fmt::join(scope.known, "', '"))));
   }
   if (unknown > most_unknown)
     findings_.add(scope.path, "{} more unknown keys {}", unknown - most_unknown, write_place(scope.header));
