@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// [support.NAME] in FEM: a nailed cut on two meshes beside LEM, a published plate (Torggler 2016), and the limits that
-// results name.
+// [support.NAME] in FEM: a nailed wedge with its closed form, a nailed cut on two meshes beside LEM, a published plate
+// (Torggler 2016), and the limits that results name.
 
 #include <gtest/gtest.h>
 
@@ -148,6 +148,90 @@ TEST(ElementSupports, LimitsOfABar) {
   result = run::make_bar_result(forces, forces);
   EXPECT_EQ(result.moment, 30);
   EXPECT_EQ(result.limit, results::ElementBarLimit::bending);
+}
+
+/// A wedge of strong soil on a weak band of the thickness `band` along a plane of 45° through (12, 2), under a face of
+/// 75°, with two nails that break at 30 kN/m. The band has no weight, so that every plane in it carries the same wedge.
+std::string write_wedge(double band) {
+  const double steep = std::tan(75 * degree), crest = 12 - 6 / steep, lower = band * std::sqrt(2.0);
+  const auto find_face = [&](double y) { return 12 - (y - 2) / steep; };
+  const double y = (2 - lower - 2 / steep) / (1 - 1 / steep), x = find_face(y), foot = find_face(0);
+  return fmt::format(R"(
+title = "Nailed wedge"
+[geometry]
+[[geometry.polygon]]
+name = "wedge"
+points = [[12, 2], [{0}, 8], [6, 8]]
+[[geometry.polygon]]
+name = "band"
+points = [[12, 2], [6, 8], [{1}, 8], [{2}, {3}]]
+[[geometry.polygon]]
+name = "base"
+points = [[0, -1], [16, -1], [16, 0], [{4}, 0], [{2}, {3}], [{1}, 8], [0, 8]]
+[regions]
+wedge = "strong"
+band = "joint"
+base = "strong"
+[materials.strong]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 300
+friction_angle = 25
+dilatancy_angle = 25
+tensile_strength = 600
+young_modulus = 1e5
+poisson_ratio = 0.3
+[materials.joint]
+model = "mohr_coulomb"
+unit_weight = 0.01
+cohesion = 8
+friction_angle = 25
+dilatancy_angle = 25
+tensile_strength = 17
+young_modulus = 2e4
+poisson_ratio = 0.3
+[support.nails]
+kind = "nail"
+heads = [[{5}, 4], [{6}, 6]]
+inclination = 0
+length = 9
+out_of_plane_spacing = 1
+tensile_strength = 30
+plate = inf
+bond = 1000
+sense = "active"
+axial_stiffness = 1e5
+[analysis]
+methods = ["fem"]
+[fem]
+size = 0.8
+)",
+                     crest, 6 - lower, x, y, foot, find_face(4), find_face(6));
+}
+
+TEST(ElementSupports, NailedWedgeHasItsClosedForm) {
+  // F = (c l + (W cos θ + T sin θ) tan φ) / (W sin θ - T cos θ). Elements shear over the whole band instead of on its
+  // upper side, the shortest plane: the error falls with its thickness. Extrapolation triples that of the search and
+  // leaves that of one mesh.
+  const double base = 6 - 6 / std::tan(75 * degree), weight = 20 * 0.5 * base * 6, pull = 60,
+               length = 6 * std::sqrt(2.0), cosine = std::sqrt(0.5);
+  const double expected = (8 * length + (weight + pull) * cosine * std::tan(25 * degree)) / ((weight - pull) * cosine);
+  const auto search = [&](double band) {
+    const site::Site site = read_site(write_wedge(band));
+    const run::SolidOfCase<2> solid = run::make_solid<2>(site, 1);
+    fem::ReductionOptions options;
+    options.from = 1.1, options.to = 1.3, options.resolution = 5e-4;
+    const fem::ReductionResult<2> found = fem::reduce_strength<2>(solid.model, options);
+    for (const auto& bar : run::make_bar_results(site, solid.model, found)) {
+      EXPECT_NEAR(bar.largest, 30e3, 1) << bar.row;
+      EXPECT_EQ(bar.limit, results::ElementBarLimit::tension);
+    }
+    return found.factor;
+  };
+  const double thick = search(0.3), thin = search(0.15);
+  EXPECT_NEAR(thick, expected, 0.008 * expected);
+  EXPECT_NEAR(thin, expected, 0.004 * expected);
+  EXPECT_NEAR(2 * thin - thick, expected, 0.003 * expected) << thick << " " << thin;
 }
 
 /// Torggler (2016), 10 m at 30° on 20 m: PLAXIS has 1.111, and 1.175 with a plate of 7.5 m in the middle of the slope.
