@@ -44,12 +44,13 @@ inline constexpr auto words<BackAnalysisEnd> =
 
 struct BackAnalysis {
   std::string key, unit;                   ///< varied key
+  bool is_whole = false;                   ///< it is a whole number; `value` has at least the target
   std::string result, title, result_unit;  ///< name, title and unit of the result
   std::string column;                      ///< name of the column of the result in the table of the study
   double target = 0, tolerance = 0;        ///< tolerance: relative width of the bracket
   std::optional<double> present;           ///< value of the key in the case
   BackAnalysisEnd end = BackAnalysisEnd::interrupted;
-  std::optional<double> value;                 ///< by linear interpolation in the bracket, if `end` is found
+  std::optional<double> value;                 ///< if `end` is found: by linear interpolation in the bracket, or whole
   std::optional<BackAnalysisBracket> bracket;  ///< the narrowest one
   std::optional<double> low, high;             ///< values beyond which the interval of the result excludes the target
   std::string interval_of;                     ///< source of the interval; empty without one
@@ -60,6 +61,7 @@ struct BackAnalysis {
 void describe(auto& v, As<BackAnalysis> auto& r) {
   v.key("key", r.key, {"", "key"});
   v.key("unit", r.unit, {"", "unit of the key"});
+  v.key("is_whole", r.is_whole, {"", "the key is a whole number, searched by steps of 1"});
   v.key("result", r.result, {"", "name of the result"});
   v.key("title", r.title, {"", "title of the result"});
   v.key("result_unit", r.result_unit, {"", "unit of the result"});

@@ -78,6 +78,17 @@ input::EchoedNumber find_key_number(const std::string& key, const input::LoadedC
   }
 }
 
+/// Counts of a slope, which a design chooses. Other whole numbers are settings of a method: a result that reaches its
+/// target by them is an error of the method.
+bool is_designed(const std::string& key) {
+  return key.starts_with("support.");
+}
+
+/// Throws Error (wrong_input) for a range of whole numbers with another end.
+void check_whole(const std::string& option, double value, const std::string& key) {
+  if (value != std::floor(value)) fail_input("{} is {:g}, and '{}' is a whole number", option, value, key);
+}
+
 /// Returns the range of the search and its start. Throws Error (wrong_input).
 RootOptions plan_search(const BackAnalysisRequest& request, const input::EchoedNumber& present,
                         const std::optional<input::KeyEntry>& entry, const std::string& unit) {
@@ -97,6 +108,8 @@ RootOptions plan_search(const BackAnalysisRequest& request, const input::EchoedN
       if (!options.range.holds(value))
         fail_input("{} is {}, outside of the range of '{}': {}", option, write_amount(value, unit), request.key,
                    entry->spec.write_range());
+      else if (entry && entry->is_whole_number())
+        check_whole(option, value, request.key);
     options.range = {low, high, false, false};
     options.is_given = true;
     return options;
@@ -118,8 +131,12 @@ class KeySearch {
     finding_.key = request.key;
     const input::EchoedNumber present = find_key_number(request.key, base, overrides);
     const auto entry = input::find_key_entry(request.key);
-    if (entry && entry->is_whole_number())
-      fail_input("'{}' is a whole number; `talus find` varies other numbers, `talus study` any", request.key);
+    finding_.is_whole = entry && entry->is_whole_number();
+    if (finding_.is_whole && !is_designed(request.key))
+      fail_input(
+          "'{}' is a whole number that sets a method, not the slope: a target that it reaches is an error of the "
+          "method; `talus study` varies it",
+          request.key);
     finding_.unit = present.unit;
     finding_.present = present.value;
     finding_.tolerance = request.tolerance;
@@ -142,7 +159,8 @@ class KeySearch {
     files_ = open_folder(plan_, options_);
     BackAnalysisOutcome outcome;
     try {
-      take(search_root(search_, [this](double x) { return evaluate(x); }));
+      const auto search = finding_.is_whole ? search_whole_number : search_root;
+      take(search(search_, [this](double x) { return evaluate(x); }));
     } catch (const Error& error) {
       if (error.code() != ExitCode::interrupted || rows_.empty()) throw;
       finding_.end = BackAnalysisEnd::interrupted;

@@ -35,6 +35,7 @@ class Outcome {
   std::string write_end() const {
     switch (f_.end) {
       case BackAnalysisEnd::found:
+        if (f_.is_whole) return write_whole();
         return fmt::format("At {} = {} {} is {}{}.", f_.key, key(*f_.value), title(), result(f_.target), present());
       case BackAnalysisEnd::jump:
         return fmt::format(
@@ -45,7 +46,8 @@ class Outcome {
         return fmt::format("{} reaches {} between {}, where runs have no result.", start(), result(f_.target),
                            bracket(*f_.bracket));
       case BackAnalysisEnd::not_reached:
-        return write_ends("does not reach " + result(f_.target));
+        return write_ends(fmt::format("{} {}", f_.is_whole && is_exceeded() ? "is everywhere above" : "does not reach",
+                                      result(f_.target)));
       case BackAnalysisEnd::no_effect:
         return fmt::format("{} does not depend on {}: it is {} {}.", start(), f_.key, result(*first()->result), span());
       case BackAnalysisEnd::no_result:
@@ -56,6 +58,7 @@ class Outcome {
   }
 
   std::string write_bracket() const {
+    if (f_.is_whole) return fmt::format("Only whole numbers were tried, in {} runs.", f_.runs.size());
     if (f_.bracket->low == f_.bracket->high) return "The run with this value has the target exactly.";
     return fmt::format("It is interpolated between {}, after {} runs.", bracket(*f_.bracket), f_.runs.size());
   }
@@ -94,6 +97,23 @@ class Outcome {
   std::string result(double value) const { return write_amount(value, f_.result_unit, 5); }
   std::string bracket(const BackAnalysisBracket& b) const {
     return fmt::format("{} ({}) and {} ({})", key(b.low), result(b.low_result), key(b.high), result(b.high_result));
+  }
+
+  /// Names the smallest or largest whole number that meets the target, and its neighbour that does not.
+  std::string write_whole() const {
+    const bool is_low = *f_.value == f_.bracket->low;
+    const double mine = is_low ? f_.bracket->low_result : f_.bracket->high_result,
+                 other = is_low ? f_.bracket->high_result : f_.bracket->low_result;
+    return fmt::format("The {} number with at least {} is {} = {}: {} is {} there, and {} at {}{}.",
+                       is_low ? "largest" : "smallest", result(f_.target), f_.key, key(*f_.value), title(),
+                       result(mine), result(other), key(is_low ? f_.bracket->high : f_.bracket->low),
+                       f_.present == f_.bracket->low || f_.present == f_.bracket->high ? "" : present());
+  }
+
+  /// Returns true if every run with a result is above the target.
+  bool is_exceeded() const {
+    return std::all_of(f_.runs.begin(), f_.runs.end(),
+                       [&](const BackAnalysisRun& run) { return run.result.value_or(f_.target + 1) > f_.target; });
   }
 
   std::string present() const {
@@ -146,7 +166,7 @@ std::vector<std::string> describe_outcome(const BackAnalysis& finding, std::opti
   std::vector<std::string> sentences{outcome.write_end()};
   if (finding.end == BackAnalysisEnd::found) {
     sentences.push_back(outcome.write_bracket());
-    sentences.push_back(outcome.write_interval());
+    if (!finding.is_whole) sentences.push_back(outcome.write_interval());
   }
   for (const BackAnalysisBracket& other : finding.others) sentences.push_back(outcome.write_other(other));
   if (reversal) sentences.push_back(outcome.write_reversal(*reversal));

@@ -38,6 +38,21 @@ constexpr double scatter = 3e-3;
 constexpr double jump_ratio = 20;
 constexpr double equal = 1e-9;
 
+double compute_scale(const std::vector<Sample>& samples, double target) {
+  double scale = std::abs(target);
+  if (scale == 0)
+    for (const Sample& s : samples) scale = std::max(scale, std::abs(s.y.value_or(0)));
+  return scale;
+}
+
+/// Returns the first and the last sample with a value; null without any.
+std::array<const Sample*, 2> find_ends(const std::vector<Sample>& samples) {
+  std::array<const Sample*, 2> ends{};
+  for (const Sample& s : samples)
+    if (s.y) ends = {ends[0] == nullptr ? &s : ends[0], &s};
+  return ends;
+}
+
 class Search {
  public:
   Search(const RootOptions& options, const Evaluate& evaluate) : options_(options), evaluate_(evaluate) {}
@@ -348,7 +363,7 @@ class Search {
     if (pair.a.x == pair.b.x) return false;
     double beside = 0;
     bool has_neighbour = false;
-    const double noise = scatter * compute_scale();
+    const double noise = scatter * compute_scale(samples_, options_.target);
     const Sample* last = nullptr;
     for (const Sample& s : samples_) {
       if (!s.y) continue;
@@ -361,43 +376,13 @@ class Search {
            change > jump_ratio * beside * (pair.b.x - pair.a.x);
   }
 
-  double compute_scale() const {
-    double scale = std::abs(options_.target);
-    if (scale == 0)
-      for (const Sample& s : samples_) scale = std::max(scale, std::abs(s.y.value_or(0)));
-    return scale;
-  }
-
-  void add_reversal(double trend) {
-    double extreme = 0, largest = 0, noise = scatter * compute_scale();
-    bool is_first = true;
-    for (const Sample& s : samples_) {
-      if (!s.y) continue;
-      const double y = trend < 0 ? -*s.y : *s.y;
-      noise = std::max(noise, s.resolution);
-      if (!is_first) largest = std::max(largest, extreme - y);
-      extreme = is_first ? y : std::max(extreme, y);
-      is_first = false;
-    }
-    if (largest > noise) finding_.largest_reversal = largest;
-  }
-
   void conclude(const std::optional<Pair>& pair) {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least, first = 0, last = 0;
-    int count = 0;
-    for (const Sample& s : samples_) {
-      if (!s.y) continue;
-      ++count;
-      if (!std::isfinite(least)) first = *s.y;
-      least = std::min(least, *s.y), greatest = std::max(greatest, *s.y), last = *s.y;
-    }
     finding_.samples = samples_;
     const auto make_bracket = [](const Pair& p) { return BackAnalysisBracket{p.a.x, p.b.x, *p.a.y, *p.b.y}; };
     if (!pair) {
-      finding_.end = !std::isfinite(least)                                      ? BackAnalysisEnd::no_result
-                     : count > 1 && greatest - least <= equal * compute_scale() ? BackAnalysisEnd::no_effect
-                                                                                : BackAnalysisEnd::not_reached;
-      add_reversal(last - first);
+      finding_.end = judge_missing_root(samples_, options_.target);
+      const auto [first, last] = find_ends(samples_);
+      if (first) finding_.largest_reversal = find_reversal(samples_, *last->y - *first->y, options_.target);
       return;
     }
     finding_.bracket = make_bracket(*pair);
@@ -405,7 +390,7 @@ class Search {
     if (finding_.end == BackAnalysisEnd::found) finding_.x = interpolate_root(*pair);
     for (const Pair& p : list_pairs([this](const Sample& s) { return miss(s.y); }))
       if (p.a.x != pair->a.x && p.b.x != pair->b.x) finding_.others.push_back(make_bracket(p));
-    add_reversal(compute_trend(*pair));
+    finding_.largest_reversal = find_reversal(samples_, compute_trend(*pair), options_.target);
   }
 
   const RootOptions& options_;
@@ -416,6 +401,33 @@ class Search {
 };
 
 }  // namespace
+
+std::optional<double> find_reversal(const std::vector<Sample>& samples, double trend, double target) {
+  double extreme = 0, largest = 0, noise = scatter * compute_scale(samples, target);
+  bool is_first = true;
+  for (const Sample& s : samples) {
+    if (!s.y) continue;
+    const double y = trend < 0 ? -*s.y : *s.y;
+    noise = std::max(noise, s.resolution);
+    if (!is_first) largest = std::max(largest, extreme - y);
+    extreme = is_first ? y : std::max(extreme, y);
+    is_first = false;
+  }
+  return largest > noise ? std::optional(largest) : std::nullopt;
+}
+
+BackAnalysisEnd judge_missing_root(const std::vector<Sample>& samples, double target) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  int count = 0;
+  for (const Sample& s : samples) {
+    if (!s.y) continue;
+    ++count;
+    least = std::min(least, *s.y), greatest = std::max(greatest, *s.y);
+  }
+  if (count == 0) return BackAnalysisEnd::no_result;
+  return count > 1 && greatest - least <= equal * compute_scale(samples, target) ? BackAnalysisEnd::no_effect
+                                                                                 : BackAnalysisEnd::not_reached;
+}
 
 RootFinding search_root(const RootOptions& options, const Evaluate& evaluate) {
   return Search(options, evaluate).run();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Bracketed search for the argument at which a function reaches a target. The function may be non-monotone, may jump,
-// may have an interval around each value, and may be undefined for some arguments.
+// may have an interval around each value, and may be undefined for some arguments. Arguments are real or whole numbers.
 
 #include <functional>
 #include <limits>
@@ -53,6 +53,17 @@ using Evaluate = std::function<Sample(double x)>;
 /// Searches the root and the ends of its interval. Calls `evaluate` once for each argument; what it throws ends the
 /// search.
 RootFinding search_root(const RootOptions& options, const Evaluate& evaluate);
+
+/// Searches two whole numbers in succession between which the function crosses the target, by doubled steps and
+/// bisection. The root is the one whose value is at least the target. Calls `evaluate` once for each number; what it
+/// throws ends the search.
+RootFinding search_whole_number(const RootOptions& options, const Evaluate& evaluate);
+
+/// Returns the largest change of the values against their trend, if it exceeds scatter and resolution. Samples are in
+/// ascending order.
+std::optional<double> find_reversal(const std::vector<Sample>& samples, double trend, double target);
+/// Returns how a search without a crossing ended.
+results::BackAnalysisEnd judge_missing_root(const std::vector<Sample>& samples, double target);
 
 /// Returns the number with the fewest digits that differs from `x` by at most `tolerance`.
 double round_within(double x, double tolerance);

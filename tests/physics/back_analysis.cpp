@@ -174,6 +174,58 @@ TEST_F(BackAnalysisRuns, TheIntervalOfLimitAnalysisContainsTheValueByLimitEquili
   }
 }
 
+/// Rows of nails on the face of the wedge; each pulls with the same force, so that the factor of the plane is known.
+const std::string nails = R"(
+[support.nails]
+kind = "bolt"
+first = [10.9, 8.5]
+rows = 2
+row_spacing = 1
+inclination = 0
+length = 9
+out_of_plane_spacing = 1.5
+tensile_strength = 30
+)";
+
+TEST_F(BackAnalysisRuns, RowsAreWholeNumbers) {
+  // F = (c l + (W cos α + n T sin α) tan φ) / (W sin α - n T cos α), T = 30/1.5.
+  const double alpha = std::atan2(10.0, 14.0), phi = 20 * std::numbers::pi / 180, length = std::hypot(14.0, 10.0);
+  const auto compute = [&](double n) {
+    return (20 * length + (720 * std::cos(alpha) + n * 20 * std::sin(alpha)) * std::tan(phi)) /
+           (720 * std::sin(alpha) - n * 20 * std::cos(alpha));
+  };
+  int rows = 1;
+  while (compute(rows) < 1.55) ++rows;
+  ASSERT_EQ(rows, 4);
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"", ""}, {"1", "6"}}) {
+    const BackAnalysisOutcome outcome = search(wedge + nails, vary("support.nails.rows", "factor=1.55", from, to));
+    ASSERT_TRUE(outcome.finding.value) << outcome.tables;
+    EXPECT_TRUE(outcome.finding.is_whole);
+    EXPECT_EQ(*outcome.finding.value, rows);
+    EXPECT_EQ(outcome.finding.bracket->low, rows - 1);
+    EXPECT_NEAR(outcome.finding.bracket->low_result, compute(rows - 1), 1e-5);
+    EXPECT_NEAR(outcome.finding.bracket->high_result, compute(rows), 1e-5);
+    expect_text(outcome.finding.sentences.front(),
+                "The smallest number with at least 1.55 is support.nails.rows = 4: ");
+    expect_text(outcome.finding.sentences.front(), " at 3");
+    for (const BackAnalysisRun& run : outcome.finding.runs) EXPECT_EQ(run.value, std::floor(run.value));
+    EXPECT_FALSE(outcome.failure);
+  }
+  // The sixth row would lie below the foot of the slope.
+  const BackAnalysisOutcome none =
+      search(wedge + nails, vary("support.nails.rows", "factor=50"), {"support.nails.row_spacing=2"});
+  EXPECT_EQ(none.finding.end, BackAnalysisEnd::not_reached);
+  expect_text(none.tables, "beyond the foot of the slope");
+  const BackAnalysisOutcome above = search(wedge + nails, vary("support.nails.rows", "factor=1.1"));
+  expect_text(above.failure->what(), "is everywhere above 1.1: it is");
+  try {
+    search(wedge + nails, vary("support.nails.rows", "factor=1.5", "1.5", "4"));
+    FAIL() << "a fraction of a row was accepted";
+  } catch (const Error& error) {
+    expect_text(error.what(), "--from is 1.5, and 'support.nails.rows' is a whole number");
+  }
+}
+
 TEST_F(BackAnalysisRuns, ATargetOutOfReachIsOneSentenceWithTheFactorsAtBothEnds) {
   const BackAnalysisOutcome outcome = search(wedge, vary("materials.clay.cohesion", "factor=1", "15 kPa", "0.03 MPa"));
   EXPECT_EQ(outcome.finding.end, BackAnalysisEnd::not_reached);
@@ -204,7 +256,7 @@ TEST_F(BackAnalysisRuns, ImpossibleRequestsAreOneSentenceBeforeAnythingIsWritten
   expect_text(refuse(vary("materials.clay.cohesoin", "factor=1")), "did you mean 'cohesion'?");
   expect_text(refuse(vary("materials.caly.cohesion", "factor=1")), "did you mean 'clay'?");
   expect_text(refuse(vary("materials.clay.model", "factor=1")), "'materials.clay.model' is not a single number");
-  expect_text(refuse(vary("lem.entry_exit.exits", "factor=1")), "is a whole number");
+  expect_text(refuse(vary("lem.entry_exit.exits", "factor=1")), "is a whole number that sets a method");
   for (const char* target : {"factor", "=1", "factor="})
     expect_text(refuse(vary(cohesion, target)), "write NAME=VALUE");
   expect_text(refuse(vary(cohesion, "lem.spencr=1")), "the case yields no result 'lem.spencr'");

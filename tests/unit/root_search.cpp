@@ -266,5 +266,65 @@ TEST(RootSearch, ScatterHidesNoJump) {
   }
 }
 
+/// Searches whole numbers and returns those that were tried.
+Search search_steps(RootOptions options, const std::function<std::optional<double>(double)>& function) {
+  Search search;
+  search.found = search_whole_number(options, [&](double x) {
+    EXPECT_EQ(x, std::floor(x));
+    EXPECT_TRUE(search.tried.insert(x).second) << "evaluated twice: " << x;
+    EXPECT_TRUE(options.range.holds(x)) << x;
+    return Sample{x, function(x), {}, {}};
+  });
+  return search;
+}
+
+TEST(WholeNumberSearch, FindsTheSmallestNumberThatMeetsTheTarget) {
+  for (const double start : {1.0, 2.0, 6.0, 7.0, 40.0, 200.0}) {
+    const Search s = search_steps(start_at(start, 1, 200), [](double n) { return 0.15 * n; });
+    ASSERT_EQ(s.found.end, BackAnalysisEnd::found) << start;
+    EXPECT_EQ(*s.found.x, 7) << start;
+    EXPECT_EQ(s.found.bracket->low, 6);
+    EXPECT_EQ(s.found.bracket->high, 7);
+    EXPECT_TRUE(s.tried.count(6) && s.tried.count(7));
+    EXPECT_LE(s.tried.size(), 15U) << start;
+  }
+  EXPECT_EQ(*search_steps(start_at(3, 1, 200), [](double n) { return n / 8; }).found.x, 8) << "exactly the target";
+}
+
+TEST(WholeNumberSearch, FindsTheLargestNumberOfAFallingResult) {
+  const Search s = search_steps(start_at(1, 1, 200), [](double n) { return 12.5 / n; });
+  EXPECT_EQ(*s.found.x, 12);
+  EXPECT_EQ(s.found.bracket->high, 13);
+  const Search given = search_steps(search_between(4, 90), [](double n) { return 12.5 / n; });
+  EXPECT_EQ(*given.found.x, 12);
+}
+
+TEST(WholeNumberSearch, StopsWhereNumbersHaveNoResult) {
+  // Rows beyond the foot of the slope are faults of the case.
+  const auto until = [](double last) {
+    return [last](double n) { return n <= last ? std::optional(0.15 * n) : std::nullopt; };
+  };
+  EXPECT_EQ(*search_steps(start_at(2, 1, 200), until(7)).found.x, 7);
+  const Search none = search_steps(start_at(2, 1, 200), until(6));
+  EXPECT_EQ(none.found.end, BackAnalysisEnd::not_reached);
+  EXPECT_TRUE(none.tried.count(6) && none.tried.count(7)) << "the last number with a result was tried";
+  EXPECT_EQ(search_steps(start_at(2, 1, 200), [](double) { return std::nullopt; }).found.end,
+            BackAnalysisEnd::no_result);
+  EXPECT_EQ(search_steps(start_at(2, 1, 200), [](double) { return 0.7; }).found.end, BackAnalysisEnd::no_effect);
+}
+
+TEST(WholeNumberSearch, GapsAndReversalsAreNamed) {
+  const Search gap = search_steps(start_at(1, 1, 200),
+                                  [](double n) { return n > 5 && n < 8 ? std::nullopt : std::optional(0.15 * n); });
+  EXPECT_EQ(gap.found.end, BackAnalysisEnd::gap);
+  EXPECT_EQ(gap.found.bracket->low, 5);
+  EXPECT_EQ(gap.found.bracket->high, 8);
+  EXPECT_FALSE(gap.found.x);
+  const Search wave =
+      search_steps(search_between(1, 9), [](double n) { return n == 1 || n > 5 ? 1.2 : 0.9 + 0.01 * n; });
+  EXPECT_TRUE(wave.found.x);
+  EXPECT_TRUE(wave.found.largest_reversal || !wave.found.others.empty());
+}
+
 }  // namespace
 }  // namespace talus::study
