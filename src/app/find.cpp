@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/case_options.hpp"
 #include "app/command_line.hpp"
@@ -21,6 +23,7 @@ namespace {
 struct FindCommand {
   CaseOptions input;
   study::BackAnalysisRequest request;
+  std::vector<std::string> targets;
   std::optional<double> tolerance;
   std::string folder;
   int threads = 0;
@@ -40,6 +43,8 @@ void find(FindCommand command) {
   options.overwrite = command.overwrite;
   options.progress = &progress;
   if (command.tolerance) command.request.tolerance = *command.tolerance;
+  command.request.target = command.targets.front();
+  command.request.further.assign(command.targets.begin() + 1, command.targets.end());
   study::BackAnalysisOutcome outcome;
   do_and_report(options.folder, !command.no_report,
                 [&] { outcome = study::search_key(base, overrides, command.request, options); });
@@ -59,9 +64,10 @@ void add_find(CLI::App& app) {
       .required();
   options->input.add_to(command);
   command
-      .take("--target", options->request.target,
+      .take("--target", options->targets,
             "The result and its value: factor=1.0 for the factor that governs, or a name of [[compare]] as in "
-            "lem.spencer=1.3")
+            "lem.spencer=1.3; may be repeated, for the values of several methods side by side")
+      .one_each()
       .shown_as("NAME=VALUE")
       .required();
   command

@@ -42,6 +42,29 @@ template <>
 inline constexpr auto words<BackAnalysisEnd> =
     std::array{"found", "jump", "gap", "not reached", "no effect", "no result", "interrupted"};
 
+/// A further target of the same key, with the results of the runs for it.
+struct BackAnalysisTarget {
+  std::string result, title, result_unit, column;
+  double target = 0;
+  BackAnalysisEnd end = BackAnalysisEnd::interrupted;
+  std::optional<double> value, low, high;  ///< as in BackAnalysis
+  std::string interval_of;
+  std::vector<BackAnalysisRun> runs;
+};
+void describe(auto& v, As<BackAnalysisTarget> auto& r) {
+  v.key("result", r.result, {"", "name of the result"});
+  v.key("title", r.title, {"", "title of the result"});
+  v.key("result_unit", r.result_unit, {"", "unit of the result"});
+  v.key("column", r.column, {"", "column of the result"});
+  v.key("target", r.target, {"", "target of the result"});
+  v.key("end", r.end, {"", "how the search ended"});
+  v.key("value", r.value, {"", "value of the key at the target"});
+  v.key("low", r.low, {"", "smallest value that the interval of the result allows"});
+  v.key("high", r.high, {"", "largest value that the interval of the result allows"});
+  v.key("interval_of", r.interval_of, {"", "source of the interval"});
+  v.key("runs", r.runs, {"", "runs"});
+}
+
 struct BackAnalysis {
   std::string key, unit;                   ///< varied key
   bool is_whole = false;                   ///< it is a whole number; `value` has at least the target
@@ -55,6 +78,7 @@ struct BackAnalysis {
   std::optional<double> low, high;             ///< values beyond which the interval of the result excludes the target
   std::string interval_of;                     ///< source of the interval; empty without one
   std::vector<BackAnalysisBracket> others;     ///< further brackets: the result is not monotone
+  std::vector<BackAnalysisTarget> further;     ///< further targets, whose values stand beside this one
   std::vector<std::string> sentences;          ///< the outcome in words
   std::vector<BackAnalysisRun> runs;           ///< in the order of calculation, as the variants of the study
 };
@@ -76,6 +100,7 @@ void describe(auto& v, As<BackAnalysis> auto& r) {
   v.key("high", r.high, {"", "largest value that the interval of the result allows"});
   v.key("interval_of", r.interval_of, {"", "source of the interval"});
   v.key("others", r.others, {"", "further brackets"});
+  v.key("further", r.further, {"", "further targets of the same key"});
   v.key("sentences", r.sentences, {"", "the outcome in words"});
   v.key("runs", r.runs, {"", "runs"});
 }

@@ -30,6 +30,7 @@ namespace talus::study {
 using results::BackAnalysis;
 using results::BackAnalysisEnd;
 using results::BackAnalysisRun;
+using results::BackAnalysisTarget;
 
 namespace {
 
@@ -45,8 +46,8 @@ double read_amount(const std::string& text, const std::string& unit, const std::
   return units::parse_as_si(text, unit, what) / (unit.empty() ? 1 : units::get_si_factor(unit));
 }
 
-/// Sets result, title, unit and target. Throws Error (wrong_input).
-void read_target(const std::string& text, const input::LoadedCase& base, BackAnalysis& finding) {
+/// Returns result, title, unit and target. Throws Error (wrong_input).
+BackAnalysisTarget read_target(const std::string& text, const input::LoadedCase& base) {
   const auto sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
     fail_input("--target is '{}'; write NAME=VALUE, such as --target factor=1.0", text);
@@ -54,10 +55,20 @@ void read_target(const std::string& text, const input::LoadedCase& base, BackAna
   const auto result = input::find_result_name(base.data, name);
   if (!result || input::find_point_result_name(name))
     fail_input("--target: the case yields no result '{}'; {}", word, input::suggest_result(base.data, name));
-  finding.result = name, finding.title = result->title, finding.result_unit = result->unit;
-  finding.column = find_result_column(name);
-  finding.target = read_amount(text.substr(sign + 1), result->unit, "--target " + word);
+  BackAnalysisTarget target;
+  target.result = name, target.title = result->title, target.result_unit = result->unit;
+  target.column = find_result_column(name);
+  target.target = read_amount(text.substr(sign + 1), result->unit, "--target " + word);
+  return target;
 }
+
+/// One target with what its search has found.
+struct Goal {
+  BackAnalysisTarget target;
+  RootFinding found;
+  std::vector<double> resolutions;        ///< of the results of the runs
+  std::map<double, std::string> sources;  ///< of the intervals of the results, by the value of the key
+};
 
 input::Override make_override(const std::string& key, double value, const std::string& unit) {
   const std::string number = write_shortest(value);
@@ -140,9 +151,9 @@ class KeySearch {
     finding_.unit = present.unit;
     finding_.present = present.value;
     finding_.tolerance = request.tolerance;
-    read_target(request.target, base, finding_);
+    goals_.push_back({read_target(request.target, base), {}, {}, {}});
+    for (const std::string& target : request.further) goals_.push_back({read_target(target, base), {}, {}, {}});
     search_ = plan_search(request, present, entry, present.unit);
-    search_.target = finding_.target;
     plan_.summary = begin_study(base);
     plan_.summary.mode = "back_analysis";
     plan_.summary.vary.push_back({request.key, present.unit, {}});
@@ -159,11 +170,12 @@ class KeySearch {
     files_ = open_folder(plan_, options_);
     BackAnalysisOutcome outcome;
     try {
-      const auto search = finding_.is_whole ? search_whole_number : search_root;
-      take(search(search_, [this](double x) { return evaluate(x); }));
+      for (Goal& goal : goals_) search(goal);
+      conclude();
     } catch (const Error& error) {
       if (error.code() != ExitCode::interrupted || rows_.empty()) throw;
-      finding_.end = BackAnalysisEnd::interrupted;
+      gather();
+      finding_.end = goals_.front().target.end = BackAnalysisEnd::interrupted;
       finding_.sentences = describe_outcome(finding_, {}, {});
       outcome.failure = Error(ExitCode::interrupted, finding_.sentences.front());
     }
@@ -172,8 +184,10 @@ class KeySearch {
     const results::StudyResult study = describe_study(plan_, rows_);
     outcome.tables = write_study_markdown(plan_, rows_, study);
     outcome.finding = finding_;
-    if (!outcome.failure && finding_.end != BackAnalysisEnd::found && finding_.end != BackAnalysisEnd::jump)
-      outcome.failure = Error(ExitCode::wrong_input, finding_.sentences.front());
+    for (const Goal& goal : goals_)
+      if (const BackAnalysisEnd end = goal.target.end;
+          !outcome.failure && end != BackAnalysisEnd::found && end != BackAnalysisEnd::jump)
+        outcome.failure = Error(ExitCode::wrong_input, describe(goal).front());
     return outcome;
   }
 
@@ -203,11 +217,29 @@ class KeySearch {
     return variant;
   }
 
-  /// Runs the case with one value, or reads a run that is kept. Throws Error for failures that would recur with any
-  /// value.
-  Sample evaluate(double x) {
+  /// Searches the value of one target; runs of earlier targets are not repeated.
+  void search(Goal& goal) {
+    RootOptions options = search_;
+    options.target = goal.target.target;
+    const auto search = finding_.is_whole ? search_whole_number : search_root;
+    goal.found = search(options, [&](double x) { return make_sample(goal, calculate(x)); });
+    goal.target.end = goal.found.end;
+    goal.target.value = goal.found.x;
+    goal.target.low = goal.found.low, goal.target.high = goal.found.high;
+    if (goal.found.bracket) goal.target.interval_of = goal.sources[goal.found.bracket->low];
+  }
+
+  static Sample make_sample(const Goal& goal, std::size_t row) {
+    const BackAnalysisRun& run = goal.target.runs[row];
+    return {run.value, run.result, run.lower, run.upper, goal.resolutions[row]};
+  }
+
+  /// Returns the number of the run with one value, which is calculated, or read if it is kept. Throws Error for
+  /// failures that would recur with any value.
+  std::size_t calculate(double x) {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (goals_.front().target.runs[i].value == x) return i;
     throw_if_interrupted();
-    Sample sample{x, {}, {}, {}};
     StudyRow row;
     try {
       plan_.variants.push_back(make_variant(x));
@@ -219,26 +251,30 @@ class KeySearch {
       row.summary.status = results::VariantStatus::failed;
       row.summary.reason = error.diagnostics().front().sentence;
     }
-    BackAnalysisRun run;
-    run.value = x;
-    if (row.result && row.summary.status == results::VariantStatus::finished) {
-      sample.y = run::find_result(*row.result, finding_.result);
-      const results::ResultInterval interval = results::find_interval(*row.result, finding_.result);
-      sample.lower = interval.lower, sample.upper = interval.upper, sample.resolution = interval.resolution;
-      sources_[x] = interval.source;
-      run.result = sample.y, run.lower = sample.lower, run.upper = sample.upper;
-      if (finding_.result == main_factor) run.by = results::name_main_method(*row.result);
-      if (!sample.y && row.summary.reason.empty()) row.summary.reason = "the run has no such result";
-    }
+    for (Goal& goal : goals_) add_run(x, row, goal);
     const ExitCode code = row.code;
     const std::string reason = row.summary.reason;
-    finding_.runs.push_back(run);
     rows_.push_back(std::move(row));
     write_tables();
     if (code == ExitCode::interrupted || code == ExitCode::cannot_write || code == ExitCode::no_memory ||
         code == ExitCode::folder_exists)
       throw Error(code, reason);
-    return sample;
+    return rows_.size() - 1;
+  }
+
+  /// Adds the result of a run to those of a target.
+  static void add_run(double x, StudyRow& row, Goal& goal) {
+    BackAnalysisRun& run = goal.target.runs.emplace_back();
+    double& resolution = goal.resolutions.emplace_back(0);
+    run.value = x;
+    if (!row.result || row.summary.status != results::VariantStatus::finished) return;
+    const std::string& name = goal.target.result;
+    run.result = run::find_result(*row.result, name);
+    const results::ResultInterval interval = results::find_interval(*row.result, name);
+    run.lower = interval.lower, run.upper = interval.upper, resolution = interval.resolution;
+    goal.sources[x] = interval.source;
+    if (name == main_factor) run.by = results::name_main_method(*row.result);
+    if (!run.result && row.summary.reason.empty()) row.summary.reason = "the run has no such result";
   }
 
   StudyRow calculate(const Variant& variant) {
@@ -261,24 +297,52 @@ class KeySearch {
     return row;
   }
 
-  void take(const RootFinding& found) {
-    finding_.end = found.end;
-    finding_.value = found.x;
-    finding_.bracket = found.bracket;
-    if (found.bracket) finding_.interval_of = sources_[found.bracket->low];
-    finding_.others = found.others;
-    finding_.low = found.low, finding_.high = found.high;
-    finding_.sentences = describe_outcome(finding_, found.largest_reversal, list_missing());
+  /// Returns the finding with one target as its only one.
+  BackAnalysis view(const Goal& goal) const {
+    BackAnalysis seen = finding_;
+    const BackAnalysisTarget& t = goal.target;
+    seen.result = t.result, seen.title = t.title, seen.result_unit = t.result_unit, seen.column = t.column;
+    seen.target = t.target;
+    seen.end = t.end;
+    seen.value = t.value;
+    seen.low = t.low, seen.high = t.high;
+    seen.interval_of = t.interval_of;
+    seen.bracket = goal.found.bracket;
+    seen.others = goal.found.others;
+    seen.runs = t.runs;
+    return seen;
+  }
+
+  std::vector<std::string> describe(const Goal& goal) const {
+    const bool is_first = &goal == &goals_.front();
+    return describe_outcome(view(goal), goal.found.largest_reversal,
+                            is_first ? list_missing() : std::vector<MissingResult>{});
+  }
+
+  /// Takes what was found for all targets, in their order.
+  void conclude() {
+    gather();
+    finding_.sentences.clear();
+    for (const Goal& goal : goals_)
+      for (std::string& sentence : describe(goal)) finding_.sentences.push_back(std::move(sentence));
+  }
+
+  void gather() {
+    finding_ = view(goals_.front());
+    finding_.further.clear();
+    for (std::size_t i = 1; i < goals_.size(); ++i) finding_.further.push_back(goals_[i].target);
   }
 
   std::vector<MissingResult> list_missing() const {
     std::vector<MissingResult> missing;
+    const std::vector<BackAnalysisRun>& runs = goals_.front().target.runs;
     for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (!finding_.runs[i].result) missing.push_back({finding_.runs[i].value, rows_[i].summary.reason});
+      if (!runs[i].result) missing.push_back({runs[i].value, rows_[i].summary.reason});
     return missing;
   }
 
   void write_tables() {
+    gather();
     plan_.summary.back_analysis = finding_;
     write_study_tables(plan_, rows_, options_.folder);
   }
@@ -288,9 +352,9 @@ class KeySearch {
   const StudyOptions& options_;
   RootOptions search_;
   BackAnalysis finding_;
+  std::vector<Goal> goals_;
   StudyPlan plan_;
   std::vector<StudyRow> rows_;
-  std::map<double, std::string> sources_;  ///< of the intervals of the results, by the value of the key
   std::unique_ptr<FileList> files_;
 };
 

@@ -15,13 +15,14 @@ struct BackAnalysisRequest {
   std::string key;       ///< dotted path, as for --set
   std::string target;    ///< "factor=1.0"
   std::string from, to;  ///< bracket in the unit of the key or with a unit; both empty: expanded from the present value
-  double tolerance = 1e-3;  ///< width of the bracket relative to the value
+  double tolerance = 1e-3;             ///< width of the bracket relative to the value
+  std::vector<std::string> further{};  ///< further targets, searched after the first in the same range and runs
 };
 
 struct BackAnalysisOutcome {
   results::BackAnalysis finding;
   std::string tables;            ///< the outcome in words, and the table of the runs
-  std::optional<Error> failure;  ///< interrupted, or no value of the key reaches the target
+  std::optional<Error> failure;  ///< interrupted, or no value of the key reaches a target
 };
 
 /// Searches the value of `request.key` for the case, which was read with `overrides`, and writes the tables of a study

@@ -177,10 +177,28 @@ std::vector<std::string> describe_outcome(const BackAnalysis& finding, std::opti
   return sentences;
 }
 
+std::string write_targets(const BackAnalysis& finding) {
+  if (finding.further.empty()) return "";
+  const int digits = 2 + static_cast<int>(std::ceil(-std::log10(finding.tolerance)));
+  const auto write = [&](const std::optional<double>& value) {
+    return value ? write_amount(*value, finding.unit, digits) : std::string("–");
+  };
+  const auto add = [&](const auto& t) {
+    std::string interval = "–";
+    if (t.low || t.high) interval = fmt::format("{} to {}", write(t.low), write(t.high));
+    return fmt::format("| {} = {} | {} | {} |\n", t.result, write_amount(t.target, t.result_unit, 5),
+                       t.value ? write(t.value) : results::to_word(t.end), interval);
+  };
+  std::string text = fmt::format("| target | {} | its interval allows |\n|---|--:|---|\n", finding.key);
+  text += add(finding);
+  for (const results::BackAnalysisTarget& t : finding.further) text += add(t);
+  return text;
+}
+
 void add_back_analysis(const BackAnalysis& finding, std::vector<StudyColumn>& table) {
-  const auto make = [&](const std::string& name, const std::string& title, const std::string& unit, auto member) {
-    StudyColumn made{name, title, unit, {}, results::ColumnKind::other, ""};
-    for (const BackAnalysisRun& run : finding.runs)
+  const auto make = [](const auto& of, const std::string& name, const std::string& title, auto member) {
+    StudyColumn made{name, title, of.result_unit, {}, results::ColumnKind::other, ""};
+    for (const BackAnalysisRun& run : of.runs)
       made.cells.push_back(
           run.*member ? StudyCell{write_shortest(*(run.*member)), fmt::format("{:.4g}", *(run.*member))} : StudyCell{});
     return made;
@@ -188,17 +206,21 @@ void add_back_analysis(const BackAnalysis& finding, std::vector<StudyColumn>& ta
   const auto is_empty = [](const StudyColumn& c) {
     return std::all_of(c.cells.begin(), c.cells.end(), [](const StudyCell& cell) { return cell.full.empty(); });
   };
-  auto at = std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == finding.column; });
-  if (at == table.end()) {
-    const auto key =
-        std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == finding.key; });
-    const auto place = key == table.end() ? table.begin() : key + 1;
-    at = table.insert(place, make(finding.column, finding.result, finding.result_unit, &BackAnalysisRun::result));
-  }
+  const auto find = [&](const std::string& name) {
+    return std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == name; });
+  };
+  const auto need = [&](const auto& of) {
+    if (const auto at = find(of.column); at != table.end()) return at;
+    const auto key = find(finding.key);
+    return table.insert(key == table.end() ? table.begin() : key + 1,
+                        make(of, of.column, of.result, &BackAnalysisRun::result));
+  };
+  for (const results::BackAnalysisTarget& t : finding.further) need(t);
+  auto at = need(finding);
   StudyColumn by{"governs", "governs", "", {}, results::ColumnKind::other, ""};
   for (const BackAnalysisRun& run : finding.runs) by.cells.push_back({run.by, run.by});
-  StudyColumn lower = make("lower end", "lower end", finding.result_unit, &BackAnalysisRun::lower),
-              upper = make("upper end", "upper end", finding.result_unit, &BackAnalysisRun::upper);
+  StudyColumn lower = make(finding, "lower end", "lower end", &BackAnalysisRun::lower),
+              upper = make(finding, "upper end", "upper end", &BackAnalysisRun::upper);
   ++at;
   for (StudyColumn* added : {&by, &upper, &lower})
     if (!is_empty(*added)) at = table.insert(at, std::move(*added));

@@ -24,6 +24,9 @@ struct MissingResult {
 std::vector<std::string> describe_outcome(const results::BackAnalysis& finding, std::optional<double> reversal,
                                           const std::vector<MissingResult>& missing);
 
+/// Returns a Markdown table of all targets with the value of the key at each; empty for a single one.
+std::string write_targets(const results::BackAnalysis& finding);
+
 /// Inserts the interval of the result and the governing method into the table, after the column of the result, which is
 /// added after the key if the table does not have it.
 void add_back_analysis(const results::BackAnalysis& finding, std::vector<results::StudyColumn>& table);

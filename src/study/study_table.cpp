@@ -272,8 +272,10 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
   for (const results::StudyKey& key : study.vary)
     text += fmt::format("{} `{}`", &key == study.vary.data() ? "" : ",", key.key);
   text += ".\n";
-  if (study.back_analysis)
+  if (study.back_analysis) {
     for (const std::string& sentence : study.back_analysis->sentences) text += fmt::format("\n{}\n", sentence);
+    if (const std::string targets = write_targets(*study.back_analysis); !targets.empty()) text += "\n" + targets;
+  }
   text += "\n|";
   for (const StudyColumn& c : study.columns)
     text += fmt::format(" {} |", write_cell(output::make_label(c.title, c.unit)));

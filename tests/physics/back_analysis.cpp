@@ -226,6 +226,39 @@ TEST_F(BackAnalysisRuns, RowsAreWholeNumbers) {
   }
 }
 
+TEST_F(BackAnalysisRuns, TheForceForATargetStandsBesideThatOfOtherMethods) {
+  // One bolt of 1 m spacing pulls horizontally: F = (c l + (W cos α + T sin α) tan φ) / (W sin α - T cos α). All
+  // methods that balance forces agree on a plane.
+  const double alpha = std::atan2(10.0, 14.0), phi = 20 * std::numbers::pi / 180, length = std::hypot(14.0, 10.0);
+  const auto compute = [&](double factor) {
+    return (factor * 720 * std::sin(alpha) - 20 * length - 720 * std::cos(alpha) * std::tan(phi)) /
+           (factor * std::cos(alpha) + std::sin(alpha) * std::tan(phi));
+  };
+  const std::vector<std::string> pull{"support.nails.rows=1", "support.nails.out_of_plane_spacing=1",
+                                      "support.nails.tensile_strength=50", "lem.methods=['janbu', 'spencer']"};
+  BackAnalysisRequest request = vary("support.nails.tensile_strength", "factor=1.5");
+  request.further = {"lem.surface[plane].janbu=1.5", "lem.surface[plane].spencer=1.7", "lem.surface[plane].janbu=40"};
+  const BackAnalysisOutcome outcome = search(wedge + nails, request, pull);
+  ASSERT_TRUE(outcome.finding.value) << outcome.tables;
+  EXPECT_NEAR(*outcome.finding.value, compute(1.5), 1e-4 * compute(1.5));
+  ASSERT_EQ(outcome.finding.further.size(), 3U);
+  EXPECT_NEAR(*outcome.finding.further[0].value, compute(1.5), 1e-4 * compute(1.5));
+  EXPECT_NEAR(*outcome.finding.further[1].value, compute(1.7), 1e-4 * compute(1.7));
+  for (const auto& t : outcome.finding.further) EXPECT_EQ(t.runs.size(), outcome.finding.runs.size());
+  expect_text(outcome.tables, "| target | support.nails.tensile_strength | its interval allows |");
+  expect_text(outcome.tables, "| lem.surface[plane].spencer = 1.7 | ");
+  const auto study = results::read_file<results::StudyResult>(folder_ / "study.json");
+  ASSERT_TRUE(study);
+  EXPECT_EQ(study->back_analysis->further[1].value, outcome.finding.further[1].value);
+  // No value is repeated, and a target out of reach is the failure of the search.
+  for (std::size_t i = 0; i < outcome.finding.runs.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) EXPECT_NE(outcome.finding.runs[i].value, outcome.finding.runs[k].value);
+  if (!outcome.finding.further[2].value) {
+    ASSERT_TRUE(outcome.failure);
+    expect_text(outcome.failure->what(), "'lem.surface[plane].janbu'");
+  }
+}
+
 TEST_F(BackAnalysisRuns, ATargetOutOfReachIsOneSentenceWithTheFactorsAtBothEnds) {
   const BackAnalysisOutcome outcome = search(wedge, vary("materials.clay.cohesion", "factor=1", "15 kPa", "0.03 MPa"));
   EXPECT_EQ(outcome.finding.end, BackAnalysisEnd::not_reached);
