@@ -83,7 +83,7 @@ struct SolidState {
   std::vector<double> state;                  ///< state variables; per point the largest number of any law
   std::vector<std::array<double, 6>> strain;  ///< total, per integration point [-]; shear components are γ
   std::vector<char> yields;                   ///< per integration point: has yielded since the start, or in this trial
-  /// Elastic deformation of each spring of bars and walls (T19.10), then two of each joint (T19.13).
+  /// Elastic deformation of each spring of bars and walls (T19.10), then two of each joint (T19.15).
   std::vector<double> bars;
 };
 

@@ -38,7 +38,7 @@ struct Spring {
 };
 
 /// A point of the interface between a wall and the soil on one of its sides: two deformations, opening and slip, with
-/// Mohr–Coulomb friction and no tension (T19.13).
+/// Mohr–Coulomb friction and no tension (T19.15).
 struct Joint {
   int wall = 0;
   int side = 0;       ///< 0: soil at the left of the way from head to toe, 1: at the right
