@@ -63,5 +63,26 @@ TEST_F(ElementMeshes, OneMeshHasNoInterval) {
   EXPECT_NE(join_remarks(summary).find("one mesh: the mesh error is not known"), std::string::npos);
 }
 
+TEST_F(ElementMeshes, SoilThatSoftensNeedsANonlocalLengthOfTwoElements) {
+  const auto search = [&](const std::string& length) {
+    std::vector<input::Override> soft{
+        {"materials.sand.model", "\"softening_mohr_coulomb\""}, {"materials.sand.residual_cohesion", "1"},
+        {"materials.sand.residual_friction_angle", "20"},       {"materials.sand.softening_end", "0.02"},
+        {"materials.sand.limit_strength", "\"peak\""},          {"fem.softening", "\"progressive\""}};
+    if (!length.empty()) soft.push_back({"mesh.softening_length", length});
+    return run(text_, soft);
+  };
+  const auto warns = [](const json& summary, const char* words) {
+    return summary.at("warnings").dump().find(words) != std::string::npos;
+  };
+  const json own = search("");
+  EXPECT_FALSE(own.at("fem").at("runs").at(0).contains("meshes")) << "the factor has no limit for small elements";
+  EXPECT_TRUE(warns(own, "has no nonlocal length")) << own.at("warnings");
+  const json sound = search("10"), narrow = search("3");
+  EXPECT_EQ(sound.at("fem").at("runs").at(0).at("meshes").size(), 2u);
+  EXPECT_FALSE(warns(sound, "must be at least twice that")) << sound.at("warnings");
+  EXPECT_TRUE(warns(narrow, "must be at least twice that")) << narrow.at("warnings");
+}
+
 }  // namespace
 }  // namespace talus
