@@ -96,7 +96,7 @@ void add_studio(CLI::App& app) {
   command.take("TARGET", options->target, "Case file to open, or folder of case files (default: this folder)")
       .shown_as("CASE|FOLDER");
   command.take("--port", options->port, "Port of the server (default: a free one)").positive(most_ports);
-  command.take("--threads", options->threads, "Threads of a search while drawing (default: all cores)")
+  command.take("--threads", options->threads, "Threads of a whole search by LEM (default: all cores)")
       .positive(most_threads);
   command.flag("--no-open", options->stays_closed, "Print the address and open no browser");
   command.take("--page", options->page, "Folder of the page, for its development").shown_as("FOLDER");

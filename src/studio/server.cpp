@@ -234,7 +234,9 @@ Response StudioServer::answer_solve(const std::string& body) {
   const json asked = read_object(body);
   const std::string text = get_text(asked, "text"), name = find_name(get_text(asked, "path", false));
   json options = asked.value("options", json::object());
-  if (options.is_object() && !options.contains("threads")) options["threads"] = options_.threads;
+  // A quick search takes milliseconds, in which threads cost more than they save where a run takes all cores.
+  if (options.is_object() && !options.contains("threads"))
+    options["threads"] = options.contains("circles") ? 1 : options_.threads;
   const Place place(searches_);
   if (searches_ > most_searches) throw Refusal(503, "other searches are in progress; wait for them");
   return answer_engine(solve(text, write_answer(options), name));
