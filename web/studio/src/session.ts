@@ -22,6 +22,8 @@ export const engineFault = signal("");
 /** Factors by all methods of the case, from the last calculation that was asked for. */
 export const liveMethod = signal("bishop");
 export const liveCircles = 1000;
+/** Between checks during a drag [ms]. */
+const checkInterval = 300;
 
 const sentence = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
@@ -36,7 +38,15 @@ function startChecks({ engine }: Setting): void {
     },
     (error) => (engineFault.value = sentence(error)),
   );
-  effect(() => check.ask(state.text.value));
+  let last = 0;
+  effect(() => {
+    const text = state.text.value;
+    // During a drag the search comes first. Regions that the engine builds from layers are needed for every place.
+    const waits = state.live.value !== null && untracked(() => state.chains.value.some(({ kind }) => kind === "region"));
+    if (waits && performance.now() - last < checkInterval) return;
+    last = performance.now();
+    check.ask(text);
+  });
 }
 
 function startSearches({ engine }: Setting): void {

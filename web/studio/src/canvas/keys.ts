@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 /** Keys on the canvas: tools, vertices, moves, zoom, typed coordinates. Everything that the mouse does is done by keys as well. */
-import { signal } from "@preact/signals";
-
 import type { Point } from "../geometry/plane";
 import * as state from "../state";
 import { panBy, zoomBy } from "./camera";
@@ -9,8 +7,13 @@ import { dropPoint, finishDraft, selectTool, tools } from "./drawing";
 import { fitAll } from "./hit";
 import { deleteSelected, moveSelectedBy } from "./moving";
 
-/** The first character of typed coordinates: the field takes the focus with it. */
-export const typedStart = signal<string | null>(null);
+/** The field for typed coordinates takes the focus with their first character, at once, so that the next is not lost. */
+function startTyping(first: string): void {
+  const field = document.querySelector<HTMLInputElement>("#typed-coordinates");
+  if (!field || field.disabled) return;
+  field.value = first;
+  field.focus();
+}
 
 const arrows: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -36,13 +39,13 @@ const acts: Record<string, () => void> = {
   ".": () => selectVertex(1),
   "+": () => zoomBy(1.25),
   "=": () => zoomBy(1.25),
-  "-": () => (state.tool.value === "select" ? zoomBy(0.8) : (typedStart.value = "-")),
-  "0": () => (state.tool.value === "select" ? fitAll() : (typedStart.value = "0")),
+  "-": () => (state.tool.value === "select" ? zoomBy(0.8) : startTyping("-")),
+  "0": () => (state.tool.value === "select" ? fitAll() : startTyping("0")),
   Delete: deleteSelected,
   Backspace: () => (state.draft.value.length ? dropPoint() : deleteSelected()),
   Enter: () => {
     if (state.draft.value.length) finishDraft();
-    else if (state.selectedVertex.value) typedStart.value = "";
+    else if (state.selectedVertex.value) startTyping("");
   },
   Escape: () => {
     if (state.draft.value.length) state.draft.value = [];
@@ -57,7 +60,7 @@ export function pressKey(event: KeyboardEvent): void {
   const named = (Object.keys(tools) as state.Tool[]).find((tool) => tools[tool].key === event.key);
   if (arrow) pressArrow(arrow, event);
   else if (acts[event.key]) acts[event.key]!();
-  else if (/^[\d@]$/.test(event.key) && (state.tool.value !== "select" || state.selectedVertex.value)) typedStart.value = event.key;
+  else if (/^[\d@]$/.test(event.key) && (state.tool.value !== "select" || state.selectedVertex.value)) startTyping(event.key);
   else if (named && !event.altKey) selectTool(named);
   else return;
   event.preventDefault();

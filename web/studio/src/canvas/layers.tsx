@@ -97,6 +97,13 @@ function Supports() {
   );
 }
 
+/** The ground from left to right: that of the engine, or during a drag the tops of the regions at their corners. */
+function listGround(): Point[] {
+  if (!state.live.value) return state.section.value?.ground ?? [];
+  const places = new Set(state.regions.value.flatMap(({ points }) => points.map(([x]) => x)));
+  return [...places].sort((a, b) => a - b).map((x): Point => [x, findGround(x) ?? 0]);
+}
+
 /** The critical surface of the last search, and the mass above it. */
 function Slip() {
   const found = state.solved.value;
@@ -104,7 +111,7 @@ function Slip() {
   const stale = state.isSolving.value ? " stale" : "";
   const [first, last] = [found.surface[0]!, found.surface.at(-1)!];
   const [low, high] = first[0] < last[0] ? [first, last] : [last, first];
-  const inner = (state.section.value?.ground ?? []).filter(([x]) => x > low[0] && x < high[0]);
+  const inner = listGround().filter(([x]) => x > low[0] && x < high[0]);
   // A tension crack: the surface begins below the ground.
   const [left, right] = [low, high].map(([x, y]): Point => [x, Math.max(y, findGround(x) ?? y)]);
   const ground: Point[] = [left!, ...inner, right!];

@@ -6,6 +6,7 @@ import { applyEdits, removeAt, setValue } from "../document/edits";
 import { findNode, type Path, readTree, writePath } from "../document/tree";
 import * as state from "../state";
 import { checkTyped, type Field, writeTyped } from "./schema";
+import { TextInput } from "./TextInput";
 
 /** The value as it is typed: a text without its quotes, everything else as written. */
 export function readTyped(path: Path): string {
@@ -57,7 +58,8 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
   const commit = (value: string) => {
     const clean = value.trim();
     fault.value = findFault(field, clean);
-    if (fault.value === "" && clean !== typed) writeField(path, field, clean);
+    if (fault.value !== "") return false;
+    return clean === typed || writeField(path, field, clean);
   };
   const isBad = fault.value !== "" || messages.some(({ severity }) => severity === "error");
   const noteId = `${id}-note`;
@@ -70,7 +72,7 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
         {field.required && <span class="mark" title="required"> *</span>}
       </label>
       {field.kind === "choice" ? (
-        <select {...shared} value={typed} onChange={(e) => commit(e.currentTarget.value)}>
+        <select {...shared} value={typed} onChange={(e) => void commit(e.currentTarget.value)}>
           <option value="">{describeEmpty(field)}</option>
           {field.choices.map(({ value }) => (
             <option key={value} value={value}>
@@ -79,21 +81,19 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
           ))}
         </select>
       ) : field.kind === "flag" ? (
-        <select {...shared} value={typed} onChange={(e) => commit(e.currentTarget.value)}>
+        <select {...shared} value={typed} onChange={(e) => void commit(e.currentTarget.value)}>
           <option value="">{describeEmpty(field)}</option>
           <option value="true">true</option>
           <option value="false">false</option>
         </select>
       ) : (
         <span class="input-with-unit">
-          <input
+          <TextInput
             {...shared}
             value={typed}
             placeholder={describeEmpty(field)}
             inputMode={field.kind === "number" || field.kind === "whole" ? "decimal" : undefined}
-            spellcheck={false}
-            autocomplete="off"
-            onChange={(e) => commit(e.currentTarget.value)}
+            commit={commit}
           />
           {field.unit && <span class="unit">{showUnit(field.unit)}</span>}
         </span>

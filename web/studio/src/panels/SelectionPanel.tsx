@@ -9,6 +9,7 @@ import type { Path } from "../document/tree";
 import { deleteVertex, insertVertex, moveVertices, pointsOf, replacePoints } from "../document/vertices";
 import type { JsonSchema } from "../engine/engine";
 import { TableForm } from "../forms/TableForm";
+import { TextInput } from "../forms/TextInput";
 import { readCoordinates, readPastedPoints } from "../geometry/coordinates";
 import { computeArea } from "../geometry/plane";
 import { schema } from "../session";
@@ -72,10 +73,10 @@ function PointRow({ chain, index }: { chain: Chain; index: number }) {
     <tr class={state.selectedVertex.value === vertex ? "chosen" : undefined}>
       <th scope="row">{index + 1}</th>
       <td>
-        <input aria-label={`${name}, x`} value={write(x.value)} onChange={(e) => set(0, e.currentTarget.value)} />
+        <TextInput aria-label={`${name}, x`} value={write(x.value)} commit={(typed) => set(0, typed)} />
       </td>
       <td>
-        <input aria-label={`${name}, y`} value={write(y.value)} onChange={(e) => set(1, e.currentTarget.value)} />
+        <TextInput aria-label={`${name}, y`} value={write(y.value)} commit={(typed) => set(1, typed)} />
       </td>
       <td class="row-tools">
         <button type="button" title="Insert a point after this one" aria-label={`Insert a point after ${index + 1}`} disabled={isLast || chain.single} onClick={add}>
@@ -152,7 +153,7 @@ function NameField({ chain }: { chain: Chain }) {
   return (
     <label class="plain-field">
       Name
-      <input value={chain.name} onChange={(e) => rename(e.currentTarget.value)} />
+      <TextInput value={chain.name} commit={rename} />
     </label>
   );
 }
@@ -201,7 +202,7 @@ function VertexPanel() {
       <h2>Vertex</h2>
       <label class="plain-field">
         Place: x,y or @dx,dy or length&lt;angle
-        <input value={`${write(vertex.at[0])}, ${write(vertex.at[1])}`} onChange={(e) => set(e.currentTarget.value)} />
+        <TextInput value={`${write(vertex.at[0])}, ${write(vertex.at[1])}`} commit={set} />
       </label>
       <h3>Shared by</h3>
       <ul class="parts">

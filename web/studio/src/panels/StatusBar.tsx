@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** The line at the bottom: what to do, where the pointer is and what it snaps to, and the field for typed coordinates. */
-import { useEffect, useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
 
 import { addPoint, finishDraft, insertAt, lastPoint, measured, tools } from "../canvas/drawing";
 import { findHit } from "../canvas/hit";
-import { typedStart } from "../canvas/keys";
 import { moveSelectedTo } from "../canvas/moving";
 import { pointer } from "../canvas/overlay";
 import { readCoordinates } from "../geometry/coordinates";
@@ -27,14 +26,6 @@ function Coordinates() {
   const field = useRef<HTMLInputElement>(null);
   const fault = useSignal("");
   const use = findUse();
-
-  useEffect(() => {
-    const start = typedStart.value;
-    if (start === null || !field.current) return;
-    typedStart.value = null;
-    field.current.value = start;
-    field.current.focus();
-  }, [typedStart.value]);
 
   const leave = () => {
     fault.value = "";
