@@ -35,6 +35,9 @@ const open = async (address, options) => {
   return session.page;
 };
 
+/** Ends the windows of a group, whose faults stay listed. */
+const closeAll = () => Promise.all(opened.map(({ context }) => context.close()));
+
 try {
   const page = await open(studio.address);
   let drawn = null;
@@ -46,6 +49,7 @@ try {
     await list.group("Saving", () => saveAs(list, page));
     await list.group("Runs", () => runCase(list, page));
   }
+  await closeAll();
   await list.group("Keyboard", async () => useKeysAlone(list, await open(studio.address)));
   const embankment = addFile(studio.address, "embankment.toml");
   const second = addFile(studio.address, "second.toml");
@@ -64,6 +68,7 @@ try {
         await checkAccessibility(list, coloured, `${tab}, ${colorScheme}`);
       }
     });
+    await closeAll();
   }
   for (const [name, width, height] of [["phone", 390, 844], ["tablet", 820, 1180]]) {
     await list.group(name, async () => {
@@ -77,6 +82,7 @@ try {
       }
       await small.screenshot({ path: join(out, `${name}-whole.png`), fullPage: true });
     });
+    await closeAll();
   }
   await list.group("Silence", () => {
     const requests = opened.flatMap((session) => session.requests);

@@ -28,8 +28,8 @@ export function addFile(address, path) {
 export async function openPage(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const [faults, requests] = [[], []];
+  context.setDefaultTimeout(120_000); // a busy machine takes its time
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
   page.on("request", (request) => {
     const url = request.url();
     if (!url.startsWith("http://127.0.0.1:") && !/^(data|blob):/.test(url)) requests.push(url);
