@@ -95,7 +95,7 @@ struct SliceStrength {
   double cohesion_gradient = 0;            ///< growth of c per metre below `cohesion_level` [Pa/m]
   double cohesion_level = 0;               ///< [m]
   std::shared_ptr<const StrengthLaw> law;  ///< replaces all of these; in limit analysis not with `planes`
-  std::optional<PlanesStrength> planes;    ///< weak planes, for limit analysis: LEM has them in `law`
+  std::optional<PlanesStrength> planes{};  ///< weak planes, for limit analysis: LEM has them in `law`
 };
 
 }  // namespace talus::material

@@ -15,7 +15,7 @@ namespace {
 
 /// Ratio of element size to nonlocal length up to which a band is independent of the elements: 0.5, plus a tenth for
 /// the scatter of element sizes, as in MPM.
-constexpr double coarse = 0.55;
+constexpr double coarse_share = 0.55;
 
 /// Returns the side of an equilateral simplex of that volume, in metres.
 template <int D>
@@ -51,7 +51,7 @@ std::optional<std::string> describe_soft_band(const input::Case& data, const mes
         "soil that softens ({}) has no nonlocal length and shears in a band of elements of {}: the factor depends on "
         "their size. Give mesh.softening_length, at least twice that",
         fmt::join(soils, ", "), format_value(size, units.length, 2));
-  if (size <= coarse * *data.softening_length) return std::nullopt;
+  if (size <= coarse_share * *data.softening_length) return std::nullopt;
   return fmt::format(
       "soil that softens ({}) shears in a band of elements of {}: the factor depends on their size. "
       "mesh.softening_length = {} must be at least twice that",
