@@ -55,7 +55,7 @@ void write_progress_line(const ProgressReport& report) {
     line["time"] = report.time;
     line["duration"] = report.duration;
   }
-  fmt::print(stderr, "{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  print(stderr, line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   std::fflush(stderr);
 }
 

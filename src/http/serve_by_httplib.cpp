@@ -3,7 +3,6 @@
 #include <httplib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 
 #include "studio/http.hpp"
@@ -21,8 +20,8 @@ Request convert(const httplib::Request& from) {
   to.path = from.path;
   for (const auto& [name, value] : from.headers) {
     std::string small = name;
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (char& c : small)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     // Two values of one name are ambiguous; a token or a host that is given twice is refused as the join of both.
     auto [found, is_new] = to.headers.emplace(small, value);
     if (!is_new) found->second += ", " + value;

@@ -93,6 +93,8 @@ std::string find_process_start(int process) {
 
 /// Returns the last lines of a log, at most `most` bytes.
 std::string read_tail(const fs::path& log, std::streamoff most) {
+  std::error_code failure;
+  if (!fs::is_regular_file(fs::symlink_status(log, failure))) return "";
   std::ifstream file(log, std::ios::binary | std::ios::ate);
   if (!file) return "";
   const std::streamoff size = file.tellg(), from = std::max<std::streamoff>(0, size - most);
