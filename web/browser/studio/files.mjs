@@ -3,6 +3,8 @@
 import { readFactor, readText, waitForFactor } from "./session.mjs";
 
 async function setCohesion(page, soil, value) {
+  // A window behind another draws nothing, and its buttons are never stable.
+  await page.bringToFront();
   await page.getByRole("tab", { name: "Soils" }).click();
   const field = page.locator(`#field-materials-${soil}-cohesion`);
   if (!(await field.isVisible())) await page.locator(".soil > summary", { hasText: soil }).click();
