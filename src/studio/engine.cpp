@@ -276,6 +276,10 @@ json solve_text(const std::string& text, const std::string& options, const std::
   if (!input::uses(data, input::Method::lem))
     add("note", "LEM is not among the methods of the case: its settings are the defaults of [lem].");
   for (const std::string& warning : result.warnings) add("warning", warning);
+  if (asked.circles == 0 && data.lem.referee && result.search)
+    add("note",
+        "The factors were not held against limit analysis; a run does that, and its smallest factor that is "
+        "possible governs.");
   return out;
 }
 

@@ -3,6 +3,7 @@
 import { formatFactor } from "../../../src/page/format";
 import { liveMethod } from "../session";
 import * as state from "../state";
+import { Warnings } from "./Warnings";
 
 const methods: Record<string, string> = {
   bishop: "Bishop",
@@ -19,7 +20,7 @@ function describe(): string {
   if (!found) return state.solveFault.value || "Searching …";
   if (found.factor === null) return state.solveFault.value || "No surface has a factor.";
   const circle = found.circle ? `, R = ${found.circle.radius.toFixed(2)} m` : "";
-  return `${found.searched.toLocaleString("en").replaceAll(",", "\u202f")} circles${circle}`;
+  return `Quick search: ${found.searched.toLocaleString("en").replaceAll(",", "\u202f")} circles${circle}`;
 }
 
 export function FactorBox() {
@@ -43,9 +44,10 @@ export function FactorBox() {
       <output class={low ? "factor low" : "factor"} aria-label="Factor of safety" aria-live="off">
         {formatFactor(factor)}
       </output>
-      <p aria-live="polite" title={text}>
+      <p aria-live="polite" title={`${text}. Circles alone, not held against limit analysis: a run does both.`}>
         {text.replace(/^./, (c) => c.toUpperCase())}
       </p>
+      {factor !== null && <Warnings messages={found?.messages} />}
     </div>
   );
 }

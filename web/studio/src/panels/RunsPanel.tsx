@@ -4,17 +4,18 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { formatFactor } from "../../../src/page/format";
-import type { SolvedSurface } from "../engine/engine";
+import type { Message, SolvedSurface } from "../engine/engine";
 import type { Run, RunProgress, Workspace } from "../engine/http";
 import { file, isChanged, save, setting } from "../session";
 import * as state from "../state";
+import { Warnings } from "./Warnings";
 
 const sentence = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** LEM with the settings of the case: the numbers of `talus run`. */
 function FullSearch() {
   const busy = useSignal(false);
-  const found = useSignal<{ surfaces: SolvedSurface[]; text: string } | null>(null);
+  const found = useSignal<{ surfaces: SolvedSurface[]; messages?: Message[]; text: string } | null>(null);
   const fault = useSignal("");
   const run = async () => {
     busy.value = true;
@@ -23,7 +24,8 @@ function FullSearch() {
     try {
       const answer = await setting.value!.engine.solve(text, {});
       const { method, title, factor, surface: points, circle } = answer;
-      found.value = { surfaces: answer.surfaces?.length ? answer.surfaces : [{ method, title, factor, points, circle }], text };
+      const surfaces = answer.surfaces?.length ? answer.surfaces : [{ method, title, factor, points, circle }];
+      found.value = { surfaces, messages: answer.messages, text };
     } catch (error) {
       fault.value = sentence(error);
     }
@@ -59,6 +61,7 @@ function FullSearch() {
           </tbody>
         </table>
       )}
+      <Warnings messages={found.value?.messages} />
     </section>
   );
 }
