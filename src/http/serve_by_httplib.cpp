@@ -74,7 +74,7 @@ class ServerByHttplib : public HttpServer {
     };
     const std::string any = "[\\s\\S]*";
     server_.Get(any, answer).Post(any, answer).Put(any, answer).Delete(any, answer);
-    server_.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
+    server_.set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
       response.status = 500;
       response.set_content("{\"error\":\"The server failed at this request.\"}", "application/json");
     });
