@@ -261,7 +261,10 @@ json write_result(const results::SliceResult& result) {
 json solve_text(const std::string& text, const std::string& options, const std::string& name) {
   check_size(text);
   const SolveOptions asked = read_options(options);
-  const input::LoadedCase loaded = input::read_case_text(text, name);
+  input::LoadedCase loaded = input::read_case_text(text, name);
+  // What LEM does not take, such as three dimensions, is refused where LEM is a method of the case only.
+  const bool is_of_case = input::uses(loaded.data, input::Method::lem);
+  if (!is_of_case) loaded = input::read_case_text(text, name, {{"analysis.methods", "[\"lem\"]"}});
   const site::DesignValues design = site::apply_partial_factors(loaded.data);
   input::Case data = design.data;
   if (!asked.methods.empty()) data.lem.methods = asked.methods;
@@ -273,8 +276,7 @@ json solve_text(const std::string& text, const std::string& options, const std::
   const auto add = [&](const char* severity, const std::string& sentence) {
     messages.push_back({{"severity", severity}, {"text", sentence}});
   };
-  if (!input::uses(data, input::Method::lem))
-    add("note", "LEM is not among the methods of the case: its settings are the defaults of [lem].");
+  if (!is_of_case) add("note", "LEM is not among the methods of the case: its settings are the defaults of [lem].");
   for (const std::string& warning : result.warnings) add("warning", warning);
   if (asked.circles == 0 && data.lem.referee && result.search)
     add("note",

@@ -228,5 +228,11 @@ TEST(StudioSolve, ACaseOfAnotherMethodIsSearchedWithTheDefaults) {
   EXPECT_EQ(answer["messages"][0]["severity"], "note");
 }
 
+TEST(StudioSolve, ThreeDimensionsAreRefusedWhateverTheMethods) {
+  const std::string text = read_file(TALUS_SOURCE_DIR "/examples/slope_3d/case.toml");
+  const json answer = json::parse(studio::solve(text, R"({"circles": 1000})"));
+  EXPECT_NE(answer["error"].get<std::string>().find("LEM analyses a plane section"), std::string::npos) << answer;
+}
+
 }  // namespace
 }  // namespace talus
