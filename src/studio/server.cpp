@@ -140,7 +140,7 @@ fs::path find_page(const fs::path& program) {
   const fs::path beside = program.parent_path();
   for (const char* place : {"studio", "../share/talus/studio", "../../../share/talus/studio"}) {
     std::error_code failure;
-    const fs::path folder = fs::canonical(beside / place, failure);
+    fs::path folder = fs::canonical(beside / place, failure);
     if (!failure && fs::exists(folder / "index.html", failure)) return folder;
   }
   return {};

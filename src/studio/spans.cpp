@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studio/spans.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -71,7 +73,7 @@ class SpanSearch {
     std::size_t last = 0;
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
-      const std::string inner = path.empty() ? name : path + "." + name;
+      const std::string inner = path.empty() ? name : fmt::format("{}.{}", path, name);
       add(node, inner);
       spans_.keys[inner] = find(key.source());
       const toml::table* block = node.as_table();

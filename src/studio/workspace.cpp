@@ -99,7 +99,8 @@ fs::path Workspace::find(const std::string& path) const {
   if (!path.ends_with(ending)) refuse(403, "its name does not end with .toml");
   if (find_wrong_utf8(path)) refuse(403, "its name is not UTF-8");
   std::error_code failure;
-  const fs::path file = folder_ / parts, parent = fs::canonical(file.parent_path(), failure);
+  fs::path file = folder_ / parts;
+  const fs::path parent = fs::canonical(file.parent_path(), failure);
   if (failure || !fs::is_directory(parent)) refuse(404, "its folder does not exist");
   if (!is_within(parent, folder_) || parent != file.parent_path()) refuse(403, "a link leads to it");
   const fs::file_status status = fs::symlink_status(file, failure);
