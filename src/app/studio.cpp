@@ -36,7 +36,7 @@ constexpr int most_ports = 65535;
 
 fs::path find_program() {
   std::error_code failure;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  fs::path program = fs::read_symlink("/proc/self/exe", failure);
   if (failure) fail_input("the studio needs /proc to start runs: {}", failure.message());
   return program;
 }
