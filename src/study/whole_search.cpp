@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <map>
 
@@ -132,8 +133,9 @@ class WholeSearch {
   /// Tries the number nearest to the middle that was not tried; false if there is none.
   bool halve(const Pair& pair) {
     const double middle = std::floor(0.5 * (pair.a + pair.b));
-    for (double off = 0; off < pair.b - pair.a; ++off)
-      for (const double x : {middle - off, middle + off}) {
+    const auto most = static_cast<std::int64_t>(pair.b - pair.a);
+    for (std::int64_t off = 0; off < most; ++off)
+      for (const double x : {middle - static_cast<double>(off), middle + static_cast<double>(off)}) {
         if (!(x > pair.a && x < pair.b) || is_tried(x)) continue;
         return sample(x).has_value() || ++gaps_ < most_gaps;
       }
