@@ -37,8 +37,17 @@ export async function openPage(browser, address, options = {}) {
   page.on("console", (message) => message.type() === "error" && faults.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => faults.push(`page: ${error.message}`));
   page.on("dialog", (dialog) => void dialog.accept(dialog.type() === "prompt" ? "drawn.toml" : undefined));
-  await page.goto(address, { waitUntil: "load" });
-  await page.locator(".section").waitFor();
+  // On a busy machine Chromium may draw no frame of a new window; loaded again it does.
+  for (let left = 2; ; --left) {
+    await page.goto(address, { waitUntil: "load" });
+    try {
+      await page.locator(".section").waitFor({ timeout: left > 0 ? 40_000 : 120_000 });
+      break;
+    } catch (error) {
+      if (left === 0) throw new Error(`${error.message}\nFaults: ${faults.join("; ") || "none"}`);
+      await page.goto("about:blank");
+    }
+  }
   return { context, page, faults, requests };
 }
 
