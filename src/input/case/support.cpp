@@ -447,11 +447,9 @@ void warn_of_crossings(const Case& data, Findings& findings) {
     for (std::size_t j = 0; j < i; ++j) {
       const auto& [name, bar] = bars[i];
       const auto& [other_name, other] = bars[j];
-      const auto may_cross = [&](const std::string& own) {
-        const SupportKind kind = data.supports.at(own).kind;
-        return kind == SupportKind::pile || kind == SupportKind::wall;
-      };
-      if (may_cross(*name) || may_cross(*other_name) || !do_cross(bar, other)) continue;
+      const auto is_beam = [](SupportKind kind) { return kind == SupportKind::pile || kind == SupportKind::wall; };
+      if (is_beam(data.supports.at(*name).kind) || is_beam(data.supports.at(*other_name).kind)) continue;
+      if (!do_cross(bar, other)) continue;
       return findings.warn(
           "support." + *name,
           "the bar of support '{}' in row {} crosses that of '{}' in row {} in the section. Both count "
@@ -463,7 +461,9 @@ void warn_of_crossings(const Case& data, Findings& findings) {
 }  // namespace
 
 bool has_passive_supports(const Case& data) {
-  return std::any_of(data.supports.begin(), data.supports.end(), [](const auto& s) { return !s.second.is_active(); });
+  return std::any_of(data.supports.begin(), data.supports.end(), [](const auto& s) {
+    return !s.second.is_active() && (s.second.kind != SupportKind::wall || s.second.shear_strength);
+  });
 }
 
 std::optional<std::string> find_support_obstacle(const Case& data) {
