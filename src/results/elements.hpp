@@ -95,9 +95,9 @@ struct ElementBar {
   /// plastic moment; shear strength. nullopt: there is no such limit.
   std::optional<double> tension, pull_out, stripping, bending, shear;
   ElementBarLimit limit = ElementBarLimit::none;
-  // Of piles and walls, at `place`:
+  // Piles and walls, at `place`:
   std::optional<std::vector<double>> moments, shears;  ///< at failure [N m/m], [N/m]
-  // Of walls:
+  // Walls alone:
   std::optional<std::vector<Point>> line;     ///< from head to toe [m]
   std::optional<ElementFace> left, right;     ///< soil beside the way from head to toe; nullopt: none
   std::optional<std::vector<double>> struts;  ///< compression at failure, from the head [N/m]

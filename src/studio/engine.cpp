@@ -262,7 +262,7 @@ json solve_text(const std::string& text, const std::string& options, const std::
   check_size(text);
   const SolveOptions asked = read_options(options);
   input::LoadedCase loaded = input::read_case_text(text, name);
-  // What LEM does not take, such as three dimensions, is refused where LEM is a method of the case only.
+  // Only a case with LEM among its methods is refused for what LEM does not take, such as three dimensions.
   const bool is_of_case = input::uses(loaded.data, input::Method::lem);
   if (!is_of_case) loaded = input::read_case_text(text, name, {{"analysis.methods", "[\"lem\"]"}});
   const site::DesignValues design = site::apply_partial_factors(loaded.data);

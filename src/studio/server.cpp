@@ -20,12 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Of the page: its own files alone. Editors write style elements; modules of WebAssembly are compiled.
+/// The page has its own files alone; icons of style sheets are data.
 constexpr const char* page_policy =
-    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
-    "blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; manifest-src 'self'; frame-src 'self'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-/// Of a report, whose script is inline: the sandbox separates it from the studio and its token.
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; connect-src "
+    "'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+/// The script of a report is inline: the sandbox separates it from the studio and its token.
 constexpr const char* report_policy =
     "sandbox allow-scripts allow-downloads allow-popups allow-modals; default-src 'none'; script-src 'unsafe-inline' "
     "'wasm-unsafe-eval' blob:; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; worker-src blob:; "

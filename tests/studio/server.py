@@ -206,7 +206,7 @@ def check_runs(server, folder, program):
     check(server.ask("POST", "/api/runs", {"path": "absent.toml"})[0] == 404, "run of an absent file")
     check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"threads": 0}})[0] == 400, "no threads")
     check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"a=b": 1}}})[0] == 400, "a key with =")
-    # What a shell would execute is a value that the case refuses.
+    # A shell would execute this value; the case refuses it.
     status, hostile = server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"title;touch hacked": "$(touch hacked)"}}})
     status, run = server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"set": {"materials.clay.cohesion": "12 kPa"}, "threads": 1}})
     check(status == 200, f"run: {run}")

@@ -11,7 +11,7 @@
 namespace talus::bounds {
 namespace {
 
-/// What slip and opening of the planes leave.
+/// Returns the strain rate that slip and opening of the planes leave.
 Strain move(const Strain& strain, const WeakPlanes& planes, double slip, double opening) {
   const double c = std::cos(2 * planes.angle), s = std::sin(2 * planes.angle);
   return {strain.opening - opening, strain.difference + slip * s + opening * c,

@@ -62,7 +62,7 @@ export function isCovered(inner: readonly Point[], outer: readonly Point[]): boo
 }
 
 /**
- * What a new region leaves of another: null where it changes nothing (no overlap, or the new one lies inside, where it replaces the
+ * The rest of a region under a new one: null where it changes nothing (no overlap, or the new one lies inside, where it replaces the
  * other as the case file has it), else the rings that are left, none where everything is covered.
  */
 export function cutRing(ring: readonly Point[], cutter: readonly Point[]): Point[][] | null {
