@@ -88,7 +88,7 @@ export function SectionCanvas(props: Props) {
           aria-label={`${props.label}. Plus and minus zoom, arrow keys move, 0 fits.`}
           onKeyDown={press}
         />
-        <div class="drawing-buttons no-print">
+        <div class="icon-buttons drawing-buttons no-print">
           <ZoomButtons zoom={(factor) => view.current?.zoom(factor)} fit={() => view.current?.fit()} />
           <IconButton
             name="Save picture"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** Buttons with a sign over a drawing. */
+/** Buttons with a sign over a drawing, in an element of class icon-buttons. */
+import "./buttons.css";
+
 export function IconButton(props: { name: string; path: string; act: () => void; class?: string }) {
   const { name, path, act } = props;
   return (

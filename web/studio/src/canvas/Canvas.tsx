@@ -72,7 +72,7 @@ export function Canvas() {
         <SnapMarker />
         <Rulers />
       </svg>
-      <div class="zoom-buttons">
+      <div class="icon-buttons zoom-buttons">
         <ZoomButtons zoom={zoomBy} fit={fitAll} />
       </div>
     </div>
