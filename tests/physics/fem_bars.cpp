@@ -53,14 +53,6 @@ fem::Bar make_nail(const Vec<2>& head, const Vec<2>& end) {
   return bar;
 }
 
-fem::SolidOptions make_tight() {
-  fem::SolidOptions options;
-  options.force_tolerance = 1e-8;
-  options.load_steps = 1;
-  options.threads = 1;
-  return options;
-}
-
 double interpolate(const fem::BarCurve& curve, double place) {
   for (std::size_t i = 1; i < curve.place.size(); ++i)
     if (curve.place[i] >= place)
@@ -93,7 +85,7 @@ TEST(Bars, BarInUniformStrainHasItsStrainTimesItsStiffness) {
     fem::Bar bar = make_nail({0.5, 1.3}, {7.5, 2.7});  // inclined, across the elements
     bar.axial_stiffness = 1e3;                         // does not disturb the block
     block.model.bars = {bar};
-    const auto r = fem::find_equilibrium<2>(block.model, make_tight());
+    const auto r = fem::find_equilibrium<2>(block.model, support::make_tight());
     ASSERT_TRUE(r.converged);
     const auto forces = fem::compute_bar_forces(block.model, r.at);
     const double cosine = 7 / std::hypot(7, 1.4), strain = pull / 1e8 * cosine * cosine;
@@ -113,7 +105,7 @@ TEST(Bars, AnchoredEndsCarryTheBlockWithoutBond) {
   bar.plate_stiffness = bar.anchorage_stiffness = 1e14;
   bar.plate_line = {{8, 0}, {8, 4}};
   block.model.bars = {bar};
-  const auto r = fem::find_equilibrium<2>(block.model, make_tight());
+  const auto r = fem::find_equilibrium<2>(block.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   const auto forces = fem::compute_bar_forces(block.model, r.at)[0];
   const double force = pull * 4 * 2e8 / (2e8 + 4 * 1e8);
@@ -166,7 +158,7 @@ TEST(Bars, ElasticPullOutDecaysWithTheHyperbolicCosine) {
   // E A w'' = k w: N(s) = P sinh((L - s)/λ)/sinh(L/λ), λ² = E A/k
   PulledNail nail(0.5, 10e3, 1e9, fem::unlimited);
   nail.model.bars[0].bond_stiffness = 1e7;
-  const auto r = fem::find_equilibrium<2>(nail.model, make_tight());
+  const auto r = fem::find_equilibrium<2>(nail.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   const auto forces = fem::compute_bar_forces(nail.model, r.at)[0];
   const double length = std::hypot(3, 0.4);
@@ -190,17 +182,17 @@ TEST(Bars, PrestressIsTheForceAfterTheLoads) {
   bar.plate = 1e9, bar.plate_stiffness = 1e8;
   bar.plate_line = {{8, 1}, {8, 3}};
   block.model.bars = {bar};
-  const auto loaded = fem::find_equilibrium<2>(block.model, make_tight());
+  const auto loaded = fem::find_equilibrium<2>(block.model, support::make_tight());
   ASSERT_TRUE(loaded.converged);
   auto forces = fem::compute_bar_forces(block.model, loaded.at)[0];
   EXPECT_DOUBLE_EQ(forces.axial.value[0], 30e3);
   EXPECT_NEAR(forces.plate, 30e3, exact * 30e3);
   EXPECT_GT(loaded.largest_displacement, 1e-4) << "the block has been compressed";
   // A second step without change keeps it, and pressure on the plate relaxes it.
-  const auto kept = fem::find_equilibrium<2>(block.model, make_tight(), 1, &loaded.at);
+  const auto kept = fem::find_equilibrium<2>(block.model, support::make_tight(), 1, &loaded.at);
   EXPECT_NEAR(fem::compute_bar_forces(block.model, kept.at)[0].axial.value[0], 30e3, 1);
   support::add_load<2>(block.model, support::find_sides_at<2>(block.mesh, 0, 8), {-1e5, 0});
-  const auto pressed = fem::find_equilibrium<2>(block.model, make_tight(), 1, &loaded.at);
+  const auto pressed = fem::find_equilibrium<2>(block.model, support::make_tight(), 1, &loaded.at);
   ASSERT_TRUE(pressed.converged);
   EXPECT_LT(fem::compute_bar_forces(block.model, pressed.at)[0].axial.value[0], 25e3);
 }
@@ -268,7 +260,7 @@ TEST(Bars, CantileverUnderALineLoadHasItsClosedForm) {
   constexpr double load = 2e3;
   const Cantilever beam({0, -load});
   const fem::SolidSystem<2> system(beam.model);
-  const auto r = fem::find_equilibrium<2>(beam.model, make_tight());
+  const auto r = fem::find_equilibrium<2>(beam.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   const auto forces = fem::compute_bar_forces(beam.model, r.at)[0];
   for (std::size_t i = 0; i < forces.moment.place.size(); ++i) {

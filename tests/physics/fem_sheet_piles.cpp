@@ -10,66 +10,23 @@
 
 #include "base/error.hpp"
 #include "base/extrapolate.hpp"
-#include "input/read.hpp"
 #include "lem/search/search.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
+#include "support/supported_slope.hpp"
 
 namespace talus {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-site::Site read_site(const std::string& text) {
-  return site::Site(input::read_case_text(text, "wall.toml").data);
-}
+using support::read_site, support::reduce, support::Reduced;
 
-struct Reduced {
-  run::SolidOfCase<2> solid;
-  fem::ReductionResult<2> found;
-};
-
-Reduced reduce(const site::Site& site, double share, double from, double to) {
-  Reduced reduced{run::make_solid<2>(site, share), {}};
-  fem::ReductionOptions options;
-  options.from = from, options.to = to;
-  reduced.found = fem::reduce_strength<2>(reduced.solid.model, options);
-  return reduced;
-}
-
-/// Torggler (2016), 10 m at 30°: PLAXIS has 1.111, and 1.175 with a plate of 7.5 m in the middle of the slope.
 std::string write_plate() {
-  return R"(
-title = "Plate in a slope"
-[geometry]
-ground = [[0, 20], [20, 20], [37.32, 30], [57, 30]]
-[[geometry.layer]]
-name = "soil"
-level = 0
-[regions]
-soil = "soil"
-[materials.soil]
-model = "mohr_coulomb"
-unit_weight = 16
-cohesion = 10
-friction_angle = 15
-dilatancy_angle = 0
-tensile_strength = 0
-young_modulus = 2
-poisson_ratio = 0.4
-[analysis]
-methods = ["fem"]
-[fem]
-size = 1
-[support.plate]
-kind = "wall"
-line = [[28.66, 25], [28.66, 17.5]]
-interface_strength = 1
-axial_stiffness = 2e6
-bending_stiffness = 4e4
-)";
+  return support::write_torggler_slope(
+      "kind = \"wall\"\nline = [[28.66, 25], [28.66, 17.5]]\ninterface_strength = 1\n");
 }
 
 TEST(SheetPiles, PlateOfTorgglerHasItsPublishedFactor) {

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "base/extrapolate.hpp"
-#include "input/read.hpp"
 #include "lem/search/search.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
+#include "support/supported_slope.hpp"
 
 namespace talus {
 namespace {
@@ -63,27 +63,16 @@ size = 0.6
                      plate, sense);
 }
 
-site::Site read_site(const std::string& text) {
-  return site::Site(input::read_case_text(text, "cut.toml").data);
-}
+using support::read_site, support::reduce, support::Reduced;
 
-struct Reduced {
-  run::SolidOfCase<2> solid;
-  fem::ReductionResult<2> found;
-};
-
-/// `is_cone`: without tension cut-off, as LEM takes the soil.
-Reduced reduce(const site::Site& site, double share, double from, double to, bool is_cone = false) {
-  Reduced reduced{run::make_solid<2>(site, share), {}};
-  if (is_cone)
-    reduced.solid.model.make_law = [](int, double factor) -> material::Law {
-      const material::MohrCoulombStrength strength{8e3, 30 * degree, 30 * degree, 8e3 / std::tan(30 * degree)};
-      return material::MohrCoulomb(material::LinearElastic::from_young(3e7, 0.3), strength.reduced(factor));
-    };
-  fem::ReductionOptions options;
-  options.from = from, options.to = to;
-  reduced.found = fem::reduce_strength<2>(reduced.solid.model, options);
-  return reduced;
+/// Strength reduction without tension cut-off, as LEM takes the soil of the cut.
+Reduced reduce_cone(const site::Site& site, double share, double from, double to) {
+  run::SolidOfCase<2> solid = run::make_solid<2>(site, share);
+  solid.model.make_law = [](int, double factor) -> material::Law {
+    const material::MohrCoulombStrength strength{8e3, 30 * degree, 30 * degree, 8e3 / std::tan(30 * degree)};
+    return material::MohrCoulomb(material::LinearElastic::from_young(3e7, 0.3), strength.reduced(factor));
+  };
+  return reduce(std::move(solid), from, to);
 }
 
 double search_lem(const site::Site& site) {
@@ -95,7 +84,7 @@ double search_lem(const site::Site& site) {
 
 TEST(ElementSupports, NailedCutHasTheFactorOfLimitEquilibrium) {
   const site::Site site = read_site(write_cut("sense = \"active\""));
-  const Reduced coarse = reduce(site, 2, 1.3, 1.5, true), fine = reduce(site, 1, 1.3, 1.5, true);
+  const Reduced coarse = reduce_cone(site, 2, 1.3, 1.5), fine = reduce_cone(site, 1, 1.3, 1.5);
   EXPECT_LT(fine.found.factor, coarse.found.factor);
   const double factor = extrapolate_to_zero(2, coarse.found.factor, 1, fine.found.factor), lem = search_lem(site);
   EXPECT_NEAR(factor, lem, 0.05 * lem) << coarse.found.factor << " " << fine.found.factor;
@@ -234,46 +223,11 @@ TEST(ElementSupports, NailedWedgeHasItsClosedForm) {
   EXPECT_NEAR(2 * thin - thick, expected, 0.003 * expected) << thick << " " << thin;
 }
 
-/// Torggler (2016), 10 m at 30° on 20 m: PLAXIS has 1.111, and 1.175 with a plate of 7.5 m in the middle of the slope.
-std::string write_plate(bool has_plate) {
-  return std::string(R"(
-title = "Plate in a slope"
-[geometry]
-ground = [[0, 20], [20, 20], [37.32, 30], [57, 30]]
-[[geometry.layer]]
-name = "soil"
-level = 0
-[regions]
-soil = "soil"
-[materials.soil]
-model = "mohr_coulomb"
-unit_weight = 16
-cohesion = 10
-friction_angle = 15
-dilatancy_angle = 0
-tensile_strength = 0
-young_modulus = 2
-poisson_ratio = 0.4
-[analysis]
-methods = ["fem"]
-[fem]
-size = 1
-)") + (has_plate ? R"(
-[support.plate]
-kind = "pile"
-x = [28.66]
-length = 7.5
-out_of_plane_spacing = 1
-shear_strength = 1e6
-axial_stiffness = 2e6
-bending_stiffness = 4e4
-)"
-                 : "");
-}
-
 TEST(ElementSupports, PlateOfTorgglerHasItsPublishedFactor) {
   const auto find = [](bool has_plate) {
-    const site::Site site = read_site(write_plate(has_plate));
+    const site::Site site = read_site(support::write_torggler_slope(
+        has_plate ? "kind = \"pile\"\nx = [28.66]\nlength = 7.5\nout_of_plane_spacing = 1\nshear_strength = 1e6\n"
+                  : ""));
     const auto search = [&](double share) { return reduce(site, share, 1.05, 1.25).found.factor; };
     return extrapolate_to_zero(2, search(2), 1, search(1));
   };

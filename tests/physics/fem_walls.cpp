@@ -62,14 +62,6 @@ struct Walled {
   }
 };
 
-fem::SolidOptions make_tight() {
-  fem::SolidOptions options;
-  options.force_tolerance = 1e-8;
-  options.load_steps = 1;
-  options.threads = 1;
-  return options;
-}
-
 TEST(Walls, DoubleTheirNodesExceptTheToe) {
   const Walled case_(8, {{4, 8}, {4, 3}});
   const auto plain = fem::make_quadratic<2>(case_.mesh);
@@ -152,7 +144,7 @@ TEST(Walls, CantileverUnderALineLoadHasItsClosedForm) {
     Cantilever cantilever(size);
     constexpr double load = 2e3;
     cantilever.wall().line_load = {load, 0};
-    const auto r = fem::find_equilibrium<2>(cantilever.model, make_tight());
+    const auto r = fem::find_equilibrium<2>(cantilever.model, support::make_tight());
     ASSERT_TRUE(r.converged);
     const auto forces = fem::compute_bar_forces(cantilever.model, r.at)[0];
     ASSERT_GE(forces.moment.place.size(), 6u);
@@ -202,7 +194,7 @@ TEST(Walls, PressureOnACoveredSideActsOnTheWall) {
   }
   constexpr double pressure = 10e3;
   support::add_load<2>(retained.model, sides, {-pressure, 0});
-  const auto r = fem::find_equilibrium<2>(retained.model, make_tight());
+  const auto r = fem::find_equilibrium<2>(retained.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   const auto forces = fem::compute_bar_forces(retained.model, r.at)[0];
   const auto sum = [](const std::vector<fem::FacePoint>& face) {
@@ -218,7 +210,7 @@ TEST(Walls, StrutCarriesWhatPressesTheWall) {
   Retained retained(0.5);
   retained.wall().struts = {{7, 1e12, fem::unlimited, 0}};
   retained.wall().line_load = {5e3, 0};
-  auto r = fem::find_equilibrium<2>(retained.model, make_tight());
+  auto r = fem::find_equilibrium<2>(retained.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   const auto forces = fem::compute_bar_forces(retained.model, r.at)[0];
   ASSERT_EQ(forces.strut.value.size(), 1u);
@@ -231,7 +223,7 @@ TEST(Walls, StrutCarriesWhatPressesTheWall) {
   }
   EXPECT_NEAR(std::abs(after - before), forces.strut.value[0], 0.15 * forces.strut.value[0]);
   retained.wall().struts[0].prestress = 20e3;
-  r = fem::find_equilibrium<2>(retained.model, make_tight());
+  r = fem::find_equilibrium<2>(retained.model, support::make_tight());
   EXPECT_DOUBLE_EQ(fem::compute_bar_forces(retained.model, r.at)[0].strut.value[0], 20e3);
   retained.wall().struts[0].level = 3;
   EXPECT_THROW(fem::SolidSystem<2>{retained.model}, Error) << "soil is on both sides there";
@@ -245,7 +237,7 @@ TEST(Walls, PorePressureIsNoStressOfTheInterface) {
   support::add_load<2>(block.model, support::find_sides_at<2>(block.mesh, 1, 8), {0, -pore});
   support::add_load<2>(block.model, support::find_sides_at<2>(block.mesh, 0, 0), {pore, 0});
   support::add_load<2>(block.model, support::find_sides_at<2>(block.mesh, 0, 8), {-pore, 0});
-  const auto r = fem::find_equilibrium<2>(block.model, make_tight());
+  const auto r = fem::find_equilibrium<2>(block.model, support::make_tight());
   ASSERT_TRUE(r.converged);
   for (const auto& face : fem::compute_bar_forces(block.model, r.at)[0].face) {
     EXPECT_FALSE(face.empty());

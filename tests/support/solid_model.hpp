@@ -29,6 +29,15 @@ void add_roller(fem::SolidModel<D>& model, std::size_t axis, double value);
 template <int D>
 void add_load(fem::SolidModel<D>& model, const std::vector<std::array<int, D>>& sides, const Vec<D>& traction);
 
+/// One load step to a residual of 1e-8, on one thread.
+inline fem::SolidOptions make_tight() {
+  fem::SolidOptions options;
+  options.force_tolerance = 1e-8;
+  options.load_steps = 1;
+  options.threads = 1;
+  return options;
+}
+
 /// A homogeneous slope or block: the polygon of the soil and its Mohr–Coulomb parameters; tension up to the apex.
 struct SoilSection {
   std::vector<std::array<double, 2>> polygon;
