@@ -141,6 +141,22 @@ Polyline find_sketched_ground(const input::Sketch& sketch) {
   }
 }
 
+namespace {
+
+Picture make_drawing(PictureSource& source, bool has_meshes) {
+  Picture picture;
+  picture.length = source.data.units().length;
+  picture.title = source.data.title;
+  add_soils(source, picture);
+  add_layers(source, picture);
+  if (has_meshes) add_meshes(source, picture);
+  add_conditions(source, picture);
+  add_search(source, picture);
+  return picture;
+}
+
+}  // namespace
+
 Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMessage>& messages) {
   if (sketch.data.mesh.dimension != 2 && sketch.is_sound("geometry.dimension"))
     fail_input("a picture shows a plane section, but this case has 'dimension' = {} in [geometry]",
@@ -148,14 +164,7 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
   if (!sketch.is_whole && !has_errors(messages))
     fail_input("a picture shows a section, but this case has element tests only");
   PictureSource source{sketch, make_drawable(sketch), has_errors(messages), find_sketched_ground(sketch)};
-  Picture picture;
-  picture.length = source.data.units().length;
-  picture.title = source.data.title;
-  add_soils(source, picture);
-  add_layers(source, picture);
-  add_meshes(source, picture);
-  add_conditions(source, picture);
-  add_search(source, picture);
+  Picture picture = make_drawing(source, true);
   constexpr std::size_t most_places = 300;  // of a hostile file with very many faults
   for (const CaseMessage& message : messages) {
     const bool is_marked = picture.messages.size() < most_places;
@@ -168,15 +177,8 @@ Picture make_case_picture(const input::Sketch& sketch, const std::vector<CaseMes
 
 std::optional<Picture> make_section_picture(const input::Sketch& sketch, bool is_faulty) {
   if (sketch.data.mesh.dimension != 2 || !sketch.is_whole) return std::nullopt;
-  const PictureSource source{sketch, make_drawable(sketch), is_faulty, find_sketched_ground(sketch)};
-  Picture picture;
-  picture.length = source.data.units().length;
-  picture.title = source.data.title;
-  add_soils(source, picture);
-  add_layers(source, picture);
-  add_conditions(source, picture);
-  add_search(source, picture);
-  return picture;
+  PictureSource source{sketch, make_drawable(sketch), is_faulty, find_sketched_ground(sketch)};
+  return make_drawing(source, false);
 }
 
 std::optional<Picture> make_input_picture(const input::Case& data) {

@@ -16,16 +16,10 @@ using results::BackAnalysisEnd;
 
 namespace {
 
-/// Runs of an expansion in one direction. Steps double.
-constexpr int most_expansions = 16;
-/// Steps away from the target in succession that end the expansion in one direction.
-constexpr int most_recessions = 3;
 /// Undefined arguments in succession that end it.
 constexpr int most_undefined = 2;
 /// Runs between an argument with a value and one without, and on either side of an extreme value.
 constexpr int most_edges = 6, most_extremes = 3;
-/// Undefined arguments inside one bracket.
-constexpr int most_gaps = 5;
 /// Runs of one narrowing: bisection alone reduces the bracket by 2^60.
 constexpr int most_steps = 60;
 /// Runs outside the bracket for an end of the interval.

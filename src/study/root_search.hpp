@@ -50,6 +50,13 @@ struct RootFinding {
 
 using Evaluate = std::function<Sample(double x)>;
 
+/// Runs of an expansion in one direction. Steps double.
+inline constexpr int most_expansions = 16;
+/// Steps away from the target in succession that end the expansion in one direction.
+inline constexpr int most_recessions = 3;
+/// Undefined arguments inside one bracket.
+inline constexpr int most_gaps = 5;
+
 /// Searches the root and the ends of its interval. Calls `evaluate` once for each argument; what it throws ends the
 /// search.
 RootFinding search_root(const RootOptions& options, const Evaluate& evaluate);

@@ -16,13 +16,6 @@ using results::BackAnalysisEnd;
 
 namespace {
 
-/// Doubled steps of an expansion in one direction.
-constexpr int most_expansions = 16;
-/// Steps away from the target in succession that end the expansion in one direction.
-constexpr int most_recessions = 3;
-/// Undefined numbers inside one bracket.
-constexpr int most_gaps = 5;
-
 class WholeSearch {
  public:
   WholeSearch(const RootOptions& options, const Evaluate& evaluate)
