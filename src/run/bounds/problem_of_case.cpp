@@ -31,12 +31,6 @@ constexpr double vertical = 1e-9;
 /// Parts of a side of a triangle, between which strengths are compared with their linear interpolation.
 constexpr int lattice = 8;
 constexpr double rounding = 1e-9;
-
-/// Returns the share of c and tan φ that soil with ψ < φ has (Davis 1968).
-double find_davis_share(double friction, double dilatancy) {
-  return std::cos(dilatancy) * std::cos(friction) / (1 - std::sin(dilatancy) * std::sin(friction));
-}
-
 /// Relative difference of the polygons inside and outside a curved envelope.
 constexpr double tolerance_of_envelopes = 0.01;
 /// Distance of the lines of the first mesh along bedding, over its element size.
@@ -52,6 +46,7 @@ class ProblemBuilder {
 
   ProblemOfCase build() {
     made_.notes = site_.list_open_ends();
+    made_.notes.insert(made_.notes.end(), mesh_notes_.begin(), mesh_notes_.end());
     add_triangles();
     enclose_envelopes();
     add_strengths();
@@ -62,10 +57,10 @@ class ProblemBuilder {
   }
 
  private:
-  mesh::Mesh<2> make_mesh() const {
+  mesh::Mesh<2> make_mesh() {
     const mesh::Plan plan =
         bars_.conform(site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_))));
-    return generate_with_bedding(site_, plan, bedding_spacing);
+    return generate_with_bedding(data_, plan, bedding_spacing, mesh_notes_);
   }
 
   const input::Material& get_soil(std::size_t e) const {
@@ -202,17 +197,14 @@ class ProblemBuilder {
       soil.cohesion = root_cohesion + find_law_strength(given, x);
     }
     soil.is_reduced = m.reduced;
-    const bool is_davis = data_.bounds.flow == input::BoundsFlow::davis;
-    if (is_davis) {
-      const double share = find_davis_share(given.friction_angle, m.dilatancy_angle);
+    if (data_.bounds.flow == input::BoundsFlow::davis) {
+      const double phi = given.friction_angle, psi = m.dilatancy_angle,
+                   share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
       soil.cohesion *= share, soil.tan_friction *= share;
     }
-    if (given.planes) {
-      const auto& planes = *given.planes;
-      const double share = is_davis ? find_davis_share(planes.friction_angle, m.bedding_dilatancy) : 1;
+    if (const auto& planes = given.planes)
       soil.planes = std::make_shared<const bounds::WeakPlanes>(
-          bounds::WeakPlanes{planes.angle, share * planes.cohesion, share * std::tan(planes.friction_angle)});
-    }
+          bounds::WeakPlanes{planes->angle, planes->cohesion, std::tan(planes->friction_angle)});
     const bool is_limited =
         data_.bounds.tension == input::BoundsTension::as_given && (envelope || m.traits().has_friction);
     const double tension = envelope ? given.law->tensile_strength : m.tensile_strength;
@@ -311,6 +303,7 @@ class ProblemBuilder {
   const SoilColumns columns_;
   Supports supports_;
   const BarsOfCase bars_;
+  std::vector<std::string> mesh_notes_;
   const mesh::Mesh<2> mesh_;
   std::vector<input::Material> soils_;                              ///< of the regions of the mesh
   std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;  ///< of the regions; none for a straight envelope

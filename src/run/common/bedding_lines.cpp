@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/vec.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "site/site.hpp"
 
 namespace talus::run {
 
@@ -83,10 +86,16 @@ class BeddedPolygon {
   Vec<2> along_, across_;
 };
 
-mesh::Plan conform_to_bedding(const site::Site& site, mesh::Plan plan, double spacing) {
+std::optional<material::PlanesStrength> find_planes(const input::Material& soil) {
+  if (!soil.traits().serves_slices) return std::nullopt;
+  return site::find_plane_strength(soil).planes;
+}
+
+mesh::Plan conform_to_bedding(const input::Case& data, mesh::Plan plan, double spacing) {
   for (const mesh::Polygon& polygon : plan.polygons) {
-    if (!site.data().regions.contains(polygon.name)) continue;
-    const auto planes = site::find_plane_strength(site.get_soil(polygon.name)).planes;
+    const auto region = data.regions.find(polygon.name);
+    if (region == data.regions.end()) continue;
+    const auto planes = find_planes(data.materials.at(region->second));
     if (!planes) continue;
     const BeddedPolygon bedded(polygon, planes->angle);
     for (const double level : bedded.list_levels(plan.size, spacing * plan.size))
@@ -98,15 +107,44 @@ mesh::Plan conform_to_bedding(const site::Site& site, mesh::Plan plan, double sp
 
 }  // namespace
 
-mesh::Mesh<2> generate_with_bedding(const site::Site& site, const mesh::Plan& plan, double spacing) {
-  const mesh::Plan bedded = conform_to_bedding(site, plan, spacing);
-  if (bedded.lines.size() > plan.lines.size()) {
-    try {
-      return mesh::generate<2>(bedded);
-    } catch (const Error&) {  // any mesh serves: factors on one without lines are higher
-    }
+bool has_bedding(const input::Case& data) {
+  return std::any_of(data.regions.begin(), data.regions.end(),
+                     [&](const auto& region) { return find_planes(data.materials.at(region.second)).has_value(); });
+}
+
+mesh::Mesh<2> generate_with_bedding(const input::Case& data, const mesh::Plan& plan, double spacing,
+                                    std::vector<std::string>& notes) {
+  const auto note = [&](const char* why) {
+    notes.push_back(
+        fmt::format("the mesh has no lines along the bedding, because {}; slip along it strains the soil beside it "
+                    "too, so that the "
+                    "factor is too high unless the elements are small",
+                    why));
+  };
+  if (!plan.file.empty()) {
+    if (has_bedding(data)) note("it is that of a file");
+    return mesh::generate<2>(plan);
   }
-  return mesh::generate<2>(plan);
+  const mesh::Plan bedded = conform_to_bedding(data, plan, spacing);
+  if (bedded.lines.size() == plan.lines.size()) return mesh::generate<2>(plan);
+  try {
+    return mesh::generate<2>(bedded);
+  } catch (const Error&) {
+    mesh::Mesh<2> without = mesh::generate<2>(plan);  // throws for a fault of the plan itself
+    note("they would nearly touch other lines");
+    return without;
+  }
+}
+
+template <>
+mesh::Mesh<2> generate_along_bedding<2>(const input::Case& data, const mesh::Plan& plan,
+                                        std::vector<std::string>& notes) {
+  return generate_with_bedding(data, plan, 1, notes);
+}
+
+template <>
+mesh::Mesh<3> generate_along_bedding<3>(const input::Case&, const mesh::Plan& plan, std::vector<std::string>&) {
+  return mesh::generate<3>(plan);
 }
 
 }  // namespace talus::run

@@ -253,13 +253,11 @@ void check_solid(const site::Site& site) {
 
 template <int D>
 SolidOfCase<D> make_solid(const site::Site& site, double share) {
-  constexpr double bedding_spacing = 1;
-  const mesh::Plan plan = make_fem_plan(site, share);
-  if constexpr (D == 2)
-    return make_solid_on<2>(site,
-                            std::make_shared<const mesh::Mesh<2>>(generate_with_bedding(site, plan, bedding_spacing)));
-  else
-    return make_solid_on<3>(site, std::make_shared<const mesh::Mesh<3>>(mesh::generate<3>(plan)));
+  std::vector<std::string> notes;
+  SolidOfCase<D> solid = make_solid_on<D>(site, std::make_shared<const mesh::Mesh<D>>(generate_along_bedding<D>(
+                                                    site.data(), make_fem_plan(site, share), notes)));
+  solid.notes.insert(solid.notes.end(), notes.begin(), notes.end());
+  return solid;
 }
 
 template <int D>

@@ -9,10 +9,10 @@
 
 #include "base/atomic_file.hpp"
 #include "base/user_file.hpp"
-#include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/solver/observe.hpp"
 #include "results/json.hpp"
+#include "run/common/bedding_lines.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/runout.hpp"
@@ -130,9 +130,10 @@ class FrozenMesh {
     const auto checkpoint =
         context_.resume ? open_checkpoint(folder_ / recording_.checkpoint_name, context_.input_hash) : nullptr;
     const bool ready = !data_.mesh.file.empty() || !data_.initial.result.empty();
-    state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
-                               : ready    ? base
-                                          : mesh::generate<D>(plan_mesh(data_.mesh, settings_, choice_)));
+    state_ = prepare<D>(
+        data_, checkpoint ? get_mesh<D>(*checkpoint)
+               : ready    ? base
+                          : generate_along_bedding<D>(data_, plan_mesh(data_.mesh, settings_, choice_), warnings));
     // Hydrostatic pore pressures and external water levels are those of the start in every trial.
     if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
