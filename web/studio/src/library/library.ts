@@ -10,7 +10,7 @@ export interface LibraryEntry {
 }
 
 export const source =
-  "U.S. Bureau of Reclamation, average effective shear strength of compacted soils (standard Proctor), as in Huang (1983), Stability analysis of earth slopes, table 3.1; ± are its 90 % limits, converted from pcf and tsf";
+  "U.S. Bureau of Reclamation, average effective shear strength of compacted soils (standard Proctor), as in Huang (1983), Stability analysis of earth slopes, table 3.1; ± are its 90 % limits, converted from pcf and tsf. Strengths were read in a copy; unit weights are remembered, as the copy is illegible there";
 
 const poundsPerCubicFoot = 0.157087;
 const tonsPerSquareFoot = 95.7605;
