@@ -47,11 +47,11 @@ MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
 ORDER = {
     "mpm": ["state", "kernels", "pore_water", "backend", "two_velocity", "darcy", "solver"],
     "lem": ["section", "surface", "slices", "search"],
-    "fem": ["seepage", "solid"],
+    "fem": ["seepage", "solid", "consolidation"],
     "bounds": ["conic", ""],
     "input": ["language", "case", ""],
     "report": ["folder", "pack", "content", "words", ""],
-    "run": ["common", "lem", "fem", "bounds", "seepage", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "forecast", ""],
+    "run": ["common", "lem", "fem", "bounds", "seepage", "mpm/start", "mpm/stage", "mpm/record", "mpm/reduction", "mpm", "timeline", "compare", "construction", "forecast", ""],
 }
 LONGEST = 500
 # file → why it may be longer

@@ -56,6 +56,8 @@ struct SolidModel {
   std::vector<double> saturation;
   /// Initial effective stress per element; empty: zero.
   std::vector<std::array<double, 6>> initial_stress;
+  /// The same per integration point, three (in 3D four) for each element of the linear mesh; replaces `initial_stress`.
+  std::vector<std::array<double, 6>> point_stress;
   /// Writes the initial state variables of a law at a point of a region; empty: zeros.
   std::function<void(int region, const Vec<D>& x, double* state)> set_state;
   ShownUnits units{};  ///< units of messages

@@ -105,7 +105,10 @@ SolidState<D> SolidAssembly<D>::make_start() const {
   }
   for (std::size_t p = 0; p < points; ++p) {
     const std::size_t k = p / Quadratic<D>::points;
-    if (!system_.model.initial_stress.empty())
+    if (!system_.model.point_stress.empty())
+      s.stress[p] = system_.model.point_stress[static_cast<std::size_t>(mesh.linear_element[k]) * Quadratic<D>::points +
+                                               p % Quadratic<D>::points];
+    else if (!system_.model.initial_stress.empty())
       s.stress[p] = system_.model.initial_stress[static_cast<std::size_t>(mesh.linear_element[k])];
     if (system_.model.set_state) system_.model.set_state(system_.region(k), mesh.points[p], &s.state[p * size]);
   }
