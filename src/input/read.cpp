@@ -127,6 +127,7 @@ bool read_once(toml::table root, const std::string& name, const std::vector<Over
   if (loaded.is_whole) check_methods(loaded.data, findings);
   if (loaded.is_whole) check_slices(loaded.data, findings);
   if (loaded.is_whole) check_timeline(loaded.data, findings);
+  if (loaded.is_whole) check_construction(loaded.data, findings);
   if (loaded.is_whole) check_seepage(loaded.data, findings);
   if (loaded.is_whole) check_drawdown(loaded.data, findings);
   if (loaded.is_whole) check_supports(loaded.data, findings);

@@ -135,6 +135,7 @@ std::optional<double> find_main_factor(const RunResult& run) {
   take(find_slices_factor(run));
   if (const ElementRun* elements = find_governing_elements(run)) take(elements->factor);
   take(find_points_factor(run));
+  if (run.construction) take(run.construction->least);
   if (run.timeline) {
     take(run.timeline->least);
     if (const TimedReduction* elements = find_least_reduction(*run.timeline)) take(elements->runs.front().factor);

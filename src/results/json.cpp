@@ -69,6 +69,7 @@ void write_file(const std::filesystem::path& path, const T& result, int indent, 
 TALUS_JSON(RunResult)
 TALUS_JSON(SliceFile)
 TALUS_JSON(TimelineFile)
+TALUS_JSON(ConstructionFile)
 TALUS_JSON(ElementFile)
 TALUS_JSON(BoundsFile)
 TALUS_JSON(FlowFile)

@@ -123,6 +123,23 @@ class Values {
     add_factor("bounds.upper", "upper bound of the factor of safety", bounds.upper);
   }
 
+  void add_construction(const Construction& construction) {
+    add_factor("construction.least", "least factor of safety at the ends of the stages", construction.least);
+    for (const ConstructionStage& stage : construction.stages) {
+      const auto name = [&](const char* quantity) { return fmt::format("construction[{}].{}", stage.name, quantity); };
+      const std::string at = fmt::format(" at the end of stage '{}'", stage.name);
+      for (const StageFactor& factor : stage.factors)
+        add_factor(name(to_word(factor.method)), fmt::format("factor of safety{}, {}", at, get_title(factor.method)),
+                   factor.factor);
+      if (stage.steps.empty() || !stage.converged) continue;
+      const ConstructionStep& last = stage.steps.back();
+      add(ResultKind::motion, name("settlement"), "largest settlement" + at, "m", "settlement", last.settlement);
+      add(ResultKind::motion, name("heave"), "largest heave" + at, "m", "heave", last.heave);
+      add(ResultKind::motion, name("lateral"), "largest horizontal displacement" + at, "m", "lateral", last.lateral);
+      add(ResultKind::water, name("excess"), "largest excess pore pressure" + at, "Pa", "excess", last.excess);
+    }
+  }
+
   void add_timeline(const Timeline& timeline) {
     add_factor("timeline.least", "least factor of safety in time", timeline.least);
     add(ResultKind::other, "timeline.least_time", "when the factor of safety is least", "s", "least_time",
@@ -297,6 +314,7 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
   if (run.elements) values.add_elements(*run.elements);
   if (run.bounds) values.add_bounds(*run.bounds);
   if (run.timeline) values.add_timeline(*run.timeline);
+  if (run.construction) values.add_construction(*run.construction);
   if (run.flow) values.add_flow(*run.flow);
   if (run.methods && run.methods->partial_factors) values.add_over_design(run.methods->partial_factors->over_design);
   if (run.factor_of_safety) values.add_factors(*run.factor_of_safety);

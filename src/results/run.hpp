@@ -13,6 +13,7 @@
 #include "results/bars.hpp"
 #include "results/bounds.hpp"
 #include "results/comparison.hpp"
+#include "results/construction.hpp"
 #include "results/elements.hpp"
 #include "results/flow.hpp"
 #include "results/runout.hpp"
@@ -247,6 +248,7 @@ struct RunResult {
   std::optional<ElementResult> elements;
   std::optional<BoundsResult> bounds;
   std::optional<Timeline> timeline;
+  std::optional<Construction> construction;
   std::optional<FlowResult> flow;
   // Results of MPM.
   std::optional<Mesh> mesh;
@@ -302,6 +304,7 @@ void describe(auto& v, As<RunResult> auto& r) {
   v.maybe("fem", r.elements, {"", "strength reduction by FEM"});
   v.maybe("bounds", r.bounds, {"", "limit analysis"});
   v.maybe("timeline", r.timeline, {"", "the factor of safety in time"});
+  v.maybe("construction", r.construction, {"", "stages of construction by FEM"});
   v.maybe("flow", r.flow, {"", "flow of water by the method \"seepage\""});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});

@@ -99,6 +99,11 @@ void prepare_methods(const CaseContext& context, CaseMethods<D>& methods, result
   const bool alone = data.methods.size() == 1;
   const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem),
              has_bounds = input::uses(data, Method::bounds);
+  if (!data.construction.empty()) {
+    if constexpr (D == 2) methods.construction.emplace(loaded, data, options, hash).prepare();
+    run = begin_result(loaded, hash, options.threads);
+    return;
+  }
   // Faults of FEM and limit analysis are reported before MPM, which may take hours.
   if (has_points && (has_elements || asks_for_elements(data))) check_solid(site);
   if (has_points && has_bounds) check_bounds(data);

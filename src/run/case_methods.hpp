@@ -11,6 +11,7 @@
 #include "results/run.hpp"
 #include "run/bounds/bounds_run.hpp"
 #include "run/common/run_folder.hpp"
+#include "run/construction/construction_run.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/lem/slice_run.hpp"
 #include "run/mpm/point_run.hpp"
@@ -35,6 +36,7 @@ struct CaseMethods {
   std::optional<BoundsRun> bounds;
   std::optional<SeepageRun<D>> seepage;
   std::optional<TimelineRun> timeline;
+  std::optional<ConstructionRun> construction;  ///< runs the other methods itself
   std::unique_ptr<const input::Case> point_case;
   std::vector<std::string> point_notes;  ///< on the earthquake direction of MPM, and on its coarser mesh
   std::optional<PointRun<D>> points;     ///< nullopt before the time of its release is known

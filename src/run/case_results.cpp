@@ -86,6 +86,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   if (m.bounds) m.bounds->write_result(run);
   if (m.seepage) m.seepage->write_result(run);
   judge_elements(data, run);
+  if (m.construction) m.construction->write_result(run);
   if (m.timeline) {
     releases.add_results(run, has_points);
     m.timeline->write_result(run);

@@ -8,6 +8,7 @@
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/section_of_case.hpp"
+#include "run/construction/stage_model.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
 #include "site/design_values.hpp"
@@ -47,7 +48,23 @@ void check_ready_mesh(const input::LoadedCase& loaded) {
     check(mesh::generate<3>(plan));
 }
 
+namespace {
+
+/// Checks the section of every stage, and that something bears it.
+void check_stages(const input::Case& data) {
+  std::vector<std::string> notes;
+  const auto mesh = make_whole_mesh(data, notes);
+  for (int k = before_stages; k < static_cast<int>(data.construction.size()); ++k)
+    make_stage_model(data, k, mesh, nullptr);
+}
+
+}  // namespace
+
 void check_methods(const input::Case& data) {
+  if (!data.construction.empty()) {
+    if (is_meshed_in_a_moment(data.mesh)) check_stages(data);
+    return;
+  }
   // Levels before and after a drawdown are compared in the section; its steady seepage takes seconds.
   const bool is_meshed = is_meshed_in_a_moment(data.mesh);
   const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;

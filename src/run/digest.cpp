@@ -44,6 +44,9 @@ std::string write_design_check(const results::RunResult& run) {
 /// Formats the governing factor with its method and surface.
 std::string write_main_factor(const results::RunResult& run) {
   const std::optional<double> factor = results::find_main_factor(run);
+  if (factor && run.construction)
+    return fmt::format("Factor of safety {:.3f} (the least at the ends of the stages, '{}')\n", *factor,
+                       *run.construction->least_stage);
   const auto surface = results::find_governing_surface(run);
   if (!factor || !run.methods) return "";
   // The governing number of limit analysis is one end of an interval.
@@ -142,6 +145,7 @@ class Units {
     return format_uncertain(metres, uncertainty, units_.length);
   }
   std::string write_level(double y) const { return format_coordinate(y, units_.length); }
+  std::string write_displacement(double metres) const { return format_value(metres, units_.displacement, 3); }
   std::string write_stress(double pascals) const { return format_value(pascals, units_.stress, 3); }
   /// In plane strain the volume is per metre or foot of the slope.
   std::string write_volume(double volume, std::optional<double> uncertainty) const {
@@ -267,6 +271,23 @@ std::string write_timeline(const results::Timeline& t, const Units& in) {
   return text;
 }
 
+std::string write_construction(const results::Construction& c, const Units& in) {
+  std::string text = "  Stage                    End         Settlement   Excess pressure   Factor\n";
+  for (const results::ConstructionStage& stage : c.stages) {
+    text += "  " + pad(stage.name, 25) + pad(units::format_time(stage.to), 12);
+    if (!stage.steps.empty())
+      text += pad(in.write_displacement(stage.steps.back().settlement), 13) +
+              pad(in.write_stress(stage.steps.back().excess), 18);
+    for (const results::StageFactor& factor : stage.factors)
+      text += factor.factor ? fmt::format("{:.3f} ({}) ", *factor.factor, factor.title)
+                            : fmt::format("none ({}) ", factor.title);
+    text += stage.error ? "fails\n" : "\n";
+  }
+  if (c.least)
+    text += fmt::format("The factor of safety is least at the end of stage '{}', {:.3f}.\n", *c.least_stage, *c.least);
+  return text;
+}
+
 std::string write_water(const results::RunResult& run, const Units& in) {
   std::string text;
   if (const auto& w = run.seepage)
@@ -353,6 +374,7 @@ std::string write_digest(const results::RunResult& run) {
   if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
   if (run.timeline) text += write_timeline(*run.timeline, units);
+  if (run.construction) text += write_construction(*run.construction, units);
   if (const auto& mesh = run.mesh)
     text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh->points, mesh->soil_elements,
                         mesh->critical_time_step);

@@ -70,6 +70,7 @@ class CaseRun {
       if (methods_.points) calculate_slices();
       methods_.slices->keep();
     }
+    if (methods_.construction) methods_.construction->calculate();
     if (methods_.timeline) methods_.timeline->calculate(methods_.slices->prepared(), methods_.slices->result());
     if (methods_.timeline && methods_.elements) reduce_in_time();
     if (is_released(data_)) releases_.prepare(run_);

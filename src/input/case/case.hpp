@@ -13,6 +13,7 @@
 #include "input/case/boundary.hpp"
 #include "input/case/calibration.hpp"
 #include "input/case/compare.hpp"
+#include "input/case/construction.hpp"
 #include "input/case/elements_and_bounds.hpp"
 #include "input/case/geometry.hpp"
 #include "input/case/hydraulic.hpp"
@@ -56,6 +57,9 @@ struct Case {
   Initial initial;
   SeepageAnalysis seepage;
   std::optional<Timeline> timeline;
+  std::vector<ConstructionStage> construction;
+  Consolidation consolidation;
+  std::vector<VerticalDrains> drains;
   std::vector<Stage> stages;
   RestCriterion rest;
   AnalysisKind analysis = AnalysisKind::run;
@@ -123,6 +127,13 @@ void describe(auto& v, Case& c) {
   v.optional_table("timeline", c.timeline,
                    "The factor of safety through time: transient seepage from time 0 on, and a search for the critical "
                    "slip surface at many times.");
+  v.tables("construction", c.construction, 0,
+           "A stage of construction, computed by FEM with the consolidation of the soil: regions, loads and supports "
+           "come and go. Stages follow one another from time 0 on; the factor of safety is found at their ends.");
+  v.table("consolidation", c.consolidation, "Time steps of the stages of construction.");
+  v.tables("vertical_drains", c.drains, 0,
+           "Vertical drains in the soil of the stages, as sinks of equal strain after Hansbo (1981), without well "
+           "resistance.");
   v.tables("stage", c.stages, 1, "A period of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
   v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");

@@ -277,6 +277,20 @@ results::Timeline outline_timeline(const Case& data) {
   return timeline;
 }
 
+results::Construction outline_construction(const Case& data) {
+  results::Construction construction;
+  construction.least = 1;
+  for (const ConstructionStage& asked : data.construction) {
+    results::ConstructionStage& stage = construction.stages.emplace_back();
+    stage.name = asked.name;
+    stage.converged = true;
+    stage.steps.emplace_back();
+    if (asked.factor)
+      for (const Method method : data.methods) stage.factors.push_back({method, "", 1, {}, {}, {}});
+  }
+  return construction;
+}
+
 results::FlowResult outline_flow(const Case& data) {
   results::FlowResult flow;
   results::FlowState& state = flow.states.emplace_back();
@@ -290,6 +304,10 @@ results::FlowResult outline_flow(const Case& data) {
 /// Returns a run with a placeholder for each number that a run of `data` may yield, which defines the result names.
 results::RunResult outline_results(const Case& data) {
   results::RunResult run;
+  if (!data.construction.empty()) {
+    run.construction = outline_construction(data);
+    return run;
+  }
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
   if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
   if (uses(data, Method::bounds)) {

@@ -191,6 +191,30 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
   factors.insert(factors.begin(), std::move(least));
 }
 
+/// Lists for each method the least factor at the ends of the stages.
+std::vector<Factor> list_stage_factors(const results::Construction& construction) {
+  std::vector<Factor> factors;
+  for (const Method method : {Method::lem, Method::fem, Method::bounds}) {
+    const results::StageFactor* least = nullptr;
+    std::string stage;
+    for (const results::ConstructionStage& s : construction.stages)
+      for (const results::StageFactor& f : s.factors)
+        if (f.method == method && f.factor && (least == nullptr || *f.factor < *least->factor))
+          least = &f, stage = s.name;
+    if (least == nullptr) continue;
+    Factor factor;
+    factor.method = method;
+    factor.name = "construction.least";
+    factor.title = fmt::format("least, at the end of stage '{}': {}", stage, least->title);
+    factor.value = least->factor;
+    if (least->lower) factor.lower = results::show_lower(*least->lower);
+    if (least->upper) factor.upper = results::show_upper(*least->upper);
+    factor.is_main = true;
+    factors.push_back(std::move(factor));
+  }
+  return factors;
+}
+
 }  // namespace
 
 json list_method_titles() {
@@ -225,6 +249,7 @@ json to_json(const Factor& factor) {
 
 std::vector<Factor> list_other_factors(const results::RunResult& run) {
   std::vector<Factor> factors;
+  if (run.construction) return list_stage_factors(*run.construction);
   if (!run.methods) return factors;
   const std::vector<MethodRow>& rows = run.methods->table;
   const bool has_critical = std::any_of(rows.begin(), rows.end(), is_critical);

@@ -117,7 +117,7 @@ void format_methods(const results::RunResult& run, const std::vector<Factor>& fa
                       (governs && *results::find_main_factor(run) < 1);
   if (!has_design_values(run) && is_low) sentences.push_back(too_low);
   // The smallest factor over time and the factors at time 0 belong to different states, so they are not compared.
-  for (const std::string& said : {run.timeline ? std::string() : format_agreement(factors),
+  for (const std::string& said : {run.timeline || run.construction ? std::string() : format_agreement(factors),
                                   has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
   if (!is_answer && !referee.empty()) sentences.push_back(referee);
@@ -335,6 +335,19 @@ void format_timeline(const results::RunResult& run, json& sentences) {
     sentences.push_back(std::move(releases));
 }
 
+/// Adds the stages that did not reach their end, and the largest settlement.
+void format_construction(const results::RunResult& run, json& sentences) {
+  if (!run.construction) return;
+  for (const results::ConstructionStage& stage : run.construction->stages)
+    if (stage.error) sentences.push_back(fmt::format("Stage '{}' fails: there is {}.", stage.name, *stage.error));
+  for (auto stage = run.construction->stages.rbegin(); stage != run.construction->stages.rend(); ++stage)
+    if (!stage->steps.empty()) {
+      sentences.push_back(fmt::format("The largest settlement at the end of stage '{}' is {}.", stage->name,
+                                      show(stage->steps.back().settlement, read_units(run).displacement, 3)));
+      return;
+    }
+}
+
 /// Adds what endangers the soil by the flow of water alone.
 void format_flow(const results::RunResult& run, json& sentences) {
   if (!run.flow || run.flow->states.empty()) return;
@@ -389,6 +402,7 @@ json make_answer(const ResultFolder& folder) {
   format_timeline(run, sentences);
   const bool lone = !asks_for_others(folder);
   if (!lone) format_methods(run, factors, sentences);
+  format_construction(run, sentences);
   format_drawdown(run, sentences);
   format_supports(run, sentences);
   format_factor(run, own, lone, sentences);

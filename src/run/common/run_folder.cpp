@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Names of files in the folders of runs and of their trials.
-const char* const run_files[] = {"results.vtkhdf",     "results.xdmf", "mesh.vtkhdf",   "mesh.xdmf",    "history.csv",
-                                 "monitors.csv",       "summary.json", "checkpoint.h5", "stages.json",  "curve.csv",
-                                 "profile.csv",        "mesh.h5",      "report.html",   "season.csv",   end_state_file,
-                                 "lem.json",           "fem.json",     "fem.vtu",       "water.json",   "bounds.json",
-                                 "timeline.json",      "trial.json",   "trials.json",   "outcome.json", slip_line_file,
-                                 "timeline_water.json"};
+const char* const run_files[] = {
+    "results.vtkhdf", "results.xdmf",        "mesh.vtkhdf",      "mesh.xdmf",  "history.csv", "monitors.csv",
+    "summary.json",   "checkpoint.h5",       "stages.json",      "curve.csv",  "profile.csv", "mesh.h5",
+    "report.html",    "season.csv",          end_state_file,     "lem.json",   "fem.json",    "fem.vtu",
+    "water.json",     "bounds.json",         "timeline.json",    "trial.json", "trials.json", "outcome.json",
+    slip_line_file,   "timeline_water.json", "construction.json"};
 /// Folders in the folder of a run.
 const char* const run_folders[] = {"frames",           "trials",         "frozen",      "sections",
                                    "released_earlier", "released_later", "coarser_mesh"};
@@ -37,12 +37,14 @@ bool has(const Names& names, const std::string& name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Returns true for folders of FEM in time: elements_1 and so on.
-bool is_reduction(const std::string& name) {
-  const std::string begin = "elements_";
-  return name.size() > begin.size() && name.starts_with(begin) &&
-         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()), name.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
+/// Returns true for folders of FEM in time, elements_1 and so on, and of stages of construction, stage_1 and so on.
+bool is_numbered(const std::string& name) {
+  const auto continues = [&](const std::string& begin) {
+    return name.size() > begin.size() && name.starts_with(begin) &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()), name.end(),
+                       [](unsigned char c) { return std::isdigit(c) != 0; });
+  };
+  return continues("elements_") || continues("stage_");
 }
 
 /// Resolves symbolic links.
@@ -120,7 +122,7 @@ void check_empty(const input::LoadedCase& loaded, const RunOptions& options) {
 
 bool is_of_run(const input::Case& data, const fs::path& file) {
   const std::string first = file.begin()->string(), name = file.filename().string();
-  const bool is_folder = has(run_folders, first) || is_reduction(first);
+  const bool is_folder = has(run_folders, first) || is_numbered(first);
   if (has(run_files, first)) return true;
   if (first == name || !is_folder) return is_folder;
   if (file.parent_path().filename() == "frames") return output::find_frame_number(file).has_value();

@@ -16,6 +16,7 @@
 #include "run/fem/element_run.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
+#include "site/known_state.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
 #include "site/roots.hpp"
@@ -102,6 +103,9 @@ class SolidBuilder {
     model.loads = site::make_surface_loads<D>(site_, mesh_);
     if constexpr (D == 2) add_bars();
     if (data_.initial.stress != input::InitialStress::none) set_k0_stress();
+    if constexpr (D == 2) {
+      if (data_.initial.known_stress) set_known_stress(*data_.initial.known_stress);
+    }
     set_start();
   }
 
@@ -158,6 +162,19 @@ class SolidBuilder {
         s[4] = extra * up[1] * up[2];
         s[5] = extra * up[2] * up[0];
       }
+    }
+  }
+
+  /// Sets the stress of an earlier calculation, at the integration points, each nearest to a corner.
+  void set_known_stress(const input::KnownStress& known) {
+    constexpr double near = 2.0 / 3, far = 1.0 / 6;
+    site::StressReader reader(known, mesh_);
+    solid_.model.point_stress.assign(mesh_.elements.size() * input::KnownStress::points, {});
+    for (int e = 0; e < mesh_.element_count(); ++e) {
+      if (!is_soil(e)) continue;
+      for (std::size_t q = 0; q < input::KnownStress::points; ++q)
+        solid_.model.point_stress[static_cast<std::size_t>(e) * input::KnownStress::points + q] =
+            reader.read(e, {q == 1 ? near : far, q == 2 ? near : far}).stress;
     }
   }
 

@@ -18,6 +18,7 @@ import { CompareSection, listComparisons } from "../charts/compare/CompareSectio
 import { MethodsSection } from "../compared/MethodsSection";
 import { findMethods } from "../compared/methodTable";
 import { Overview } from "../compared/Overview";
+import { ConstructionSection } from "../construction/ConstructionSection";
 import type { Report } from "../contract";
 import { ElementsSection } from "../elements/ElementsSection";
 import { SamplingSection } from "../sampling/SamplingSection";
@@ -87,6 +88,13 @@ const sections: Section[] = [
     has: ({ timeline }) => timeline !== undefined,
     draw: () => <TimelineSection />,
     chart: { title: "Factor of safety in time", height: 500 },
+  },
+  {
+    id: "construction",
+    label: "Construction",
+    has: ({ result }) => result.construction !== undefined,
+    draw: () => <ConstructionSection />,
+    chart: { title: "Stages of construction", height: 1100 },
   },
   {
     id: "compared",

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Checks of [[construction]] against the rest of the case, and drains.
+#include "input/case/construction.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "input/case/checks.hpp"
+
+namespace talus::input {
+
+double find_served_diameter(const VerticalDrains& drains) {
+  return (drains.pattern == DrainPattern::triangular ? 1.05 : 1.13) * drains.spacing;
+}
+
+double find_drain_factor(const VerticalDrains& drains) {
+  const double n = find_served_diameter(drains) / drains.diameter, s = drains.smear, ratio = drains.smear_conductivity;
+  const double nn = n * n, ss = s * s;
+  return (nn * (std::log(n / s) + ratio * std::log(s) - 0.75) + ss * (1 - ss / (4 * nn)) +
+          ratio * ((ss * ss - 1) / (4 * nn) - ss + 1)) /
+         (nn - 1);
+}
+
+bool is_there_at_start(const Case& data, const std::string& name) {
+  const auto holds = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  for (const ConstructionStage& stage : data.construction) {
+    if (holds(stage.remove)) return true;
+    if (holds(stage.add)) return false;
+  }
+  return true;
+}
+
+bool is_there(const Case& data, const std::string& name, std::size_t number) {
+  bool there = is_there_at_start(data, name);
+  for (std::size_t k = 0; k <= number && k < data.construction.size(); ++k) {
+    const ConstructionStage& stage = data.construction[k];
+    if (std::find(stage.remove.begin(), stage.remove.end(), name) != stage.remove.end()) there = false;
+    if (std::find(stage.add.begin(), stage.add.end(), name) != stage.add.end()) there = true;
+  }
+  return there;
+}
+
+namespace {
+
+std::set<std::string> list_objects(const Case& data) {
+  std::set<std::string> names;
+  for (const mesh::Polygon& polygon : data.mesh.polygons) names.insert(polygon.name);
+  for (const Surcharge& surcharge : data.surcharges) names.insert(surcharge.name);
+  for (const auto& [name, support] : data.supports) names.insert(name);
+  for (const VerticalDrains& drains : data.drains) names.insert(drains.name);
+  return names;
+}
+
+void check_requirements(const Case& data, Findings& findings) {
+  const std::string path = "construction.0";
+  if (!uses(data, Method::fem))
+    findings.add(path, "stages of construction are computed by FEM: add \"fem\" to [analysis] methods");
+  for (const Method method : {Method::mpm, Method::seepage})
+    if (uses(data, method))
+      findings.add("analysis.methods", "\"{}\" cannot follow [[construction]]; \"lem\", \"fem\" and \"bounds\" can",
+                   get_word(method));
+  if (data.mesh.dimension != 2 || !data.mesh.file.empty())
+    findings.add(path, "stages need a plane section of polygons or layers");
+  if (data.timeline)
+    findings.add("timeline",
+                 "not with [[construction]], whose stages are the timeline: [[hydraulic]] series go on in them");
+  if (data.initial.water.season > 0)
+    findings.add("initial.season", "not with [[construction]]: let a first stage be the season");
+}
+
+/// Checks that stages add what is not there, and remove what is.
+void check_changes(const Case& data, Findings& findings) {
+  const std::set<std::string> known = list_objects(data);
+  std::set<std::string> there;
+  for (const std::string& name : known)
+    if (is_there_at_start(data, name)) there.insert(name);
+  for (std::size_t k = 0; k < data.construction.size(); ++k) {
+    const ConstructionStage& stage = data.construction[k];
+    const auto check = [&](const std::vector<std::string>& list, const char* key, bool adds) {
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string path = fmt::format("construction.{}.{}.{}", k, key, i);
+        if (!known.contains(list[i]))
+          findings.add(path, "there is no region, surcharge, support or drain '{}'; there are '{}'", list[i],
+                       fmt::join(known, "', '"));
+        else if (adds && there.contains(list[i]))
+          findings.add(path, "'{}' is there already when stage '{}' adds it", list[i], stage.name);
+        else if (!adds && !there.contains(list[i]))
+          findings.add(path, "'{}' is not there when stage '{}' removes it", list[i], stage.name);
+        if (adds)
+          there.insert(list[i]);
+        else
+          there.erase(list[i]);
+      }
+    };
+    check(stage.remove, "remove", false);
+    check(stage.add, "add", true);
+    if (std::none_of(data.mesh.polygons.begin(), data.mesh.polygons.end(),
+                     [&](const mesh::Polygon& p) { return there.contains(p.name); }))
+      findings.add(fmt::format("construction.{}.remove", k), "stage '{}' leaves no soil", stage.name);
+  }
+}
+
+void check_drains(const Case& data, Findings& findings) {
+  check_names(data.drains, "vertical_drains", "drains", findings);
+  for (std::size_t i = 0; i < data.drains.size(); ++i) {
+    const VerticalDrains& drains = data.drains[i];
+    const auto path = [&](const char* key) { return fmt::format("vertical_drains.{}.{}", i, key); };
+    if (data.construction.empty()) findings.add(path("name"), "vertical drains act in the stages of [[construction]]");
+    if (findings.is_sound(path("diameter")) && findings.is_sound(path("spacing")) &&
+        drains.diameter * std::max(1.0, drains.smear) >= find_served_diameter(drains))
+      findings.add(path("diameter"),
+                   "a drain with its smeared zone, {:g} m wide, does not fit into the {:g} m that it serves",
+                   drains.diameter * drains.smear, find_served_diameter(drains));
+    for (std::size_t r = 0; r < drains.regions.size(); ++r) {
+      const auto region = data.regions.find(drains.regions[r]);
+      const std::string at = fmt::format("vertical_drains.{}.regions.{}", i, r);
+      if (region == data.regions.end())
+        findings.add(at, "there is no region '{}'", drains.regions[r]);
+      else if (const auto soil = data.materials.find(region->second);
+               soil != data.materials.end() && !soil->second.water.is_wet())
+        findings.add(at, "region '{}' has no pore water: its material '{}' needs [materials.{}.water]",
+                     drains.regions[r], region->second, region->second);
+    }
+  }
+}
+
+}  // namespace
+
+void check_construction(const Case& data, Findings& findings) {
+  check_drains(data, findings);
+  if (data.construction.empty()) return;
+  check_requirements(data, findings);
+  check_names(data.construction, "construction", "stages", findings);
+  check_changes(data, findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "run/construction/stage_factors.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "base/atomic_file.hpp"
+#include "results/governing.hpp"
+#include "results/json.hpp"
+#include "run/bounds/bounds_run.hpp"
+#include "run/bounds/referee.hpp"
+#include "run/common/head.hpp"
+#include "run/common/method_run.hpp"
+#include "run/compare/compare.hpp"
+#include "run/fem/element_run.hpp"
+#include "run/lem/slice_run.hpp"
+#include "site/site.hpp"
+
+namespace talus::run {
+namespace {
+
+results::StageFactor make_slices_factor(const results::RunResult& run) {
+  results::StageFactor factor{Method::lem, "LEM", {}, {}, {}, {}};
+  if (!run.slices) return factor;
+  factor.factor = results::find_slices_factor(run);
+  factor.error = run.slices->error;
+  if (const auto governing = results::find_governing_surface(run))
+    factor.title = fmt::format("LEM, {}, {}", governing->found->surface.title,
+                               results::name_surface(*governing, results::read_units(run)));
+  else if (factor.factor)
+    factor.title = "limit analysis, which rules out the factors of LEM";
+  return factor;
+}
+
+results::StageFactor make_elements_factor(const results::RunResult& run) {
+  results::StageFactor factor{Method::fem, "FEM", {}, {}, {}, {}};
+  if (!run.elements) return factor;
+  factor.error = run.elements->error;
+  if (const results::ElementRun* found = results::find_governing_elements(run)) {
+    factor.title = "FEM, " + results::name_flow(*found);
+    factor.factor = found->factor;
+    if (found->interval) factor.lower = found->interval->lower, factor.upper = found->interval->upper;
+  }
+  return factor;
+}
+
+/// The lower bound, on the safe side.
+results::StageFactor make_bounds_factor(const results::RunResult& run) {
+  results::StageFactor factor{Method::bounds, "limit analysis, lower bound", {}, {}, {}, {}};
+  if (!run.bounds) return factor;
+  factor.error = run.bounds->error;
+  factor.factor = factor.lower = run.bounds->lower;
+  factor.upper = run.bounds->upper;
+  return factor;
+}
+
+}  // namespace
+
+std::vector<results::StageFactor> find_stage_factors(const input::LoadedCase& loaded, const input::Case& later,
+                                                     const std::string& title, const RunOptions& options,
+                                                     const std::string& hash) {
+  make_folder(options.folder);
+  const site::Site site(later);
+  results::RunResult run = begin_result(loaded, hash, options.threads);
+  run.title = title;
+  std::optional<SliceRun> slices;
+  std::optional<ElementRun<2>> elements;
+  std::optional<BoundsRun> bounds;
+  std::vector<results::StageFactor> factors;
+  const auto fails = [&](Method method, const char* name, auto&& part) {
+    const auto why = attempt(options, false, part);
+    if (why) factors.push_back({method, name, {}, {}, {}, *why});
+    return why.has_value();
+  };
+  if (input::uses(later, Method::lem) && !fails(Method::lem, "LEM", [&] {
+        slices.emplace(site, false, options, hash).calculate();
+        if (slices->needs_referee()) slices->take_referee(search_referee_interval(later, std::nullopt, options));
+        slices->keep();
+        slices->write_result(run);
+      }))
+    factors.push_back(make_slices_factor(run));
+  if (input::uses(later, Method::fem) && !fails(Method::fem, "FEM", [&] {
+        elements.emplace(site, false, options, hash).prepare();
+        elements->calculate();
+        elements->write_result(run);
+      }))
+    factors.push_back(make_elements_factor(run));
+  if (input::uses(later, Method::bounds) && !fails(Method::bounds, "limit analysis", [&] {
+        bounds.emplace(site, false, options, hash).prepare();
+        bounds->calculate(factors.empty() ? std::nullopt : factors.front().factor);
+        bounds->write_result(run);
+      }))
+    factors.push_back(make_bounds_factor(run));
+  run.methods = compare_methods(later, slices ? slices->slope() : nullptr, run, options.folder, options.threads);
+  run.warnings.insert(run.warnings.begin(), run.methods->warnings.begin(), run.methods->warnings.end());
+  run.status = results::Status::finished;
+  run.results = list_results(later, run);
+  results::write_file(options.folder / "summary.json", run);
+  return factors;
+}
+
+}  // namespace talus::run

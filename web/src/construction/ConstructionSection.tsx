@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+/** Stages of construction: settlement, excess pore pressure and factors on one axis of time, monitored places, and a table of the stages. */
+import * as Plot from "@observablehq/plot";
+
+import { layOut, makeAxis } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { Legend } from "../charts/base/Legend";
+import { styleOf } from "../charts/base/styles";
+import type { Unit } from "../contract";
+import type { Construction, ConstructionMonitor } from "../contract/results";
+import { ChartTable } from "../page/DataTable";
+import { formatFactor, formatNumber, formatQuantity } from "../page/format";
+import { report } from "../state";
+import { chooseTimeUnit, listFactors, listSteps } from "./construction";
+
+interface Curve {
+  title: string;
+  values: (number | null)[];
+}
+
+interface CurvesProps {
+  title: string;
+  unit: Unit;
+  times: number[];
+  time: Unit;
+  curves: Curve[];
+  /** Ends of the stages, in the unit of time. */
+  ends: number[];
+}
+
+/** Curves on the axis of time, with a line at the end of each stage. */
+function Curves({ title, unit, times, time, curves, ends }: CurvesProps) {
+  const t = times.map((x) => x / time.si);
+  const shown = curves.map(({ title: name, values }, k) => ({
+    name,
+    style: styleOf(k),
+    points: values.flatMap((v, i) => (v === null || Number.isNaN(v) ? [] : [{ t: t[i]!, value: v / unit.si }])),
+  }));
+  const all = shown.flatMap(({ points }) => points.map(({ value }) => value));
+  const [low, high] = [Math.min(0, ...all), Math.max(0, ...all)];
+  const pad = 0.06 * Math.max(high - low, 1e-12);
+  const draw = (width: number) =>
+    layOut({
+      height: 220,
+      margins: [22, 20, 46, 62],
+      x: { domain: [0, t.at(-1) ?? 1], label: `Time [${time.name}]`, ticks: Math.max(4, width / 90) },
+      y: makeAxis({ title, unit: unit.name, domain: [low - pad, high + pad], count: 4 }),
+      marks: [
+        Plot.ruleX(ends, { stroke: "var(--line)", strokeDasharray: "3 3" }),
+        ...shown.map(({ points, style }) =>
+          Plot.line(points, { x: "t", y: "value", stroke: style.colour, strokeWidth: 1.8 }),
+        ),
+      ],
+    });
+  return (
+    <>
+      {shown.length > 1 && <Legend items={shown.map(({ name, style }) => ({ id: name, title: name, style }))} />}
+      <Chart
+        quiet
+        label={`${title} over time`}
+        draw={draw}
+        depends={[times]}
+        stops={t}
+        read={(i) => ({
+          text: `${formatNumber(t[i])} ${time.name}: ${shown
+            .map(({ name, points }) => {
+              const at = points.find((p) => p.t === t[i]);
+              return `${name} ${at ? `${formatNumber(at.value)} ${unit.name}` : "–"}`;
+            })
+            .join(", ")}`,
+          marks: shown.flatMap(({ points, style }) => {
+            const at = points.find((p) => p.t === t[i]);
+            return at ? [{ value: at.value, at: at.t, colour: style.colour }] : [];
+          }),
+        })}
+      />
+    </>
+  );
+}
+
+/** The factors of all methods at the ends of the stages. */
+function Factors({ construction, time, ends }: { construction: Construction; time: Unit; ends: number[] }) {
+  const factors = listFactors(construction);
+  if (factors.length === 0) return null;
+  const methods = [...new Set(factors.map(({ method }) => method))];
+  const titles: Record<string, string> = { lem: "LEM", fem: "FEM", bounds: "Limit analysis, lower bound" };
+  const points = factors.map((f) => ({ ...f, t: f.time / time.si, style: styleOf(methods.indexOf(f.method)) }));
+  const values = points.map(({ factor }) => factor);
+  const [low, high] = [Math.min(1, ...values), Math.max(1, ...values)];
+  const pad = 0.08 * Math.max(high - low, 0.05);
+  const draw = (width: number) =>
+    layOut({
+      height: 240,
+      margins: [22, 20, 46, 62],
+      x: { domain: [0, ends.at(-1) ?? 1], label: `Time [${time.name}]`, ticks: Math.max(4, width / 90) },
+      y: makeAxis({ title: "Factor of safety", domain: [low - pad, high + pad], count: 4 }),
+      marks: [
+        Plot.ruleX(ends, { stroke: "var(--line)", strokeDasharray: "3 3" }),
+        Plot.ruleY([1], { stroke: "#c2185b", strokeDasharray: "4 3" }),
+        ...methods.map((method) => {
+          const own = points.filter((p) => p.method === method);
+          const colour = own[0]!.style.colour;
+          return [
+            Plot.line(own, { x: "t", y: "factor", stroke: colour, strokeDasharray: "2 4" }),
+            Plot.dot(own, { x: "t", y: "factor", fill: colour, r: 4 }),
+          ];
+        }),
+      ],
+    });
+  return (
+    <>
+      <Legend items={methods.map((method, k) => ({ id: method, title: titles[method] ?? method, style: styleOf(k) }))} />
+      <Chart
+        label="Factor of safety at the ends of the stages"
+        draw={draw}
+        depends={[construction]}
+        stops={points.map(({ t }) => t)}
+        read={(i) => ({
+          text: `end of '${points[i]!.stage}': F = ${formatFactor(points[i]!.factor)}, ${points[i]!.title}`,
+          marks: [{ value: points[i]!.factor, at: points[i]!.t, colour: points[i]!.style.colour }],
+        })}
+      />
+    </>
+  );
+}
+
+export function ConstructionSection() {
+  const construction = report.value.result.construction;
+  if (!construction) return null;
+  const { units } = report.value;
+  const { stages, monitors } = construction;
+  const steps = listSteps(construction);
+  const time = chooseTimeUnit(stages.at(-1)?.to ?? 0);
+  const ends = stages.map(({ to }) => to / time.si);
+  const times = steps.map((s) => s.time);
+  const isWet = steps.some(({ excess }) => excess > 0);
+  const monitorTimes = times.slice(1);
+  const monitorCurves = (values: (m: ConstructionMonitor) => (number | null)[], sign = 1) =>
+    monitors.map((m) => ({ title: m.name, values: values(m).map((v) => (v === null ? null : sign * v)) }));
+  return (
+    <>
+      <Factors construction={construction} time={time} ends={ends} />
+      <Curves
+        title="Largest displacement"
+        unit={units.displacement}
+        times={times}
+        time={time}
+        ends={ends}
+        curves={[
+          { title: "settlement", values: steps.map((s) => s.settlement) },
+          { title: "heave", values: steps.map((s) => s.heave) },
+          { title: "horizontal", values: steps.map((s) => s.lateral) },
+        ]}
+      />
+      {isWet && (
+        <Curves
+          title="Largest excess pressure"
+          unit={units.stress}
+          times={times}
+          time={time}
+          ends={ends}
+          curves={[{ title: "excess pressure", values: steps.map((s) => s.excess) }]}
+        />
+      )}
+      {monitors.length > 0 && (
+        <>
+          <Curves
+            title="Settlement of monitors"
+            unit={units.displacement}
+            times={monitorTimes}
+            time={time}
+            ends={ends}
+            curves={monitorCurves((m) => m.displacement_y, -1)}
+          />
+          {isWet && (
+            <Curves
+              title="Pore pressure of monitors"
+              unit={units.stress}
+              times={monitorTimes}
+              time={time}
+              ends={ends}
+              curves={monitorCurves((m) => m.pressure)}
+            />
+          )}
+        </>
+      )}
+      <ChartTable
+        label="Stages of construction"
+        rows={stages}
+        columns={[
+          ["Stage", (s) => s.name, "name"],
+          ["Ends", (s) => `${formatNumber(s.to / time.si)} ${time.name}`, "number"],
+          ["Adds", (s) => s.added.join(", ") || "–"],
+          ["Removes", (s) => s.removed.join(", ") || "–"],
+          ["Settlement", (s) => formatQuantity(s.steps.at(-1)?.settlement, units.displacement, 3), "number"],
+          isWet && ["Excess pressure", (s) => formatQuantity(s.steps.at(-1)?.excess, units.stress, 3), "number"],
+          [
+            "Factor",
+            (s) =>
+              s.error !== null ? (
+                <span class="chart-reason">{s.error}</span>
+              ) : (
+                s.factors.map((f) => (
+                  <div key={f.method}>
+                    {f.factor === null ? `${f.title}: none, ${f.error ?? "no surface"}` : `${formatFactor(f.factor)} ${f.title}`}
+                  </div>
+                ))
+              ),
+          ],
+          ["Steps", (s) => `${s.steps.length}`, "number"],
+          ["Largest error", (s) => formatNumber(100 * Math.max(0, ...s.steps.map((x) => x.error)), 2) + " %", "number"],
+        ]}
+      />
+      <p class="chart-note">
+        Dashed lines are the ends of the stages. Excess pressure is pore pressure above that at the start. The error of a step is over the largest change of pore pressure of its
+        stage. The results of the methods at the end of a stage have a folder of their own, {stages.find((s) => s.folder)?.folder ?? "stage_1"} and so on.
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+import { expect, test } from "vitest";
+
+import type { Construction } from "../contract/results";
+import { chooseTimeUnit, listFactors, listSteps } from "./construction";
+
+const step = (time: number, settlement: number) => ({
+  time,
+  length: 1,
+  error: 0,
+  residual: 0,
+  iterations: 2,
+  settlement,
+  heave: 0,
+  lateral: 0,
+  excess: 0,
+});
+
+const stage = (name: string, from: number, to: number, factor: number | null) => ({
+  name,
+  from,
+  to,
+  added: [],
+  removed: [],
+  converged: true,
+  reached: 1,
+  start_imbalance: 0,
+  rejected: 0,
+  steps: [step(to, to / 10)],
+  factors: [{ method: "lem", title: "LEM", factor }],
+  least: factor,
+  folder: "",
+  error: null,
+});
+
+const construction = {
+  stages: [stage("lift", 0, 10, 1.2), stage("pause", 10, 30, null)],
+  monitors: [],
+  least: 1.2,
+  least_stage: "lift",
+  elements: 1,
+  unknowns: 1,
+  seconds: 0,
+} as unknown as Construction;
+
+test("steps begin at the start without movement", () => {
+  expect(listSteps(construction).map(({ time, settlement }) => [time, settlement])).toEqual([
+    [0, 0],
+    [10, 1],
+    [30, 3],
+  ]);
+});
+
+test("stages without a factor have no point", () => {
+  expect(listFactors(construction)).toEqual([{ time: 10, stage: "lift", method: "lem", title: "LEM", factor: 1.2 }]);
+});
+
+test("the axis has hours, days or years", () => {
+  expect(chooseTimeUnit(3600).name).toBe("h");
+  expect(chooseTimeUnit(20 * 86400).name).toBe("day");
+  expect(chooseTimeUnit(5 * 365.25 * 86400).name).toBe("year");
+});

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/** Stages of construction as curves in time: settlement, excess pore pressure, and the factors at the ends of the stages. */
+import type { Unit } from "../contract";
+import type { Construction } from "../contract/results";
+
+/** The unit of a time axis: hours, days or years, so that its numbers have few digits. */
+export function chooseTimeUnit(duration: number): Unit {
+  if (duration > 3 * 365.25 * 86400) return { name: "year", si: 365.25 * 86400 };
+  return duration > 2 * 86400 ? { name: "day", si: 86400 } : { name: "h", si: 3600 };
+}
+
+export interface StepPoint {
+  time: number;
+  settlement: number;
+  heave: number;
+  lateral: number;
+  excess: number;
+}
+
+/** All steps in order of time, from the start without movement on [s, m, Pa]. */
+export function listSteps({ stages }: Construction): StepPoint[] {
+  const first = { time: stages[0]?.from ?? 0, settlement: 0, heave: 0, lateral: 0, excess: 0 };
+  return [first, ...stages.flatMap(({ steps }) => steps)];
+}
+
+export interface FactorPoint {
+  time: number;
+  stage: string;
+  method: string;
+  title: string;
+  factor: number;
+}
+
+/** The factors at the ends of the stages. */
+export const listFactors = ({ stages }: Construction): FactorPoint[] =>
+  stages.flatMap(({ name, to, factors }) =>
+    factors.flatMap(({ method, title, factor }) =>
+      factor === null ? [] : [{ time: to, stage: name, method, title, factor }],
+    ),
+  );
