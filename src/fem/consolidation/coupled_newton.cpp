@@ -13,6 +13,12 @@ constexpr double slow = 0.3;          ///< ratio of out-of-balance forces above 
 constexpr double hopeless = 1e4;      ///< growth of the out-of-balance force at which the iteration is abandoned
 constexpr double water_error = 1e-8;  ///< imbalance of water over the sum of its terms
 constexpr int most_face_changes = 30;
+/// Fractions of the elastic stiffness that are added to the tangent, one after the other.
+constexpr std::array viscosities{0.0, 0.02, 0.2};
+constexpr int patience = 4;  ///< times as many linear systems with them
+/// Fall of the out-of-balance force over so many iterations below which they are given up.
+constexpr std::size_t watched = 10;
+constexpr double least_fall = 0.5;
 
 }  // namespace
 
@@ -71,10 +77,12 @@ bool CoupledNewton<D>::switch_faces(const CoupledConditions& conditions, const C
 
 template <int D>
 CoupledOutcome CoupledNewton<D>::balance(const CoupledPlace<D>& start, const CoupledTarget& target,
-                                         std::vector<double>& q, CoupledPlace<D>& place) {
+                                         std::vector<double>& q, CoupledPlace<D>& place, double viscosity) {
   CoupledOutcome out;
+  const int most = viscosity > 0 ? patience * schedule_.most_iterations : schedule_.most_iterations;
   std::vector<double> change;
   double first = -1, last = -1;
+  std::vector<double> faults;
   for (;;) {
     throw_if_interrupted();
     system_.evaluate(start, q, target, false, place);
@@ -85,15 +93,18 @@ CoupledOutcome CoupledNewton<D>::balance(const CoupledPlace<D>& start, const Cou
       out.converged = true;
       return out;
     }
-    if (out.iterations >= schedule_.most_iterations) return out;
+    if (out.iterations >= most) return out;
+    faults.push_back(place.fault);
+    if (faults.size() > watched && place.fault > least_fall * faults[faults.size() - 1 - watched]) return out;
     if (first < 0) first = std::max(place.fault, force_scale_ * schedule_.force_tolerance);
     // After the first correction forces of prescribed heads have appeared; growth counts from there.
     if (out.iterations > 1 && place.fault > hopeless * std::max(first, last)) return out;
-    if (!is_kept(target) || (out.iterations > 1 && place.fault > slow * last)) {
+    if (!is_kept(target, viscosity) || (out.iterations > 1 && place.fault > slow * last)) {
       system_.evaluate(start, q, target, true, place);
-      has_factors_ = system_.factorise(target, place);
+      has_factors_ = system_.factorise(target, place, viscosity);
       if (!has_factors_) return out;
       dt_ = target.dt;
+      viscosity_ = viscosity;
       fixed_ = target.fixed;
     }
     if (!system_.solve(place, target.fixed, change)) {
@@ -107,13 +118,38 @@ CoupledOutcome CoupledNewton<D>::balance(const CoupledPlace<D>& start, const Cou
   }
 }
 
+/// Tries the consistent tangent, then tangents with ever more of the elastic stiffness. Soil at its tensile strength,
+/// such as placed soil without stress, has no tangent of its own.
+template <int D>
+CoupledOutcome CoupledNewton<D>::balance_somehow(const CoupledPlace<D>& start, const CoupledTarget& target,
+                                                 std::vector<double>& q, CoupledPlace<D>& place) {
+  const std::vector<double> first_q = q, first_head = place.head;
+  CoupledOutcome all;
+  // A tangent that was needed before is tried first, and a smaller one after it has served.
+  const std::size_t from = needed_;
+  for (std::size_t v = from; v < viscosities.size(); ++v) {
+    const double viscosity = viscosities[v];
+    q = first_q;
+    place.head = first_head;
+    CoupledOutcome out = balance(start, target, q, place, viscosity);
+    out.iterations += all.iterations;
+    all = out;
+    if (all.converged) {
+      needed_ = v == from && v > 0 ? v - 1 : v;
+      return all;
+    }
+    has_factors_ = false;  // they are those of a place that is no solution
+  }
+  return all;
+}
+
 template <int D>
 CoupledOutcome CoupledNewton<D>::solve(const CoupledPlace<D>& start, const CoupledConditions& conditions,
                                        std::vector<FaceState>& face, std::vector<double>& q, CoupledPlace<D>& place) {
   CoupledOutcome all;
   for (int i = 0; i < most_face_changes; ++i) {
     const CoupledTarget target = make_target(conditions, face, place);
-    CoupledOutcome out = balance(start, target, q, place);
+    CoupledOutcome out = balance_somehow(start, target, q, place);
     out.iterations += all.iterations;
     all = out;
     if (!all.converged || !switch_faces(conditions, place, face)) return all;

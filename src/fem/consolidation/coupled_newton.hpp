@@ -37,16 +37,21 @@ class CoupledNewton {
   CoupledTarget make_target(const CoupledConditions& conditions, std::vector<FaceState>& face,
                             CoupledPlace<D>& place) const;
   CoupledOutcome balance(const CoupledPlace<D>& start, const CoupledTarget& target, std::vector<double>& q,
-                         CoupledPlace<D>& place);
+                         CoupledPlace<D>& place, double viscosity);
+  CoupledOutcome balance_somehow(const CoupledPlace<D>& start, const CoupledTarget& target, std::vector<double>& q,
+                                 CoupledPlace<D>& place);
   bool switch_faces(const CoupledConditions& conditions, const CoupledPlace<D>& place,
                     std::vector<FaceState>& face) const;
-  bool is_kept(const CoupledTarget& target) const { return has_factors_ && target.dt == dt_ && target.fixed == fixed_; }
+  bool is_kept(const CoupledTarget& target, double viscosity) const {
+    return has_factors_ && target.dt == dt_ && target.fixed == fixed_ && viscosity == viscosity_;
+  }
 
   CoupledSystem<D>& system_;
   const ConsolidationSchedule& schedule_;
   double force_scale_;
+  std::size_t needed_ = 0;    ///< tangent that is tried first
   bool has_factors_ = false;  ///< of a matrix with these:
-  double dt_ = 0;
+  double dt_ = 0, viscosity_ = 0;
   std::vector<char> fixed_;
 };
 

@@ -242,11 +242,16 @@ void CoupledSystem<D>::evaluate(const CoupledPlace<D>& start, const std::vector<
 }
 
 template <int D>
-bool CoupledSystem<D>::factorise(const CoupledTarget& target, const CoupledPlace<D>& place) {
+bool CoupledSystem<D>::factorise(const CoupledTarget& target, const CoupledPlace<D>& place, double viscosity) {
   const double weight = model_.flow->unit_weight;
   matrix_.assign(row_.size(), 0);
   for (std::size_t k = 0; k < solid_slots_.size(); ++k)
     matrix_[static_cast<std::size_t>(solid_slots_[k])] = place.sums.matrix[k];
+  if (viscosity > 0) {
+    if (elastic_.empty()) assembly_.find_elastic_matrix(place.solid, elastic_);
+    for (std::size_t k = 0; k < solid_slots_.size(); ++k)
+      matrix_[static_cast<std::size_t>(solid_slots_[k])] += viscosity * elastic_[k];
+  }
   if (target.dt > 0)
     for (std::size_t k = 0; k < flow_slots_.size(); ++k)
       matrix_[static_cast<std::size_t>(flow_slots_[k])] = -weight * target.dt * flow_matrix_[k];

@@ -53,8 +53,9 @@ class CoupledSystem {
                 bool with_matrix, CoupledPlace<D>& place);
   /// Returns the norm of the nodal forces of the pore water alone [N].
   double find_pore_force(const std::vector<double>& head);
-  /// Factorises the matrix of the last evaluate() with one. Returns false if it is singular.
-  bool factorise(const CoupledTarget& target, const CoupledPlace<D>& place);
+  /// Factorises the matrix of the last evaluate() with one, whose tangent is increased by `viscosity` times the elastic
+  /// stiffness. Returns false if it is singular.
+  bool factorise(const CoupledTarget& target, const CoupledPlace<D>& place, double viscosity);
   /// Computes the change of all unknowns that removes the imbalance of `place` by the last factors. Returns false if
   /// it is not finite.
   bool solve(const CoupledPlace<D>& place, const std::vector<char>& fixed, std::vector<double>& change);
@@ -91,7 +92,7 @@ class CoupledSystem {
   std::vector<int> solid_slots_, flow_slots_, diagonal_;  ///< of the entries of both matrices, and of their diagonal
   std::vector<double> flow_matrix_;                       ///< ∂outflow/∂head of the last place [m²/s]
   std::vector<double> capacity_;                          ///< ∂stored/∂head of the nodes there [m²]
-  std::vector<double> matrix_;
+  std::vector<double> matrix_, elastic_;                  ///< the latter: of the elastic soil, when it was needed
   bool symmetric_ = true;
   std::optional<sparse::SparseSolver<>> solver_;
 };

@@ -19,8 +19,9 @@ constexpr double error_constant = 0.040440114519881;
 constexpr double safety = 0.9, least_growth = 0.3, most_growth = 3, kept_below = 1.25;
 /// Length of the step that takes up jumps of heads and loads, over the duration of the stage. It has no estimate.
 constexpr double jump_step = 1e-7;
-/// Smallest scale of the error, over the height of the soil: water at rest has no error.
-constexpr double least_scale = 1e-6;
+/// Smallest scale of the error, over the height of the soil and over the head that bears the change of the stage: water
+/// at rest has no error, and the first moments of a load matter little.
+constexpr double least_height_share = 1e-6, least_load_share = 0.02;
 constexpr int even_steps = 10;  ///< of a stage without flow
 
 double find_norm(const std::vector<double>& v) {
@@ -43,9 +44,7 @@ class StageRun {
     find_imbalance();
     newton_.emplace(system_, schedule_, force_scale_);
     if (model.drainage == StageDrainage::drained) steady_ = to_unknowns(system_.flow(), model.steady_head);
-    double low = 1e300, high = -1e300;
-    for (const double y : system_.flow().elevation) low = std::min(low, y), high = std::max(high, y);
-    floor_ = least_scale * std::max(high - low, 0.0);
+    floor_ = find_least_scale();
     for (const auto& store : system_.flow().stores) {
       volume_.resize(now_.head.size(), 0);
       volume_[static_cast<std::size_t>(store.unknown)] += store.volume;
@@ -76,6 +75,18 @@ class StageRun {
     force_scale_ = std::max({find_norm(target.force), find_norm(imbalance_), system_.find_pore_force(now_.head)});
     result_.start_imbalance = force_scale_ > 0 ? find_norm(imbalance_) / force_scale_ : 0;
     if (!(force_scale_ > 0)) force_scale_ = 1;  // heads alone will load the soil
+  }
+
+  /// Returns the smallest scale of the error [m].
+  double find_least_scale() {
+    const auto& level = system_.flow().elevation;
+    if (level.empty()) return 0;
+    const auto [low, high] = std::minmax_element(level.begin(), level.end());
+    std::vector<double> raised = level;
+    for (double& h : raised) h += 1;
+    const double force = system_.find_pore_force(raised);  // of an even head of 1 m
+    return std::max(least_height_share * (*high - *low),
+                    force > 0 ? least_load_share * find_norm(imbalance_) / force : 0);
   }
 
   CoupledConditions make_conditions(double past, double at, double dt) {

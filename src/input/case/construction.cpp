@@ -10,6 +10,8 @@
 #include <set>
 
 #include "input/case/checks.hpp"
+#include "mesh/cover.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::input {
 
@@ -106,6 +108,22 @@ void check_changes(const Case& data, Findings& findings) {
   }
 }
 
+/// Checks that no region that comes or goes lies inside another one: LEM would put the outer soil in its place.
+void check_nesting(const Case& data, Findings& findings) {
+  const double tolerance = mesh::get_section_tolerance(data.mesh);
+  for (std::size_t k = 0; k < data.construction.size(); ++k)
+    for (const auto& [key, list] :
+         {std::pair{"add", &data.construction[k].add}, std::pair{"remove", &data.construction[k].remove}})
+      for (std::size_t i = 0; i < list->size(); ++i)
+        for (const mesh::Polygon& inner : data.mesh.polygons)
+          for (const mesh::Polygon& outer : data.mesh.polygons)
+            if (inner.name == (*list)[i] && outer.name != inner.name &&
+                mesh::compare(inner.points, outer.points, tolerance) == mesh::Relation::inside)
+              findings.add(fmt::format("construction.{}.{}.{}", k, key, i),
+                           "region '{}' lies inside '{}', which would fill its place: draw '{}' around it", inner.name,
+                           outer.name, outer.name);
+}
+
 void check_drains(const Case& data, Findings& findings) {
   check_names(data.drains, "vertical_drains", "drains", findings);
   for (std::size_t i = 0; i < data.drains.size(); ++i) {
@@ -138,6 +156,7 @@ void check_construction(const Case& data, Findings& findings) {
   check_requirements(data, findings);
   check_names(data.construction, "construction", "stages", findings);
   check_changes(data, findings);
+  if (findings.is_sound("geometry")) check_nesting(data, findings);
 }
 
 }  // namespace talus::input
