@@ -6,8 +6,8 @@ Usage: tools/verify_published.py PROGRAM [--file problems.json] [--only ID|KIND 
 
 Reads a file of the schema of tests/data/published/problems.json (its "meta" defines each key), writes a case
 file for each problem, runs it, and compares factors, heads and discharges with the recomputed or published ones.
-KIND is one of: slices, coupled, seepage, closed, others, fem. --fem also runs the strength reductions by FEM
-(minutes). --out keeps the case files, the results, published.csv and published.md there. Ends with 1 on a miss.
+KIND is one of: slices, coupled, seepage, closed, others, fem, reduction. --fem also runs the strength reductions by
+FEM (minutes). --out keeps the case files, the results, published.csv and published.md there. Ends with 1 on a miss.
 """
 import argparse
 import concurrent.futures
@@ -19,7 +19,7 @@ import pathlib
 import sys
 import tempfile
 
-from published import closed_forms, coupled, elements, others, seepage, slices
+from published import closed_forms, coupled, elements, others, reduction, seepage, slices
 from published.runs import Runner
 from published.table import MISS, NOTE, Row, count, make_markdown, make_summary, print_table, write_csv
 
@@ -51,6 +51,7 @@ def collect_jobs(data, runner, options):
                 add("fem", [{"id": name}], lambda e, v=values: others.verify_limit(runner, e["id"], v, options.meshes))
         curves = [e for e in data.get("fem", []) if "my_fem" in e]
         add("fem", curves, lambda e: others.verify_curve(runner, e, lem, options.meshes[-1]))
+        add("reduction", data.get("strength_reduction", []), lambda e: reduction.verify(runner, e, lem))
     add("others", [e for e in data.get("fem", []) if "my_fem" not in e], others.tell)
     return jobs
 

@@ -54,28 +54,56 @@ def write_geometry(lines, problem):
     lines.append("")
 
 
-def write_materials(lines, problem, stiffness):
-    units = problem.units
-    for material in problem.materials:
-        c, phi = material.get("c", 0), material.get("phi", 0)
-        strong = bool(c or phi or material.get("cu_rate_per_depth"))
-        lines += [f"[materials.{material['key']}]", f'model = "{"mohr_coulomb" if strong else "no_strength"}"',
-                  f"unit_weight = {quantity(material['gamma'], units.weight_name)}"]
-        if material.get("gamma_sat"):
-            lines.append(f"saturated_unit_weight = {quantity(material['gamma_sat'], units.weight_name)}")
-        if strong:
-            lines += [f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}"]
+def write_strength(lines, problem, material):
+    """Model and strength of a soil; the words of its [materials.NAME]."""
+    units, c, phi = problem.units, material.get("c", 0), material.get("phi", 0)
+    if material.get("elastic"):
+        lines.append('model = "linear_elastic"')
+    elif material.get("power"):
+        factor, exponent, shift = material["power"]
+        lines += ['model = "power_curve"', f"power_factor = {number(factor)}", f"power_exponent = {number(exponent)}"]
+        lines += [f"power_shift = {quantity(shift, units.stress_name)}"] if shift else []
+    elif material.get("hoek_brown"):
+        strength, gsi, constant = material["hoek_brown"]
+        lines += ['model = "hoek_brown"', f"intact_strength = {quantity(strength, 'MPa')}", f"gsi = {number(gsi)}", f"intact_constant = {number(constant)}"]
+    elif c or phi or material.get("cu_rate_per_depth"):
+        lines += ['model = "mohr_coulomb"', f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}"]
         if material.get("cu_rate_per_depth"):
             lines += [f"cohesion_gradient = {quantity(material['cu_rate_per_depth'], units.gradient_name)}",
                       f"cohesion_level = {number(round(material['cu_ref_elev'] * units.length, 9))}"]
+    else:
+        lines.append('model = "no_strength"')
+
+
+def write_stiffness(lines, problem, material, largest_tension):
+    """What FEM needs besides. Tensile strength: up to the apex, or not above c where `largest_tension` is "cohesion"."""
+    c, phi = material.get("c", 0), material.get("phi", 0)
+    lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3"]
+    if material.get("elastic"):
+        return
+    if material.get("power") or material.get("hoek_brown"):
+        lines.append("dilatancy_ratio = 0")
+    elif c or phi or material.get("cu_rate_per_depth"):
+        apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c
+        remark = "the apex: no tension cut-off" if phi > 0 else "far off: no tension cut-off"
+        if largest_tension == "cohesion" and c < apex:
+            apex, remark = c, "as large as the cohesion"
+        lines += ["dilatancy_angle = 0",
+                  f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), problem.units.stress_name)}  # {remark}"]
+
+
+def write_materials(lines, problem, stiffness, largest_tension="apex"):
+    units = problem.units
+    for material in problem.materials:
+        lines.append(f"[materials.{material['key']}]")
+        write_strength(lines, problem, material)
+        lines.append(f"unit_weight = {quantity(material['gamma'], units.weight_name)}")
+        if material.get("gamma_sat"):
+            lines.append(f"saturated_unit_weight = {quantity(material['gamma_sat'], units.weight_name)}")
         if material.get("ru"):
             lines.append(f"pore_pressure_ratio = {number(material['ru'])}")
         if stiffness:
-            lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3"]
-        if stiffness and strong:
-            apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c
-            lines += ["dilatancy_angle = 0", f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), units.stress_name)}"
-                      + ("  # the apex: no tension cut-off" if phi > 0 else "  # far off: no tension cut-off")]
+            write_stiffness(lines, problem, material, largest_tension)
         if material.get("envelope"):
             envelope = material["envelope"]
             lines += ["", f"[materials.{material['key']}.undrained_envelope]", f"cohesion = {quantity(envelope['c'], units.stress_name)}",
@@ -184,13 +212,13 @@ def write_surface(lines, name, surface):
     lines.append("")
 
 
-def make_case(problem, slices=100, search=True, noncircular=False, surfaces=None, finite_elements=False):
+def make_case(problem, slices=100, search=True, noncircular=False, surfaces=None, finite_elements=False, largest_tension="apex"):
     """The text of the case file. `surfaces` replaces the surfaces that the problem gives."""
     lines = []
     write_header(lines, problem)
     lines += ["[analysis]", 'methods = ["lem"]', ""]
     write_geometry(lines, problem)
-    write_materials(lines, problem, finite_elements)
+    write_materials(lines, problem, finite_elements, largest_tension)
     write_loads(lines, problem)
     write_supports(lines, problem)
     write_slices(lines, problem, slices, search, noncircular)

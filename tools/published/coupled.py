@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from .case_file import number, points_text, quantity, write_comment, write_search_ranges, write_surface
+from .case_file import number, points_text, quantity, write_comment, write_search_ranges, write_stiffness, write_surface
 from .flow_case import GAMMA_W
 from .problem import METHODS, read_given_surfaces, read_problem
 from .runs import Broken
@@ -39,19 +39,22 @@ def list_conditions(problem):
     return conditions
 
 
-def write_soil(lines, problem, material, fringe):
+def write_soil(lines, problem, material, fringe, stiffness=False):
     units, key = problem.units, material["key"]
     dry = number(round(fringe * GAMMA_W, 6))
     lines += [f"[materials.{key}]", 'model = "mohr_coulomb"', f"unit_weight = {quantity(material['gamma'], units.weight_name)}",
               f"saturated_unit_weight = {quantity(material['gamma'], units.weight_name)}",
               "grain_density = 2650  # this and the porosity: for the flow; weights are given", "porosity = 0.4",
               f"cohesion = {quantity(material['c'], units.stress_name)}", f"friction_angle = {number(material['phi'])}",
-              'suction_strength = "none"', "", f"[materials.{key}.water]", 'retention = "linear"', "minimum_saturation = 0.1",
+              'suction_strength = "none"']
+    if stiffness:
+        write_stiffness(lines, problem, material, "cohesion")
+    lines += ["", f"[materials.{key}.water]", 'retention = "linear"', "minimum_saturation = 0.1",
               f"dry_suction = {dry}", f'conductivity = "{number(material.get("k", 1e-5))} m/s"', 'relative_conductivity = "table"',
               f"conductivity_table = [[0, 1], [{dry}, 1e-3]]", ""]
 
 
-def make_coupled_case(problem, size, fringe):
+def make_coupled_case(problem, size, fringe, stiffness=False):
     """Heads as the entry says them ("head_40": "x=0 edge" or points of the ground), and the face where water may leave."""
     units, conditions = problem.units, list_conditions(problem)
     lines = []
@@ -63,7 +66,7 @@ def make_coupled_case(problem, size, fringe):
     lines += ["[mesh]", f"size = {number(size)}", ""]
     lines += ["[regions]"] + [f'{name} = "{problem.materials[m]["key"]}"' for name, m, _ in problem.regions] + [""]
     for material in problem.materials:
-        write_soil(lines, problem, material, fringe)
+        write_soil(lines, problem, material, fringe, stiffness)
     lines += ["[initial]", 'pore_pressure = "seepage"', ""]
     if units.imperial:
         lines += ["[water]", f"density = {number(round(62.4 * 157.08746385 / 9.81, 6))}  # 62.4 lbf/ft3", ""]
