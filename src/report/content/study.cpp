@@ -185,18 +185,24 @@ json make_column(const results::StudyColumn& column, const ShownUnits& units) {
           {"values", values}};
 }
 
-/// Returns `StudyGoal` of web/src/contract/: target and value of a back-analysis in the units of the columns.
-json make_goal(const results::BackAnalysis& finding, const ShownUnits& units) {
-  const double key = choose_unit(finding.unit, units).si, result = choose_unit(finding.result_unit, units).si;
-  const auto convert = [&](const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? json(*value / key) : json();
+/// Returns the `StudyGoal`s of web/src/contract/: targets and values of a back-analysis in the units of the columns.
+json make_goals(const results::BackAnalysis& finding, const ShownUnits& units) {
+  const double key = choose_unit(finding.unit, units).si;
+  json goals = json::array();
+  const auto add = [&](const auto& target) {
+    const auto convert = [&](const std::optional<double>& value) {
+      return value && std::isfinite(*value) ? json(*value / key) : json();
+    };
+    goals.push_back({{"key", finding.key},
+                     {"result", target.column},
+                     {"target", keep_finite(target.target) / choose_unit(target.result_unit, units).si},
+                     {"value", convert(target.value)},
+                     {"low", convert(target.low)},
+                     {"high", convert(target.high)}});
   };
-  return {{"key", finding.key},
-          {"result", finding.column},
-          {"target", keep_finite(finding.target) / result},
-          {"value", convert(finding.value)},
-          {"low", convert(finding.low)},
-          {"high", convert(finding.high)}};
+  add(finding);
+  for (const results::BackAnalysisTarget& further : finding.further) add(further);
+  return goals;
 }
 
 /// Returns true if the column of one method equals the governing column.
@@ -383,7 +389,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
   if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;
   json table{{"columns", columns}, {"rows", rows}};
-  if (study.back_analysis) table["goal"] = make_goal(*study.back_analysis, units);
+  if (study.back_analysis) table["goals"] = make_goals(*study.back_analysis, units);
   content.table = JsonTree(std::move(table));
   return content;
 }

@@ -73,11 +73,11 @@ export interface StudyShown {
   columns: (Column & { shown: string[] })[];
   /** Of the variants, in their order. */
   rows: VariantShown[];
-  /** Present for a back-analysis. */
-  goal?: StudyGoal;
+  /** Of a back-analysis, in the order of its targets. */
+  goals?: StudyGoal[];
 }
 
-/** Target of a back-analysis and the value of the key that reaches it, in the units of their columns. */
+/** A target of a back-analysis and the value of the key that reaches it, in the units of their columns. */
 export interface StudyGoal {
   /** Names of the columns. */
   key: string;

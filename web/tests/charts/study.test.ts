@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 
 import { measureDifference } from "../../src/charts/compare/CompareSection";
 import { orderValues } from "../../src/charts/base/rows";
-import { findBars, findNumeric, makeStudyColumns, nameGroup, takeOrdered } from "../../src/charts/study/studyData";
+import { findBars, findGoals, findNumeric, makeStudyColumns, nameGroup, takeOrdered } from "../../src/charts/study/studyData";
 
 const column = (name: string, values: (number | null)[], shown = values.map((v) => (v === null ? "" : String(v)))) =>
   ({ name, title: name, unit: "-", shown, values });
@@ -78,4 +78,13 @@ test("one key at a time: from the smallest to the largest value, the longest bar
     ["cohesion", "200", "300", 1.088, 1.239],
     ["k_h", "0.1", "0.15", 1.165, 1.05],
   ]);
+});
+
+test("a chart has every target of its result and key, whichever of them is first", () => {
+  const goal = (result: string, target: number) => ({ key: "force", result, target, value: 10, low: null, high: null });
+  const found = { ...study, goals: [goal("bishop", 1.3), goal("spencer", 1.3), goal("spencer", 1.5)] };
+  expect(findGoals(found, "spencer", "force").map((g) => g.target)).toEqual([1.3, 1.5]);
+  expect(findGoals(found, "bishop", "force")).toHaveLength(1);
+  expect(findGoals(found, "bishop", "length")).toHaveLength(0);
+  expect(findGoals(study, "bishop", "force")).toHaveLength(0);
 });

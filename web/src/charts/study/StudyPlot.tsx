@@ -11,7 +11,8 @@ import { findLogTicks, formatLogTick, layOut, makeAxis } from "../base/axes";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 import { makeCurveColumns } from "../curve/curveData";
-import { findNumeric, findVaried, nameGroup, type Study } from "./studyData";
+import { ChartTable } from "../../page/DataTable";
+import { findGoals, findNumeric, findVaried, nameGroup, type Study } from "./studyData";
 
 const byVariant = "";
 
@@ -38,10 +39,26 @@ function markGoal(goal: StudyGoal, stops: number[]) {
   ];
 }
 
+/** All targets of a back-analysis, with the values that reach them. */
+function GoalTable({ study }: { study: Study }) {
+  const find = (name: string) => study.columns.find((c) => c.name === name);
+  return (
+    <ChartTable
+      label="Targets and values found"
+      rows={study.goals ?? []}
+      columns={[
+        ["Result", (g) => find(g.result)?.title ?? g.result, "name"],
+        ["Target", (g) => formatQuantity(g.target, find(g.result)?.unit ?? ""), "number"],
+        ["Value found", (g) => (g.value === null ? "–" : formatQuantity(g.value, find(g.key)?.unit ?? "")), "number"],
+      ]}
+    />
+  );
+}
+
 export function StudyPlot({ study }: { study: Study }) {
   const results = findNumeric(study);
   const keys = findVaried(study).filter((c) => c.values.filter((v) => v !== null).length > 1);
-  const [resultName, setResult] = useState(study.goal?.result ?? results[0]?.name ?? "");
+  const [resultName, setResult] = useState(study.goals?.[0]?.result ?? results[0]?.name ?? "");
   const [keyName, setKey] = useState(keys[0]?.name ?? byVariant);
   const [axisKind, setAxisKind] = useState<AxisKind>("log");
   const result = results.find((c) => c.name === resultName);
@@ -63,14 +80,14 @@ export function StudyPlot({ study }: { study: Study }) {
   const logY = canLog && axisKind === "log";
 
   // Marks of a back-analysis, on its own axes only.
-  const goal = study.goal && study.goal.result === result.name && study.goal.key === key?.name ? study.goal : null;
+  const goals = findGoals(study, result.name, key?.name);
 
   const list = (columns: typeof keys) => columns.map((c): [string, string] => [c.name, titleWithUnit(c.title, c.unit)]);
 
   const draw = (width: number): Plot.PlotOptions => {
     const narrow = width < 560;
     const labels = !key;
-    const shown = [...points.map((p) => p.y), ...(goal ? [goal.target] : [])];
+    const shown = [...points.map((p) => p.y), ...goals.map((g) => g.target)];
     const low = Math.min(...shown);
     const high = Math.max(...shown);
     const pad = (high - low) * 0.1 || Math.abs(high) * 0.1 || 1;
@@ -97,7 +114,7 @@ export function StudyPlot({ study }: { study: Study }) {
       marks: [
         Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--line)" }),
-        goal ? markGoal(goal, stops) : [],
+        goals.map((g) => markGoal(g, stops)),
         groups.map((g, i) => {
           const mine = points.filter((p) => p.group === g);
           const style = styleOf(i);
@@ -107,7 +124,7 @@ export function StudyPlot({ study }: { study: Study }) {
             Plot.dot(mine, { ...place, strokeWidth: 1.6, fill: "var(--ground)", symbol: style.symbol, r: 4.2 }),
           ];
         }),
-        groups.length === 1 && points.length <= 12 && !narrow && !goal
+        groups.length === 1 && points.length <= 12 && !narrow && goals.length === 0
           ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--ink)" })
           : [],
       ],
@@ -145,13 +162,15 @@ export function StudyPlot({ study }: { study: Study }) {
           };
         }}
       />
-      {goal && (
-        <p class="chart-note">
-          Dashed: the target, {formatQuantity(goal.target, result.unit)}.
-          {goal.value !== null && key && ` Line: the value found, ${formatQuantity(goal.value, key.unit)}.`}
-          {(goal.low !== null || goal.high !== null) && " Grey: values that the interval of the result allows."}
+      {goals.map((g) => (
+        <p class="chart-note" key={g.target}>
+          Dashed: the target, {formatQuantity(g.target, result.unit)}.
+          {g.value !== null && key && ` Line: the value found, ${formatQuantity(g.value, key.unit)}.`}
+          {g.value === null && " No value was found."}
+          {(g.low !== null || g.high !== null) && " Grey: values that the interval of the result allows."}
         </p>
-      )}
+      ))}
+      {(study.goals?.length ?? 0) > 1 && <GoalTable study={study} />}
       {missing > 0 && (
         <p class="chart-note">
           {missing === 1 ? "One variant" : `${missing} variants`} without{" "}

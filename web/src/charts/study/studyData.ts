@@ -3,7 +3,7 @@
 import { computed } from "@preact/signals";
 
 import type {
-  ExtrapolatedFactor, Sequence, SequenceField, StudyResult, StudyShown, StudyVariant, VariantShown,
+  ExtrapolatedFactor, Sequence, SequenceField, StudyGoal, StudyResult, StudyShown, StudyVariant, VariantShown,
 } from "../../contract";
 import { report } from "../../state";
 import type { CsvColumn } from "../base/rows";
@@ -13,7 +13,7 @@ export type StudyRow = StudyVariant & VariantShown;
 export interface Study extends Pick<StudyResult, "vary" | "mode" | "reference" | "extrapolation"> {
   columns: StudyShown["columns"];
   rows: StudyRow[];
-  goal?: StudyShown["goal"];
+  goals?: StudyGoal[];
 }
 
 /** Factors of methods without a mesh do not vary with the size. */
@@ -27,7 +27,7 @@ export const shownStudy = computed<Study | undefined>(() => {
   return {
     ...result,
     columns: shown.columns,
-    goal: shown.goal,
+    goals: shown.goals,
     rows: variants.map((variant, i) => ({ ...variant, ...shown.rows[i]! })),
     extrapolation: extrapolation && {
       ...extrapolation,
@@ -49,6 +49,10 @@ export const takeOrdered = (column: StudyColumn) =>
 export function findVaried(study: Study): StudyColumn[] {
   return study.vary.map((v) => study.columns.find((c) => c.name === v.key)).filter((c) => c !== undefined);
 }
+
+/** The targets on the axes of a chart: those of its result and its key. */
+export const findGoals = (study: Study, result: string, key: string | undefined): StudyGoal[] =>
+  (study.goals ?? []).filter((goal) => goal.result === result && goal.key === key);
 
 /** Columns of results that have at least one number. */
 export function findNumeric(study: Study): StudyColumn[] {
