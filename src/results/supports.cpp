@@ -27,7 +27,7 @@ std::string describe_support_sense(const SliceResult& slices) {
       for (const SupportForce& force : *surface.supports) (force.is_active ? active : passive).insert(force.support);
     }
   if (!has_supports) return "";
-  if (active.empty() && passive.empty()) return "no slip surface crosses a support";
+  if (active.empty() && passive.empty()) return "no support that holds a slip surface";
   const std::string loads = fmt::format("{} active (loads, which F does not divide)", list_names(active));
   const std::string resistances = fmt::format("{} passive (F divides their forces)", list_names(passive));
   if (passive.empty()) return "supports " + loads;

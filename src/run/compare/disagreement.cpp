@@ -337,6 +337,8 @@ std::string describe_interval(const results::Referee& referee) {
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing) {
   if (!run.slices || run.slices->error) return {};
+  if (const auto why = input::find_support_obstacle(data))
+    return {fmt::format("The factors of limit equilibrium were not held against limit analysis: {}.", *why)};
   if (!data.supports.empty())
     return {
         "The factors of limit equilibrium were not held against limit analysis, in which the soil below the heads of "

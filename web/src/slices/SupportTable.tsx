@@ -19,9 +19,34 @@ const limits: Record<SupportForce["limit"], string> = {
 
 const kilo = (force: number | null) => (force === null ? "–" : formatNumber(force / 1e3, 4));
 
+/** Rows of supports that have no force on a surface, each once. */
+export function listIdle(bars: { support: string; row: number }[], supports: { support: string; row: number | null }[]): string[] {
+  const name = (bar: { support: string; row: number | null }) => `${bar.support} ${bar.row}`;
+  const held = new Set(supports.map(name));
+  return [...new Set(bars.map(name))].filter((bar) => !held.has(bar));
+}
+
+function IdleNote({ idle }: { idle: string[] }) {
+  if (idle.length === 0) return null;
+  return (
+    <p class="chart-note">
+      Without force: {idle.join(", ")}. The surface does not cross them, sliding would shorten them, or they meet an open
+      tension crack.
+    </p>
+  );
+}
+
 export function SupportTable({ surface }: { surface: SlicedSurface }) {
   const { supports } = surface;
-  if (!supports || supports.length === 0) return null;
+  if (!supports) return null;
+  const idle = listIdle(report.value.model.bars, supports);
+  if (supports.length === 0)
+    return (
+      <figure class="chart-figure" aria-label="Supports">
+        <h4>No support holds {nameSurface(surface)}</h4>
+        <IdleNote idle={idle} />
+      </figure>
+    );
   const { length } = report.value.units;
   const column = (name: string, unit: string | undefined, read: (s: SupportForce) => number | string | null) => ({
     name,
@@ -66,6 +91,7 @@ export function SupportTable({ surface }: { surface: SlicedSurface }) {
       <p class="chart-note">
         Per metre of slope. F divides the resistance of passive supports, and not that of active ones, which are loads.
       </p>
+      <IdleNote idle={idle} />
     </figure>
   );
 }

@@ -9,6 +9,7 @@ import { binTrials, traceContour } from "./centreMap";
 import { chooseLimit, findTrial, makeBands } from "./trialPainter";
 import { makeSliceTable, rankTrials } from "./sliceData";
 import { traceThrust } from "./surfacePainter";
+import { listIdle } from "./SupportTable";
 
 const units = {
   length: { name: "m", si: 1 },
@@ -189,4 +190,12 @@ describe("the order of a table", () => {
     expect(orderValues([2, null, 1], true)).toEqual([0, 2, 1]);
     expect(orderValues(["sand", "clay"], false)).toEqual([1, 0]);
   });
+});
+
+it("names rows without force on a surface once, pieces of a wall as one", () => {
+  const bars = [
+    { support: "nails", row: 1 }, { support: "nails", row: 2 }, { support: "wall", row: 1 }, { support: "wall", row: 1 },
+  ];
+  expect(listIdle(bars, [{ support: "nails", row: 2 }])).toEqual(["nails 1", "wall 1"]);
+  expect(listIdle(bars, [])).toEqual(["nails 1", "nails 2", "wall 1"]);
 });
