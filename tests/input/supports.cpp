@@ -81,6 +81,28 @@ TEST(Supports, RowsOnAVerticalFace) {
             std::string::npos);
 }
 
+TEST(Supports, RowsOnABenchLeadIntoTheSlope) {
+  // Rows along the face, the third on the level bench.
+  Support support;
+  support.rows = 4;
+  support.row_spacing = std::sqrt(8.0);
+  support.spacing_along = RowSpacing::face;
+  support.inclination = 0;
+  support.length = 5;
+  const mesh::Polyline benched{{0, 0}, {16, 0}, {20, 4}, {23, 4}, {26, 7}, {40, 7}};
+  support.first = std::array{25.0, 6.0};
+  const BarLayout layout = lay_bars(support, benched, metre);
+  ASSERT_EQ(layout.fault, "");
+  ASSERT_EQ(layout.bars.size(), 4u);
+  EXPECT_NEAR(layout.bars[2].head[1], 4, 1e-9) << "on the bench";
+  EXPECT_NEAR(layout.bars[3].head[1], 4 - (3 * std::sqrt(8.0) - std::sqrt(8.0) - 3) / std::sqrt(2.0), 1e-9);
+  for (const BarLine& bar : layout.bars)
+    EXPECT_NEAR(bar.end[0] - bar.head[0], 5, 1e-9) << "all lead to the side of the first";
+  support.rows = 6;
+  EXPECT_NE(lay_bars(support, benched, metre).fault.find("row 6 of 6 lies beyond the foot"), std::string::npos)
+      << "and none onto the level ground in front of the toe";
+}
+
 TEST(Supports, NeedOnePlace) {
   expect_one_fault(write_nails(""), "support 'nails': it has no place; give either 'heads', or 'first' and 'rows'");
   expect_one_fault(write_nails("first = [48, 34]\nheads = [[46, 33]]\n"), "its place is given twice");

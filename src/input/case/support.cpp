@@ -63,16 +63,19 @@ std::optional<Point> step_down(const mesh::Polyline& ground, const Point& from, 
   const int rise = find_rise(ground, from);
   if (rise == 0) return std::nullopt;
   const double near = near_ground * measure_width(ground);
-  // The piece of the ground on which the walk begins: the last one near the point, seen in the direction of the walk.
+  // The walk begins on the last piece near the point.
   const auto size = static_cast<int>(ground.size());
   const auto corner = [&](int i) { return ground[static_cast<std::size_t>(rise > 0 ? size - 1 - i : i)]; };
   int piece = -1;
   for (int i = 1; i < size; ++i)
     if (mesh::compute_distance(from, corner(i - 1), corner(i)) <= near) piece = i;
   if (piece < 0) return std::nullopt;
+  int last = piece;  // level ground below it is the foot
+  for (int i = piece; i < size; ++i)
+    if (corner(i - 1)[1] - corner(i)[1] > 1e-9 * measure_width(ground)) last = i;
   Point at = from;
   double left = distance;
-  for (int i = piece; i < size; ++i) {
+  for (int i = piece; i <= last; ++i) {
     const Point& to = corner(i);
     const double dx = to[0] - at[0], dy = to[1] - at[1];
     const double step = along == RowSpacing::face ? std::hypot(dx, dy) : std::max(0.0, -dy);
@@ -81,10 +84,6 @@ std::optional<Point> step_down(const mesh::Polyline& ground, const Point& from, 
     at = to;
   }
   return std::nullopt;
-}
-
-double find_length(const Support& support, std::size_t i) {
-  return support.lengths.empty() ? *support.length : support.lengths[i];
 }
 
 }  // namespace
@@ -149,17 +148,17 @@ BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const S
     if (!support.ends.empty()) {
       bar.end = support.ends[i];
     } else {
-      const int rise = is_upright ? 1 : find_rise(ground, bar.head);
+      int rise = is_upright ? 1 : find_rise(ground, bar.head);
+      if (rise == 0 && support.first) rise = find_rise(ground, *support.first);  // rows on a bench
       if (rise == 0) {
         out.fault = fmt::format(
             "the side on which soil lies is not known at the head {}: it is not on an inclined part of the ground. "
-            "Give "
-            "'ends' instead of 'inclination' and 'length'",
+            "Give 'heads' and 'ends' instead of 'inclination' and 'length'",
             format_point(bar.head, unit));
         out.key = support.heads.empty() ? "first" : "heads";
         return out;
       }
-      const double length = find_length(support, i);
+      const double length = support.lengths.empty() ? *support.length : support.lengths[i];
       bar.end = {bar.head[0] + (is_upright ? 0 : rise * length * std::cos(dip)), bar.head[1] - length * std::sin(dip)};
     }
     out.bars.push_back(bar);
