@@ -80,6 +80,16 @@ void describe(auto& v, As<ElementFace> auto& r) {
   v.key("shear", r.shear, {"Pa", "shear stress of the soil on the wall there, towards its toe"});
 }
 
+/// Displacement of a wall across its line at full strength of the soil.
+struct ElementDeflection {
+  std::vector<double> place;  ///< distance from the head [m]
+  std::vector<double> value;  ///< towards the left of the way from head to toe [m]
+};
+void describe(auto& v, As<ElementDeflection> auto& r) {
+  v.key("place", r.place, {"m", "distances from the head"});
+  v.key("value", r.value, {"m", "displacement there, towards the left of the way from head to toe"});
+}
+
 /// Forces of a support along its length, per metre of slope; tension is positive.
 struct ElementBar {
   std::string support;                  ///< name in the case
@@ -96,12 +106,15 @@ struct ElementBar {
   std::optional<double> tension, pull_out, stripping, bending, shear;
   ElementBarLimit limit = ElementBarLimit::none;
   // Piles and walls, at `place`:
-  std::optional<std::vector<double>> moments, shears;  ///< at failure [N m/m], [N/m]
+  std::optional<std::vector<double>> moments, shears;                    ///< at failure [N m/m], [N/m]
+  std::optional<std::vector<double>> moments_at_start, shears_at_start;  ///< at full strength of the soil
+  std::optional<std::string> on_wall;  ///< wall on which the head presses; nullopt: it presses on soil
   // Walls alone:
   std::optional<std::vector<Point>> line;     ///< from head to toe [m]
   std::optional<ElementFace> left, right;     ///< soil beside the way from head to toe; nullopt: none
   std::optional<std::vector<double>> struts;  ///< compression at failure, from the head [N/m]
   std::optional<double> sliding;              ///< fraction of the interfaces that slips at failure
+  std::optional<ElementDeflection> deflection;
 };
 void describe(auto& v, As<ElementBar> auto& r) {
   v.key("support", r.support, {"", "name of the support"});
@@ -118,16 +131,20 @@ void describe(auto& v, As<ElementBar> auto& r) {
   v.maybe("tension", r.tension, {"", "largest force over tensile strength"});
   v.maybe("pull_out", r.pull_out, {"", "utilisation of the bond behind the largest force"});
   v.maybe("stripping", r.stripping, {"", "utilisation of plate and bond in front of the largest force"});
-  v.maybe("bending", r.bending, {"", "largest moment over plastic moment"});
+  v.maybe("bending", r.bending, {"", "largest moment over plastic moment, which axial force reduces in walls"});
   v.maybe("shear", r.shear, {"", "largest shear force over shear strength"});
   v.key("limit", r.limit, {"", "which limit is reached at failure"});
   v.maybe("moments", r.moments, {"N.m/m", "bending moment there at failure"});
   v.maybe("shears", r.shears, {"N/m", "shear force there at failure"});
+  v.maybe("moments_at_start", r.moments_at_start, {"N.m/m", "bending moment there at full strength of the soil"});
+  v.maybe("shears_at_start", r.shears_at_start, {"N/m", "shear force there at full strength of the soil"});
+  v.maybe("on_wall", r.on_wall, {"", "wall on which the head presses"});
   v.maybe("line", r.line, {"m", "a wall from its head to its toe"});
   v.maybe("left", r.left, {"", "soil at the left of the way from head to toe"});
   v.maybe("right", r.right, {"", "soil at its right"});
   v.maybe("struts", r.struts, {"N/m", "compression of the struts at failure"});
   v.maybe("sliding", r.sliding, {"", "fraction of the interfaces that slips at failure"});
+  v.maybe("deflection", r.deflection, {"", "displacement of a wall across its line at full strength of the soil"});
 }
 
 /// Strength reduction with one flow rule.

@@ -54,6 +54,7 @@ Bar make_bar(const std::string& name, const input::Support& s, const input::BarL
     bar.is_barrier = s.crossing == input::WallCrossing::excluded;
     if (!bar.is_barrier) bar.lateral = bar.shear = *s.shear_strength;
     if (s.shear_strength) bar.shear = *s.shear_strength;
+    bar.weight = s.weight.value_or(0);
   }
   if (s.kind == input::SupportKind::pile) {
     bar.has_soil_pressure = s.lateral_law == input::LateralLaw::ito_matsui;

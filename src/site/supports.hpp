@@ -32,6 +32,7 @@ struct Bar {
   double diameter = 0, spacing = 1;                        ///< [m]
   bool is_active = false;                                  ///< the factor does not divide the force
   input::SupportDirection direction = input::SupportDirection::axial;
+  double weight = 0;               ///< of a wall per area, less that of the soil it replaces [N/m²]
   bool is_barrier = false;         ///< a wall that slip surfaces of LEM do not cross
   bool has_soil_pressure = false;  ///< lateral force of a pile by Ito and Matsui (1975)
 

@@ -224,6 +224,21 @@ TEST(Supports, WallsAreRefusedWhereTheyAreNotTaken) {
                    "support 'sheet' is a wall, and limit analysis takes nails, anchors and geosynthetics");
 }
 
+TEST(Supports, LooseHeadOnAWallBringsAWarning) {
+  const std::string sheet = "[support.sheet]\nkind = \"wall\"\nline = [[42, 31], [42, 22]]\nweight = 8\n";
+  const auto read_warnings = [&](const std::string& plate) {
+    const std::string nails = change(write_nails(), "plate = 50", "plate = " + plate);
+    return read_case_text(nails + sheet, "slope.toml").warnings;
+  };
+  EXPECT_TRUE(read_warnings("50").empty());
+  const auto warnings = read_warnings("0");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].sentence.find("the head of support 'nails' in row 2 lies on the wall 'sheet'"),
+            std::string::npos)
+      << warnings[0].sentence;
+  expect_fault(slices_alone + change(sheet, "weight = 8", "weight = @@-1"), "it must be at least 0");
+}
+
 TEST(Supports, SheetsMayLieInTheSoil) {
   const auto write = [](const std::string& connection) {
     return slices_alone +

@@ -13,6 +13,7 @@
 #include "lem/search/search.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/section_of_case.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
 #include "support/supported_slope.hpp"
@@ -147,6 +148,80 @@ TEST(SheetPiles, StrutRaisesTheFactor) {
   const auto wall = run::make_bar_results(site, found.solid.model, found.found).at(0);
   ASSERT_TRUE(wall.struts);
   EXPECT_GT(wall.struts->at(0), 1e3);
+}
+
+/// Factor of a smooth wall with an anchor or strut at a depth, by moments about it of Rankine's pressures of the
+/// reduced strength (free earth support). Units kN and m.
+double find_anchored_factor(double free, double embedded, double level, double friction, double cohesion) {
+  constexpr double weight = 20;
+  const auto is_stable = [&](double factor) {
+    const double phi = std::atan(std::tan(friction) / factor), root = std::tan(pi / 4 + phi / 2),
+                 c = 2 * cohesion / factor;
+    double moment = 0;
+    constexpr int parts = 4000;
+    const double step = (free + embedded) / parts;
+    for (int i = 0; i < parts; ++i) {
+      const double depth = (i + 0.5) * step, below = depth - free;
+      double p = std::max(0.0, weight * depth / (root * root) - c / root);
+      if (below > 0) p -= weight * below * root * root + c * root;
+      moment += p * (depth - level) * step;
+    }
+    return moment < 0;
+  };
+  double low = 0.3, high = 4;
+  for (int i = 0; i < 30; ++i) (is_stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+/// An anchor at a depth of 1 m of the wall, horizontal, with a bond that does not fail.
+const char* const tie = R"([support.tie]
+kind = "anchor"
+heads = [[12, 2]]
+inclination = 0
+length = 11
+bond_length = 4
+out_of_plane_spacing = 2
+tensile_strength = 1000
+plate = 900
+bond = 800
+axial_stiffness = 1e5
+)";
+
+TEST(SheetPiles, AnchoredWallHasTheFactorOfFreeEarthSupport) {
+  const double expected = find_anchored_factor(3, 1.5, 1, 35 * pi / 180, 0.2);
+  const site::Site site = read_site(write_sheet(4.5, tie));
+  const double coarse = reduce(site, 2, 0.8, 2).found.factor;
+  const Reduced fine = reduce(site, 1, 0.8, 2);
+  const double factor = extrapolate_to_zero(2, coarse, 1, fine.found.factor);
+  // The reference has no bending of the wall and one mechanism; the meshes are coarse.
+  EXPECT_NEAR(factor, expected, 0.1 * expected) << coarse << " " << fine.found.factor;
+  const auto results = run::make_bar_results(site, fine.solid.model, fine.found);
+  ASSERT_EQ(results.size(), 2u);
+  const results::ElementBar &anchor = results[0], &wall = results[1];
+  ASSERT_TRUE(anchor.on_wall);
+  EXPECT_EQ(*anchor.on_wall, "sheet");
+  EXPECT_FALSE(wall.on_wall);
+  // The shear force of the wall jumps by the force of the head.
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < wall.place.size(); ++i) {
+    if (wall.place[i] < 0.99) before = (*wall.shears)[i];
+    if (wall.place[i] > 1.01 && after == 0) after = (*wall.shears)[i];
+  }
+  EXPECT_NEAR(std::abs(after - before), anchor.plate, 0.2 * anchor.plate);
+  EXPECT_LT(reduce(read_site(write_sheet(4.5)), 2, 0.5, 1.4).found.factor, factor - 0.1) << "without the anchor";
+}
+
+TEST(SheetPiles, WeightIsALoadInLimitEquilibriumAndFem) {
+  const site::Site site = read_site(write_sheet(6, "weight = 8\n[earthquake]\nhorizontal = 0.1\n"));
+  const auto walls = run::make_walls(site, *run::make_solid<2>(site, 2).mesh);
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_NEAR(walls[0].line_load[1], -8e3, 1e-6);
+  EXPECT_NEAR(std::abs(walls[0].line_load[0]), 0.8e3, 1e-6) << "inertia of the wall";
+  const lem::Section section = run::make_section(site).section;
+  ASSERT_EQ(section.surcharges.size(), 1u);
+  const auto& load = section.surcharges[0].load;
+  EXPECT_NEAR((load[1][0] - load[0][0]) * load[0][1], 8e3 * 6, 1e-6);
+  EXPECT_TRUE(run::make_section(read_site(write_sheet(6))).section.surcharges.empty());
 }
 
 TEST(SheetPiles, LimitEquilibriumSearchesBelowTheToe) {

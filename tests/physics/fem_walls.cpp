@@ -158,6 +158,88 @@ TEST(Walls, CantileverUnderALineLoadHasItsClosedForm) {
   }
 }
 
+TEST(Walls, HeadOfAnAnchorPressesOnTheWall) {
+  // A prestressed anchor from 1 m below the top of a wall that stands out of the soil.
+  Cantilever cantilever(0.8);
+  constexpr double prestress = 10e3;
+  fem::Bar anchor;
+  anchor.name = "tie";
+  anchor.head = {4, 6}, anchor.end = {7, 1};
+  anchor.axial_stiffness = 1e8;
+  anchor.free_length = 4.5;
+  anchor.prestress = prestress;
+  anchor.bond_stiffness = 1e9;
+  anchor.plate = 1e6, anchor.plate_stiffness = 1e9;
+  anchor.wall = 0;
+  cantilever.model.bars = {anchor};
+  constexpr double load = 1e3;
+  cantilever.wall().line_load = {load, 0};
+  const auto r = fem::find_equilibrium<2>(cantilever.model, support::make_tight());
+  ASSERT_TRUE(r.converged);
+  const auto forces = fem::compute_bar_forces(cantilever.model, r.at);
+  ASSERT_EQ(forces.size(), 2u);
+  EXPECT_NEAR(forces[0].plate, prestress, exact * prestress);
+  const double length = std::hypot(3, 5), across = prestress * 3 / length, along = prestress * 5 / length;
+  const fem::BarForces& wall = forces[1];
+  double middle = 0;  // of the piece with the head, over which the force is spread
+  for (std::size_t i = 0; i < wall.moment.place.size(); ++i) {
+    const double s = wall.moment.place[i];
+    if (s > Cantilever::free) break;
+    const double lever = std::max(0.0, s - 1);
+    if (std::abs(s - 1) < 0.8) {
+      middle = s;
+      continue;
+    }
+    EXPECT_NEAR(std::abs(wall.moment.value[i]), load * s * s / 2 + across * lever, exact * across * 2) << s;
+    EXPECT_NEAR(std::abs(wall.shear.value[i]), load * s + (s > 1 ? across : 0), exact * across) << s;
+    EXPECT_NEAR(wall.axial.value[i], s > 1 ? -along : 0, exact * along) << s;
+  }
+  EXPECT_GT(middle, 0);
+}
+
+TEST(Walls, SectionYieldsByAxialForceAndMoment) {
+  const fem::Joint section{
+      .is_section = true, .axial = 1e5, .moment = 2e4, .normal_stiffness = 1e8, .tangential_stiffness = 5e6};
+  const auto sum = [&](const fem::JointAnswer& a) {
+    return std::abs(a.force[0]) / section.axial + std::abs(a.force[1]) / section.moment;
+  };
+  const auto update = [&](double strain, double curvature) {
+    return fem::update_joint(section, {.factor = 3}, {0, 0}, {strain, curvature});
+  };
+  auto answer = update(-4e-4, 2e-3);
+  EXPECT_FALSE(answer.yields);
+  EXPECT_DOUBLE_EQ(answer.force[0], -4e4);
+  EXPECT_DOUBLE_EQ(answer.force[1], 1e4);
+  for (const auto& [strain, curvature] : {std::pair{-6e-4, 4e-3}, {5e-4, -5e-3}, {3e-4, 3e-3}}) {
+    answer = update(strain, curvature);
+    EXPECT_TRUE(answer.yields);
+    EXPECT_NEAR(sum(answer), 1, 1e-12) << "the factor of the trial does not divide it";
+    // The plastic part is normal to the strength.
+    const double plastic_strain = strain - answer.elastic[0], plastic_curvature = curvature - answer.elastic[1];
+    EXPECT_NEAR(plastic_strain * section.axial * (strain < 0 ? -1 : 1),
+                plastic_curvature * section.moment * (curvature < 0 ? -1 : 1), 1e-9);
+  }
+  answer = update(0, 1);
+  EXPECT_DOUBLE_EQ(answer.force[0], 0) << "a corner: bending alone";
+  EXPECT_DOUBLE_EQ(answer.force[1], 2e4);
+  answer = update(-1, 1e-4);
+  EXPECT_DOUBLE_EQ(answer.force[0], -1e5);
+  EXPECT_DOUBLE_EQ(answer.force[1], 0);
+}
+
+TEST(Walls, AxialForceLowersTheBendingStrength) {
+  // Half of N_p leaves half of M_p.
+  const auto is_stable = [](double share, double compression) {
+    Cantilever cantilever(0.7);
+    cantilever.wall().moment = 10e3, cantilever.wall().axial = 30e3;
+    cantilever.wall().line_load = {share * 2 * 10e3 / (Cantilever::free * Cantilever::free), -compression};
+    return fem::find_equilibrium<2>(cantilever.model, {}).converged;
+  };
+  EXPECT_TRUE(is_stable(0.99, 0));
+  EXPECT_TRUE(is_stable(0.49, 5e3));
+  EXPECT_FALSE(is_stable(0.66, 5e3)) << "N = 15 kN at the soil; the hinge forms at the point above it";
+}
+
 TEST(Walls, CantileverFailsAtItsPlasticMoment) {
   const auto is_stable = [](double share) {
     Cantilever cantilever(0.7);
@@ -204,6 +286,17 @@ TEST(Walls, PressureOnACoveredSideActsOnTheWall) {
     return force;
   };
   EXPECT_NEAR(sum(forces.face[1]) - sum(forces.face[0]), length * pressure, exact * length * pressure);
+  // The wall moves with the soil behind it, towards smaller x: the right of the way from its head down.
+  ASSERT_FALSE(forces.deflection.place.empty());
+  EXPECT_EQ(forces.deflection.place.front(), 0);
+  const fem::SolidSystem<2> system(retained.model);
+  for (std::size_t n = 0; n < r.at.displacement.size(); ++n) {
+    const auto& x = system.mesh.nodes[n];
+    if (std::abs(x[0] - 4) < 1e-9 && std::abs(x[1] - 8) < 1e-9) {
+      EXPECT_LT(r.at.displacement[n][0], 0);
+      EXPECT_NEAR(forces.deflection.value.front(), r.at.displacement[n][0], 0.01 * std::abs(r.at.displacement[n][0]));
+    }
+  }
 }
 
 TEST(Walls, StrutCarriesWhatPressesTheWall) {
@@ -245,8 +338,9 @@ TEST(Walls, PorePressureIsNoStressOfTheInterface) {
   }
 }
 
-TEST(Walls, TangentIsThatOfDifferences) {
+void check_tangent(double axial) {
   Retained retained(1);
+  retained.wall().axial = axial;
   retained.wall().interface = [](int, const Vec<2>& x) { return fem::InterfaceStrength{1e3 * x[1], 0.3}; };
   retained.wall().moment = 4e3, retained.wall().shear = 9e4;
   retained.wall().normal_stiffness = 1e9, retained.wall().tangential_stiffness = 4e8;
@@ -281,6 +375,14 @@ TEST(Walls, TangentIsThatOfDifferences) {
     for (int i = 0; i < system.unknowns; ++i)
       ASSERT_NEAR(find_entry(i, j), (more.force[i] - less.force[i]) / (2 * step), 1e-5 * largest) << i << " " << j;
   }
+}
+
+TEST(Walls, TangentIsThatOfDifferences) {
+  check_tangent(fem::unlimited);
+}
+
+TEST(Walls, TangentOfSectionsIsThatOfDifferences) {
+  check_tangent(6e4);
 }
 
 TEST(Walls, WallsThatAreNoneAreRefused) {

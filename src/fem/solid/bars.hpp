@@ -40,6 +40,7 @@ struct Bar {
   double plate = 0;                ///< strength of the plate or facing at the head [N]; 0: none
   double plate_stiffness = 0;      ///< [N/m]
   std::vector<Vec<2>> plate_line;  ///< ground under the plate as a polyline [m]; empty: the head alone
+  int wall = -1;                   ///< index of the wall that the plate presses on, in place of the soil; -1: none
   double anchorage = 0;            ///< strength of the anchorage at the end point [N]; 0: none
   double anchorage_stiffness = 0;  ///< [N/m]
   Vec<2> head_load{};              ///< force on the head [N]
@@ -71,6 +72,7 @@ struct BarForces {
   double energy = 0;                                 ///< elastic energy of bar, bond, plate and anchorage [J]
   std::array<std::vector<FacePoint>, 2> face;        ///< of walls: soil at the left and at the right, from the head
   BarCurve strut;                                    ///< of walls: compression [N]
+  BarCurve deflection;  ///< of walls beside soil: displacement towards the left of the way from head to toe [m]
 };
 
 }  // namespace talus::fem

@@ -73,8 +73,35 @@ SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& 
   return apply_loads(system, newton, softening, assembly, options, start ? *start : assembly.make_start());
 }
 
+namespace {
+
+/// Adds the deflection of walls beside soil: the motion of the soil less the opening of the joint, across the wall.
+void add_deflections(const SpringSet& springs, const SolidState<2>& state, std::vector<BarForces>& found) {
+  std::map<std::pair<int, double>, std::array<double, 2>> sums;  // wall and place → sum, number
+  for (std::size_t j = 0; j < springs.joints.size(); ++j) {
+    const Joint& joint = springs.joints[j];
+    if (joint.is_section) continue;
+    const double opening = state.bars[springs.list.size() + 2 * j] + joint.compression / joint.normal_stiffness,
+                 away = dot(state.displacement[static_cast<std::size_t>(joint.node)], joint.normal) - opening;
+    auto& [sum, number] = sums[{joint.wall, joint.place}];
+    sum += joint.side == 0 ? away : -away;
+    ++number;
+  }
+  for (const auto& [at, sum] : sums) {
+    BarCurve& curve = found[static_cast<std::size_t>(at.first)].deflection;
+    curve.place.push_back(at.second);
+    curve.value.push_back(sum[0] / sum[1]);
+  }
+}
+
+}  // namespace
+
 std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor) {
-  return compute_bar_forces(model.bars.size() + model.walls.size(), SolidSystem<2>(model).springs, state.bars, factor);
+  const SpringSet springs = SolidSystem<2>(model).springs;
+  std::vector<BarForces> found =
+      compute_bar_forces(model.bars.size() + model.walls.size(), springs, state.bars, factor);
+  add_deflections(springs, state, found);
+  return found;
 }
 
 template std::vector<material::Law> make_laws(const SolidModel<2>&, double);

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double shortest_piece = 1e-3;  ///< of a line, over its mean piece: shorter ones join their neighbour
 constexpr double outside = 1e-9;         ///< barycentric coordinate at which a point still lies in an element
-constexpr double faded_opening = 1e-3;   ///< of a joint, at which its adhesion is lost [m]
 constexpr int fewest_pieces = 8;         ///< of the length of a bar outside the soil
 
 /// Points and weights of Gauss's rules on [0, 1].
@@ -164,6 +163,7 @@ class Builder {
       for (std::size_t i = 0; i + 1 < places.size(); ++i) add_piece(bar, places[i], places[i + 1]);
     }
     add_ends(bar);
+    set_.heads.push_back(get_unknown(0, 0));
     const bool touches = std::any_of(set_.list.begin() + static_cast<std::ptrdiff_t>(before), set_.list.end(),
                                      [](const Spring& s) { return s.kind >= SpringKind::bond && s.stiffness > 0; });
     if (!touches) fail_input("support '{}' is not joined to the soil: it has neither bond nor plate there", bar.name);
@@ -285,7 +285,7 @@ class Builder {
 
   /// Adds plate and anchorage.
   void add_ends(const Bar& bar) {
-    if (bar.plate > 0) {
+    if (bar.plate > 0 && bar.wall < 0) {
       Rates rates{{get_unknown(0, 0), 1}};
       if (add_patch(bar.plate_line.empty() ? std::vector<Vec<2>>{bar.head} : bar.plate_line, rates))
         add_spring(bar,
@@ -381,88 +381,6 @@ class Builder {
 SpringSet make_springs(const std::vector<Bar>& bars, const QuadraticMesh<2>& mesh,
                        const std::vector<NodeUnknowns<2>>& nodes, int first) {
   return Builder(mesh, nodes, first).build(bars);
-}
-
-SpringAnswer update_spring(const Spring& spring, const SpringStage& stage, double start, double deformation) {
-  if (spring.is_jacked && stage.is_jacked) return {spring.prestress / spring.stiffness, spring.prestress, 0};
-  const double share = spring.is_reduced ? stage.factor : 1;
-  return deform_spring({spring.stiffness, spring.lower / share, spring.upper / share, spring.slackens}, start,
-                       deformation);
-}
-
-JointAnswer update_joint(const Joint& joint, const SpringStage& stage, const std::array<double, 2>& start,
-                         const std::array<double, 2>& deformation) {
-  const double kn = joint.normal_stiffness, kt = joint.tangential_stiffness;
-  const double opening = start[0] + deformation[0], slip = start[1] + deformation[1];
-  const double adhesion = joint.adhesion / stage.factor, friction = joint.friction / stage.factor;
-  JointAnswer answer{{opening, slip}, {std::min(0.0, kn * opening), kt * slip}, {opening < 0 ? kn : 0, 0, 0, kt}};
-  // An open joint has no friction, and its adhesion fades, so that the stress remains continuous.
-  double limit = adhesion - friction * answer.force[0], slope = -friction * kn;
-  if (opening > 0) {
-    limit = adhesion * std::max(0.0, 1 - opening / faded_opening);
-    slope = limit > 0 ? -adhesion / faded_opening : 0;
-  }
-  if (joint.is_rough && opening <= 0) return answer;
-  if (joint.is_rough) limit = slope = 0;
-  if (std::abs(answer.force[1]) <= limit) return answer;
-  const double sign = slip > 0 ? 1 : -1;
-  answer.force[1] = sign * limit;
-  answer.elastic[1] = answer.force[1] / kt;
-  answer.tangent[2] = sign * slope;
-  answer.tangent[3] = 0;
-  return answer;
-}
-
-std::vector<BarForces> compute_bar_forces(std::size_t count, const SpringSet& springs, const std::vector<double>& state,
-                                          double factor) {
-  std::vector<BarForces> found(count);
-  for (std::size_t i = 0; i < springs.list.size(); ++i) {
-    const Spring& spring = springs.list[i];
-    BarForces& forces = found[static_cast<std::size_t>(spring.bar)];
-    const double force = spring.slackens ? std::max(0.0, spring.stiffness * state[i]) : spring.stiffness * state[i];
-    if (spring.stiffness > 0) forces.energy += 0.5 * spring.weight * force * force / spring.stiffness;
-    const auto add = [&](BarCurve& curve) {
-      curve.place.push_back(spring.place);
-      curve.value.push_back(force);
-      curve.limit.push_back(spring.upper / (spring.is_reduced ? factor : 1));
-    };
-    switch (spring.kind) {
-      case SpringKind::axial:
-        add(forces.axial);
-        break;
-      case SpringKind::shear:
-        add(forces.shear);
-        break;
-      case SpringKind::bending:
-        add(forces.moment);
-        break;
-      case SpringKind::bond:
-        add(forces.bond);
-        break;
-      case SpringKind::lateral:
-        add(forces.lateral);
-        break;
-      case SpringKind::plate:
-        forces.plate = force;
-        forces.plate_limit = spring.upper;
-        break;
-      case SpringKind::anchorage:
-        forces.anchorage = force;
-        break;
-      case SpringKind::strut:
-        add(forces.strut);
-        break;
-    }
-  }
-  for (std::size_t j = 0; j < springs.joints.size(); ++j) {
-    const Joint& joint = springs.joints[j];
-    const std::size_t place = springs.list.size() + 2 * j;
-    const auto [tension, shear] = update_joint(joint, {factor}, {state[place], state[place + 1]}, {0, 0}).force;
-    found[static_cast<std::size_t>(joint.wall)].face[static_cast<std::size_t>(joint.side)].push_back(
-        {joint.place, -tension, shear,
-         joint.is_rough ? unlimited : (joint.adhesion - joint.friction * tension) / factor});
-  }
-  return found;
 }
 
 }  // namespace talus::fem

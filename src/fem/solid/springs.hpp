@@ -37,15 +37,20 @@ struct Spring {
   std::vector<int> slots{};    ///< index of each pair of unknowns in the global matrix
 };
 
-/// A point of the interface between a wall and the soil on one of its sides: two deformations, opening and slip, with
-/// Mohr–Coulomb friction and no tension (T19.15).
+/// Two deformations with a common strength. A point of the interface between a wall and the soil on one of its sides:
+/// opening and slip, with Mohr–Coulomb friction and no tension (T19.15). Or a section of a wall: axial strain and
+/// curvature, with N_p and M_p (T19.16); `opening` and `slip` stand for these then.
 struct Joint {
   int wall = 0;
-  int side = 0;       ///< 0: soil at the left of the way from head to toe, 1: at the right
-  double place = 0;   ///< distance from the head [m]
-  double weight = 0;  ///< length that it stands for [m]
-  double normal_stiffness = 0, tangential_stiffness = 0;
-  bool is_rough = false;  ///< no limit of the shear stress
+  bool is_section = false;
+  double axial = 0, moment = 0;  ///< N_p [N] and M_p [N m] of a section
+  int side = 0;                  ///< 0: soil at the left of the way from head to toe, 1: at the right
+  double place = 0;              ///< distance from the head [m]
+  double weight = 0;             ///< length that it stands for [m]
+  double normal_stiffness = 0, tangential_stiffness = 0;  ///< of a section E A and E I
+  int node = -1;                                          ///< of the soil, in the quadratic mesh
+  Vec<2> normal{};                                        ///< from the wall to the soil
+  bool is_rough = false;                                  ///< no limit of the shear stress
   double adhesion = 0, friction = 0;
   double compression = 0;                 ///< initial effective stress [Pa]
   std::vector<int> unknown{};             ///< unknowns of the deformations, each once
@@ -56,6 +61,7 @@ struct Joint {
 struct JointAnswer {
   std::array<double, 2> elastic{}, force{};  ///< opening and slip, the state of the joint; tension and shear [Pa]
   std::array<double, 4> tangent{};           ///< by rows
+  bool yields = false;                       ///< slips, or a section yields
 };
 
 struct SpringSet {
@@ -63,6 +69,7 @@ struct SpringSet {
   std::vector<Joint> joints;
   int unknowns = 0;                           ///< of the bars
   std::vector<std::pair<int, double>> loads;  ///< on the bars: unknown and force [N]
+  std::vector<int> heads;                     ///< of each bar: unknown of the displacement of its head along it
 };
 
 /// How springs respond in a step.

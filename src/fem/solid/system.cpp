@@ -247,8 +247,8 @@ void SolidAssembly<D>::evaluate_springs(const SolidState<D>& start, const std::v
     const JointAnswer answer = update_joint(joint, stage_, {start.bars[place], start.bars[place + 1]}, deformation);
     end.bars[place] = answer.elastic[0];
     end.bars[place + 1] = answer.elastic[1];
-    sums.yielding += answer.tangent[3] == 0;
-    sums.symmetric = sums.symmetric && answer.tangent[2] == 0;
+    sums.yielding += answer.yields;
+    sums.symmetric = sums.symmetric && answer.tangent[1] == answer.tangent[2];
     for (std::size_t i = 0; i < joint.unknown.size(); ++i)
       sums.force[static_cast<std::size_t>(joint.unknown[i])] +=
           joint.weight * (joint.opening[i] * answer.force[0] + joint.slip[i] * answer.force[1]);

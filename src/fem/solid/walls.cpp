@@ -93,6 +93,9 @@ class WallBuilder {
     if (!touches) fail_input("wall '{}' does not touch the soil", wall.name);
     for (const Strut& strut : wall.struts) add_strut(wall, strut);
     add_surface_loads(wall);
+    const int own = number_ - static_cast<int>(model_.bars.size());
+    for (std::size_t b = 0; b < model_.bars.size(); ++b)
+      if (model_.bars[b].wall == own && model_.bars[b].plate > 0) add_head(b);
   }
 
   Piece make_piece(int a, int b) const {
@@ -122,6 +125,31 @@ class WallBuilder {
     set_.list.push_back(std::move(spring));
   }
 
+  /// Adds the plate of a bar whose head lies on the wall, between the bar and the nearest place of the wall.
+  void add_head(std::size_t b) {
+    const Bar& bar = model_.bars[b];
+    std::size_t best = 0;
+    double nearest = unlimited, place = 0;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const Piece& piece = pieces_[p];
+      const double along = dot({bar.head[0] - piece.from[0], bar.head[1] - piece.from[1]}, piece.along),
+                   t = std::clamp(along / piece.length, 0.0, 1.0), s = t * piece.length;
+      const double distance = std::hypot(piece.from[0] + s * piece.along[0] - bar.head[0],
+                                         piece.from[1] + s * piece.along[1] - bar.head[1]);
+      if (distance < nearest) nearest = distance, best = p, place = t;
+    }
+    const double length = std::hypot(bar.end[0] - bar.head[0], bar.end[1] - bar.head[1]);
+    const auto shape = compute_shape(place);
+    Rates rates{{set_.heads[b], 1}};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t d = 0; d < 2; ++d)
+        rates[get_unknown(2 * best + i, d)] -= shape[i] * (bar.end[d] - bar.head[d]) / length;
+    Spring spring{
+        .kind = SpringKind::plate, .stiffness = bar.plate_stiffness, .lower = 0, .upper = bar.plate, .slackens = true};
+    add_spring(std::move(spring), rates);
+    set_.list.back().bar = static_cast<int>(b);
+  }
+
   void add_strains(const Wall& wall, std::size_t p, double t, double weight) {
     const Piece& piece = pieces_[p];
     const auto shape = compute_shape(t), slope = compute_slope(t);
@@ -145,9 +173,36 @@ class WallBuilder {
       shear[get_unknown(2 * p + i, 2)] = -shape[i] / length_;
       bending[get_unknown(2 * p + i, 2)] = slope[i] / h / length_;
     }
-    add(SpringKind::axial, wall.axial_stiffness, wall.axial, axial);
-    add(SpringKind::bending, wall.bending_stiffness, wall.moment, bending);
+    if (std::isfinite(wall.axial) && std::isfinite(wall.moment)) {
+      add_section(wall, piece.place + t * h, weight * h, axial, bending);
+    } else {
+      add(SpringKind::axial, wall.axial_stiffness, wall.axial, axial);
+      add(SpringKind::bending, wall.bending_stiffness, wall.moment, bending);
+    }
     add(SpringKind::shear, wall.shear_stiffness, wall.shear, shear);
+  }
+
+  /// Adds axial strain and curvature at a point, whose strengths interact.
+  void add_section(const Wall& wall, double place, double weight, const Rates& axial, const Rates& bending) {
+    Joint section{.wall = number_,
+                  .is_section = true,
+                  .axial = wall.axial,
+                  .moment = wall.moment,
+                  .place = place,
+                  .weight = weight,
+                  .normal_stiffness = wall.axial_stiffness,
+                  .tangential_stiffness = wall.bending_stiffness};
+    for (const auto& [unknown, rate] : axial) {
+      section.unknown.push_back(unknown);
+      section.opening.push_back(rate);
+      section.slip.push_back(0);
+    }
+    for (const auto& [unknown, rate] : bending) {
+      section.unknown.push_back(unknown);
+      section.opening.push_back(0);
+      section.slip.push_back(rate);
+    }
+    set_.joints.push_back(std::move(section));
   }
 
   /// Adds the joints of a piece to the soil on one of its sides. Opening and slip are motions of the soil relative to
@@ -166,6 +221,8 @@ class WallBuilder {
                   .weight = simpson[i] * piece.length,
                   .normal_stiffness = wall.normal_stiffness,
                   .tangential_stiffness = wall.tangential_stiffness,
+                  .node = at,
+                  .normal = normal,
                   .is_rough = !wall.interface,
                   .compression = find_compression(face.element, normal)};
       if (wall.interface) {

@@ -26,7 +26,8 @@ struct Strut {
   double prestress = 0;         ///< compression at which it is locked off [N]
 };
 
-/// A beam with interfaces; all values are per metre of slope. Its own weight is part of the soil's.
+/// A beam with interfaces; all values are per metre of slope. With finite strengths N_p and M_p both, its axial force
+/// and moment interact (T19.16).
 struct Wall {
   std::string name;
   std::vector<int> nodes;        ///< of the linear mesh from head to toe; neighbours are ends of an edge of the mesh
@@ -40,7 +41,7 @@ struct Wall {
   /// Strength of the interface to the soil of a region of the mesh, which the factor divides; empty: rough.
   std::function<InterfaceStrength(int region, const Vec<2>& x)> interface;
   std::vector<Strut> struts;
-  Vec<2> line_load{};  ///< force per metre of wall [Pa]
+  Vec<2> line_load{};  ///< force per metre of wall, as of its weight [Pa]
 };
 
 }  // namespace talus::fem

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/elements_and_bounds.hpp"
 #include "input/case/support.hpp"
+#include "mesh/ground.hpp"
 
 namespace talus::input {
 
@@ -339,10 +341,37 @@ void check_stiffness(const Case& data, Findings& findings) {
   }
 }
 
+/// Warns of heads that do not hold the wall on which they lie.
+void check_walls(const Case& data, Findings& findings) {
+  if (!findings.is_sound("support") || !findings.is_sound("geometry") || data.mesh.polygons.empty()) return;
+  mesh::Polyline ground;
+  try {
+    ground = mesh::find_ground(data.mesh);
+  } catch (const Error&) {
+    return;  // the methods that need the ground report its fault
+  }
+  constexpr double near = 1e-3;  // of the width of the section
+  for (const auto& [name, wall] : data.supports) {
+    if (wall.kind != SupportKind::wall) continue;
+    for (const auto& [other, support] : data.supports) {
+      const bool is_loose = support.kind == SupportKind::nail || support.kind == SupportKind::anchor;
+      if (!is_loose || support.plate > 0) continue;
+      for (const BarLine& piece : lay_bars(wall, ground, data.units().length).bars)
+        for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars)
+          if (mesh::compute_distance(bar.head, piece.head, piece.end) <= near * (ground.back()[0] - ground.front()[0]))
+            return findings.warn("support." + other + ".plate",
+                                 "the head of support '{}' in row {} lies on the wall '{}' and does not hold it: "
+                                 "'plate' is 0",
+                                 other, bar.row, name);
+    }
+  }
+}
+
 }  // namespace
 
 void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
+  check_walls(data, findings);
   if (uses(data, Method::fem) || uses(data, Method::mpm)) check_stiffness(data, findings);
   if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
     findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
@@ -407,7 +436,8 @@ void check_methods(const Case& data, Findings& findings) {
   if (!is_wet(data)) return;
   const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 ||
                              data.timeline || uses(data, Method::seepage);
-  if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))
+  if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 &&
+      findings.is_sound("mesh.size"))
     findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
 }
 

@@ -63,6 +63,7 @@ struct Support {
   WallCrossing crossing = WallCrossing::excluded;
   std::optional<double> interface_strength;  ///< strength of the interface over that of the soil, R_inter [-]
   std::optional<double> plastic_force;       ///< N_p [N]
+  std::optional<double> weight;              ///< per area of wall, less that of the soil it replaces [N/m²]
   std::vector<double> strut_levels;          ///< [m]
   std::optional<double> strut_stiffness;     ///< [N/m]
   double strut_strength = 0;                 ///< [N]
@@ -229,7 +230,13 @@ void describe_wall(auto& v, Support& s) {
         "R_inter: cohesion and tan φ of the interface over those of the soil beside it, for FEM, instead of "
         "`bond_adhesion` and `bond_friction`.");
   v.key("plastic_force", s.plastic_force, quantity("kN").above(0).allowed_with("kind", s.kind, K::wall).example("2500"),
-        "N_p of a metre of wall, for FEM: its axial strength in tension and compression.");
+        "N_p of a metre of wall, for FEM: its axial strength in tension and compression. With `plastic_moment` too, "
+        "axial "
+        "force and moment interact: |N|/N_p + |M|/M_p ≤ 1.");
+  v.key("weight", s.weight, quantity("kPa").at_least(0).allowed_with("kind", s.kind, K::wall).example("8"),
+        "Weight of a square metre of wall, kN/m², less that of the soil that it replaces, for LEM and FEM. Not given: "
+        "the "
+        "wall weighs as much as that soil.");
   v.key("strut_levels", s.strut_levels, quantity("m").allowed_with("kind", s.kind, K::wall).example("[5, 2]"),
         "y of horizontal struts on the side of the wall without soil, for FEM.");
   v.key("strut_stiffness", s.strut_stiffness,

@@ -29,6 +29,8 @@ constexpr double strong = 2;
 constexpr double shear_share = 5.0 / 6 / 2.4;
 /// Width of the facing that a head presses on, where no other head is nearer [m].
 constexpr double widest_plate = 1;
+/// A head within this fraction of the width of the section lies on a wall.
+constexpr double near_wall = 1e-3;
 /// Forces are rounded to this many parts of one newton per metre.
 constexpr double force_digits = 10;
 
@@ -83,7 +85,7 @@ double find_stiffest(const site::Site& site) {
 /// Builds the bars of a case; the section of LEM, from which bond and soil pressure follow, only where it is needed.
 class BarMaker {
  public:
-  explicit BarMaker(const site::Site& site) : site_(site), bars_(site::list_bars(site)) {
+  explicit BarMaker(const site::Site& site) : site_(site), bars_(site::list_bars(site)), walls_(list_walls(site)) {
     const bool needs = std::any_of(bars_.begin(), bars_.end(),
                                    [](const site::Bar& bar) { return bar.bond_factor > 0 || bar.has_soil_pressure; });
     if (needs) slope_ = std::make_shared<const lem::Slope>(make_section(site).section);
@@ -127,8 +129,17 @@ class BarMaker {
       out.plate = std::min(bar.plate, strong * bar.tensile);
       out.plate_stiffness = std::min(bar.plate, bar.tensile) / yield_slip;
       out.plate_line = cut_ground(site_.ground(), bar.head, find_plate_width(bars_, i));
+      out.wall = find_wall(bar.head).value_or(-1);
     }
     return out;
+  }
+
+  /// Returns the number of the wall on which a head lies.
+  std::optional<int> find_wall(const Vec<2>& head) const {
+    const double near = near_wall * (site_.ground().back()[0] - site_.ground().front()[0]);
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      if (mesh::compute_distance(head, walls_[w].points) <= near) return static_cast<int>(w);
+    return std::nullopt;
   }
 
   void make_beam(const site::Bar& bar, fem::Bar& out) const {
@@ -171,6 +182,7 @@ class BarMaker {
 
   const site::Site& site_;
   std::vector<site::Bar> bars_;
+  std::vector<WallLine> walls_;
   std::shared_ptr<const lem::Slope> slope_;
 };
 
@@ -242,6 +254,9 @@ results::ElementBar make_bar_result(const fem::BarForces& failed, const fem::Bar
     out.moments.emplace(), out.shears.emplace();
     for (const double m : failed.moment.value) out.moments->push_back(round_to(m, force_digits));
     for (const double v : failed.shear.value) out.shears->push_back(round_to(v, force_digits));
+    out.moments_at_start.emplace(), out.shears_at_start.emplace();
+    for (const double m : start.moment.value) out.moments_at_start->push_back(round_to(m, force_digits));
+    for (const double v : start.shear.value) out.shears_at_start->push_back(round_to(v, force_digits));
   }
   if (out.largest > 0) {
     const double place = failed.axial.place[top];
@@ -275,6 +290,7 @@ std::vector<results::ElementBar> make_bar_results(const site::Site& site, const 
     out.row = bars[i].row;
     out.head = bars[i].head;
     out.end = bars[i].end;
+    if (const int wall = model.bars[i].wall; wall >= 0) out.on_wall = model.walls[static_cast<std::size_t>(wall)].name;
   }
   const std::vector<WallLine> walls = list_walls(site);
   for (std::size_t w = 0; w < walls.size(); ++w)

@@ -315,6 +315,16 @@ lem::BarDirection convert(input::SupportDirection direction) {
   return lem::BarDirection::axial;
 }
 
+/// Returns the weight of a wall as a load on the ground above it, over 1e-3 of the width of the section at least.
+lem::Surcharge make_weight(const site::Bar& wall, const lem::Section& section) {
+  constexpr double narrowest = 1e-3;
+  const double middle = 0.5 * (wall.head[0] + wall.end[0]),
+               width = std::max(std::abs(wall.head[0] - wall.end[0]),
+                                narrowest * (section.ground.back()[0] - section.ground.front()[0])),
+               pressure = wall.weight * wall.length() / width;
+  return {{{middle - width / 2, pressure, 0}, {middle + width / 2, pressure, 0}}};
+}
+
 void add_bars(const site::Site& site, lem::Section& section) {
   for (const site::Bar& bar : site::list_bars(site)) {
     lem::Bar made;
@@ -336,6 +346,7 @@ void add_bars(const site::Site& site, lem::Section& section) {
     made.prestress = bar.prestress;
     made.lateral = bar.is_barrier ? 0 : bar.lateral > 0 ? bar.lateral : bar.shear;
     made.shear = bar.shear;
+    if (bar.weight > 0) section.surcharges.push_back(make_weight(bar, section));
     made.diameter = bar.diameter;
     made.spacing = bar.spacing;
     made.is_active = bar.is_active;

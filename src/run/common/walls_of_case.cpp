@@ -167,6 +167,8 @@ std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& m
     wall.shear = support.shear_strength.value_or(fem::unlimited);
     wall.normal_stiffness = joint_share * find_softest(site);
     wall.tangential_stiffness = shear_joint * wall.normal_stiffness;
+    const Vec<2> pull = site.find_body_force<2>();
+    for (std::size_t d = 0; d < 2; ++d) wall.line_load[d] = support.weight.value_or(0) * pull[d];
     wall.interface = [strengths = list_strengths(site, support, line.support, mesh.region_names)](
                          int region, const Vec<2>&) { return strengths[static_cast<std::size_t>(region)]; };
     for (const double level : support.strut_levels)
@@ -189,6 +191,13 @@ results::ElementBar make_wall_result(const WallLine& wall, const fem::BarForces&
   std::size_t sliding = 0, all = 0;
   for (const auto& face : failed.face)
     for (const fem::FacePoint& p : face) ++all, sliding += std::abs(p.shear) >= slips * p.strength;
+  if (!start.deflection.place.empty()) {
+    out.deflection.emplace();
+    for (std::size_t i = 0; i < start.deflection.place.size(); ++i) {
+      out.deflection->place.push_back(round_to(start.deflection.place[i], 1e6));
+      out.deflection->value.push_back(round_to(start.deflection.value[i], 1e9));
+    }
+  }
   if (all > 0) out.sliding = static_cast<double>(sliding) / static_cast<double>(all);
   if (!failed.face[0].empty()) out.left = make_face_result(failed.face[0]);
   if (!failed.face[1].empty()) out.right = make_face_result(failed.face[1]);

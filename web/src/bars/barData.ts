@@ -11,6 +11,13 @@ export interface BarRow {
   /** Bending moment and shear force there, of piles and walls [N m/m], [N/m]. */
   moments: (number | null)[];
   shears: (number | null)[];
+  /** The same at full strength of the soil. */
+  startMoments: (number | null)[];
+  startShears: (number | null)[];
+  /** Of walls at full strength: distances from the head, displacement towards the left of the way to the toe [m]. */
+  deflection: { place: (number | null)[]; value: (number | null)[] };
+  /** Wall on which the head presses. */
+  onWall: string | null;
   largest: number | null;
   plate: number | null;
   moment: number | null;
@@ -49,6 +56,10 @@ interface Bar {
   plate: number | null;
   moments?: (number | null)[];
   shears?: (number | null)[];
+  moments_at_start?: (number | null)[];
+  shears_at_start?: (number | null)[];
+  deflection?: { place: (number | null)[]; value: (number | null)[] };
+  on_wall?: string;
   moment?: number | null;
   tension?: number | null;
   pull_out?: number | null;
@@ -64,6 +75,10 @@ const makeRow = (bar: Bar): BarRow => ({
   force: bar.force,
   moments: bar.moments ?? [],
   shears: bar.shears ?? [],
+  startMoments: bar.moments_at_start ?? [],
+  startShears: bar.shears_at_start ?? [],
+  deflection: bar.deflection ?? { place: [], value: [] },
+  onWall: bar.on_wall ?? null,
   largest: bar.largest,
   plate: bar.plate,
   moment: bar.moment ?? null,
