@@ -25,6 +25,9 @@ inline constexpr bool is_left_out = std::is_same_v<T, JsonTree>;
 /// Structs whose lists are the columns of one table, such as those of slices.
 template <class T>
 inline constexpr bool has_columns = false;
+/// Structs of a list whose own lists of numbers, as long as the first of them, are the columns of one table.
+template <class T>
+inline constexpr bool has_own_columns = false;
 /// Structs of the overview.
 template <class T>
 inline constexpr bool is_in_head = false;
@@ -232,7 +235,12 @@ class RowWriter {
       if constexpr (is_left_out<Entry>) return;
       if (value.empty()) return;
       if constexpr (is_entry<Entry>)
-        if (is_columnar_) return write_column(path, title, unit, value);
+        if (is_columnar_ && !path_.empty()) return write_column(path, title, unit, value);
+      if constexpr (std::is_same_v<T, std::vector<double>>)
+        if (is_columnar_ && path_.empty() && (!has_list_ || value.size() == length_)) {
+          length_ = value.size();
+          return write_column(path, title, unit, value);
+        }
       if constexpr (std::is_same_v<Entry, std::string> || std::is_enum_v<Entry>) {
         std::string joined;
         for (const Entry& entry : value) joined += (joined.empty() ? "" : "; ") + make_text(entry);
@@ -278,11 +286,13 @@ class RowWriter {
   /// Writes a list as a column of the table of its struct.
   template <class T>
   void write_column(const std::string& path, const std::string& title, const std::string& unit, const T& list) {
-    Table& table = find_below(path_, title_);
+    const bool is_own = path_.empty();
+    Table& table = is_own ? find_below("along", "along its length") : find_below(path_, title_);
     if (!has_list_) first_ = table.rows;
     has_list_ = true;
     while (table.rows < first_ + list.size()) set_.add_row(table, list_leads());
-    const std::string key = path.substr(path_.size() + 1), name = title.substr(title_.size() + 2);
+    const std::string key = is_own ? path : path.substr(path_.size() + 1),
+                      name = is_own ? title : title.substr(title_.size() + 2);
     for (std::size_t i = 0; i < list.size(); ++i) set_entry(table, first_ + i, key, name, unit, list[i]);
   }
 
@@ -338,7 +348,7 @@ class RowWriter {
       if constexpr (!is_left_out<T>) {
         table.is_head = is_in_head<T>;
         Row row{table, set_.add_row(table, leads), leads, title, key, {}};
-        RowWriter inner(set_, row);
+        RowWriter inner(set_, row, "", "", has_own_columns<T>);
         describe(inner, value);
       }
     } else {
@@ -351,7 +361,7 @@ class RowWriter {
   std::string path_, title_;  ///< of the struct within its row
   bool is_columnar_;
   bool has_list_ = false;
-  std::size_t first_ = 0;  ///< first row of its lists
+  std::size_t first_ = 0, length_ = 0;  ///< first row and length of its lists
 };
 
 /// Returns the tables of a described struct.

@@ -29,6 +29,15 @@ template <>
 inline constexpr bool has_columns<Profile> = true;
 template <>
 inline constexpr bool has_columns<HistogramCounts> = true;
+template <>
+inline constexpr bool has_columns<ElementFace> = true;
+template <>
+inline constexpr bool has_columns<ElementDeflection> = true;
+
+template <>
+inline constexpr bool has_own_columns<ElementBar> = true;
+template <>
+inline constexpr bool has_own_columns<PointBar> = true;
 
 template <>
 inline constexpr bool is_in_head<Project> = true;

@@ -177,5 +177,34 @@ TEST(ResultsTables, TheTableOfAStudyHasNumbersAndWords) {
   EXPECT_EQ(table.columns[1].cells, (Cells{"1e3x", "nan"}));
 }
 
+TEST(ResultsTables, CurvesOfASupportAreTheColumnsOfOneTable) {
+  RunResult run;
+  ElementResult fem;
+  ElementRun& one = fem.runs.emplace_back();
+  one.supports.emplace();
+  ElementBar wall;
+  wall.support = "sheet";
+  wall.place = {0.5, 1.5};
+  wall.force = {-1e3, -2e3};
+  wall.moments = {10e3, 20e3};
+  wall.deflection = ElementDeflection{{0, 1, 2}, {0.01, 0.02, 0.03}};
+  ElementBar nail;
+  nail.support = "nail";
+  nail.place = {0.1, 0.2, 0.3};
+  nail.force = {5e3, 6e3, 7e3};
+  one.supports = {wall, nail};
+  run.elements = fem;
+  const auto tables = make_tables(run, ShownUnits{}, 2);
+  const Table& along = find_table(tables, "fem.runs.supports.along");
+  EXPECT_EQ(along.rows, 5u) << "two places of the wall, three of the nail";
+  EXPECT_EQ(find_column(along, "place").cells, (Cells{0.5, 1.5, 0.1, 0.2, 0.3})) << "two distances are no point";
+  EXPECT_EQ(find_column(along, "force").cells, (Cells{-1.0, -2.0, 5.0, 6.0, 7.0}));
+  EXPECT_EQ(find_column(along, "force").unit, "kN/m");
+  EXPECT_EQ(find_column(along, "moments").cells,
+            (Cells{10e3, 20e3, std::monostate{}, std::monostate{}, std::monostate{}}));
+  EXPECT_EQ(find_column(along, "supports.support").cells, (Cells{"sheet", "sheet", "nail", "nail", "nail"}));
+  EXPECT_EQ(find_column(find_table(tables, "fem.runs.supports.deflection"), "value").cells, (Cells{0.01, 0.02, 0.03}));
+}
+
 }  // namespace
 }  // namespace talus::results
