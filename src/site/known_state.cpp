@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mesh/locate.hpp"
+#include "site/seepage_model.hpp"
 
 namespace talus::site {
 
@@ -48,6 +49,9 @@ StressAt StressReader::read(int e, const Vec<2>& xi) {
 
 namespace {
 
+/// Part of the way from a node to the middle of an element.
+constexpr double towards_middle = 1e-6;
+
 /// Returns the element that contains `x`, or the one whose smallest shape function at x is largest.
 int find_nearest_element(const mesh::Mesh<2>& mesh, const Vec<2>& x, int start) {
   const int found = mesh::find_element(mesh, x, start);
@@ -67,9 +71,19 @@ int find_nearest_element(const mesh::Mesh<2>& mesh, const Vec<2>& x, int start) 
 MappedWater map_water(const input::KnownWater& known, const mesh::Mesh<2>& mesh) {
   if (mesh.nodes == known.mesh.nodes && mesh.elements == known.mesh.elements) return {known.pressure, known.seepage};
   MappedWater water;
+  // Both nodes on an impermeable wall have one place; a point in an element of the node lies on its side of the wall.
+  const bool is_cut = mesh.sides.contains(impermeable_sides);
+  std::vector<Vec<2>> places = mesh.nodes;
+  for (int i = 0; is_cut && i < mesh.element_count(); ++i) {
+    const Vec<2> middle = mesh::to_global(mesh, i, Vec<2>{1.0 / 3, 1.0 / 3});
+    for (const int n : mesh.elements[static_cast<std::size_t>(i)])
+      for (std::size_t d = 0; d < 2; ++d)
+        places[static_cast<std::size_t>(n)][d] = mesh.nodes[n][d] + towards_middle * (middle[d] - mesh.nodes[n][d]);
+  }
   int e = 0;
-  for (const Vec<2>& x : mesh.nodes) {
-    e = find_nearest_element(known.mesh, x, e);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const Vec<2>& x = mesh.nodes[n];
+    e = find_nearest_element(known.mesh, places[n], e);
     const auto xi = mesh::to_local(known.mesh, e, x);
     const auto& corners = known.mesh.elements[static_cast<std::size_t>(e)];
     const auto at = [&](std::size_t c) { return known.pressure[static_cast<std::size_t>(corners[c])]; };

@@ -48,6 +48,8 @@ class NamedSides {
         if (!is_new) at->second = choose(data, at->second, number);
       }
     }
+    if (const auto covered = mesh.sides.find(impermeable_sides); covered != mesh.sides.end())
+      for (const auto& side : covered->second) covered_.insert(sort_nodes<D>(side));
     int moved = static_cast<int>(data.hydraulics.size());
     for (const input::Boundary& b : data.boundaries) {
       if (b.fix == input::Fix::velocity) ++moved;
@@ -59,6 +61,8 @@ class NamedSides {
     }
   }
   bool is_wall(const Side<D>& sorted) const { return walls_.contains(sorted); }
+  /// Returns true beside an impermeable wall, whatever the condition of the side.
+  bool is_covered(const Side<D>& sorted) const { return covered_.contains(sorted); }
   /// Returns the number of the condition, or 0.
   int get_condition(const Side<D>& sorted) const {
     const auto found = conditions_.find(sorted);
@@ -83,7 +87,7 @@ class NamedSides {
   }
 
   std::map<Side<D>, int> conditions_;
-  std::set<Side<D>> walls_;
+  std::set<Side<D>> walls_, covered_;
 };
 
 input::TimeTable make_constant(double value) {
@@ -210,6 +214,7 @@ WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& dat
           for (int node : side) result.reserved.emplace_back(node, number);
         continue;
       }
+      if (named.is_covered(sorted)) continue;
       if (has_wet(behind)) {
         if (is_no_flow(number) && e < behind) lines[static_cast<std::size_t>(number)].push_back(side);
         continue;

@@ -13,6 +13,9 @@
 
 namespace talus::site {
 
+/// Name of the sides in a mesh through which no water passes: both faces of impermeable walls.
+inline constexpr const char* impermeable_sides = "[support] impermeable";
+
 /// A side of a wet element behind which there is no wet soil.
 template <int D>
 struct WaterSide {

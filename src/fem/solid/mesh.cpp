@@ -22,23 +22,21 @@ std::string describe_element(const mesh::Mesh<D>& mesh, std::size_t e, const Vec
   return fmt::format("element {}{} at ({:.4g}) m", e, soil, fmt::join(centre, ", "));
 }
 
-/// Doubles the nodes on cuts. The elements around a node form sectors that the cuts separate; each sector but the first
-/// gets a node of its own.
+/// Doubles the nodes on cuts.
 class Splitter {
  public:
-  Splitter(QuadraticMesh<2>& mesh, const Cuts& cuts) : mesh_(mesh), cuts_(cuts) {
-    for (const auto& cut : cuts)
-      for (const int node : cut) stars_[node];
-    for (std::size_t k = 0; k < mesh_.elements.size(); ++k)
-      for (std::size_t i = 0; i < Quadratic<2>::corners; ++i)
-        if (const auto star = stars_.find(mesh_.elements[k][i]); star != stars_.end()) star->second.push_back(k);
-  }
+  Splitter(QuadraticMesh<2>& mesh, const Cuts& cuts) : mesh_(mesh), cuts_(cuts), list_(cuts) {}
 
   void run() {
     mesh_.original.resize(mesh_.nodes.size());
     std::iota(mesh_.original.begin(), mesh_.original.end(), 0);
     const auto given = mesh_.elements;
-    for (const auto& [node, star] : stars_) split_corner(node, star, given);
+    std::vector<std::array<int, 3>> corners;
+    for (const auto& element : given) corners.push_back({element[0], element[1], element[2]});
+    for (const mesh::DoubledNode& doubled : mesh::list_doubles(corners, list_)) {
+      const int own = add_double(doubled.node);
+      for (const std::size_t k : doubled.elements) replace(k, doubled.node, own);
+    }
     split_middles(given);
   }
 
@@ -54,29 +52,6 @@ class Splitter {
     std::replace(mesh_.elements[k].begin(), mesh_.elements[k].end(), node, by);
   }
 
-  void split_corner(int node, const std::vector<std::size_t>& star, const Elements& given) {
-    // The far ends of the edges at the node that are no cuts join its elements to sectors.
-    std::vector<std::size_t> sector(star.size());
-    std::iota(sector.begin(), sector.end(), 0);
-    std::map<int, std::size_t> seen;
-    for (std::size_t s = 0; s < star.size(); ++s)
-      for (std::size_t i = 0; i < Quadratic<2>::corners; ++i) {
-        const int far = given[star[s]][i];
-        if (far == node || cuts_.contains(node, far)) continue;
-        const auto [other, is_new] = seen.try_emplace(far, s);
-        if (is_new) continue;
-        const std::size_t from = sector[s], to = sector[other->second];
-        std::replace(sector.begin(), sector.end(), std::max(from, to), std::min(from, to));
-      }
-    std::map<std::size_t, int> doubles;
-    for (std::size_t s = 0; s < star.size(); ++s) {
-      if (sector[s] == sector[0]) continue;
-      const auto [made, is_new] = doubles.try_emplace(sector[s], -1);
-      if (is_new) made->second = add_double(node);
-      replace(star[s], node, made->second);
-    }
-  }
-
   void split_middles(const Elements& given) {
     std::map<int, int> uses;
     for (std::size_t k = 0; k < given.size(); ++k)
@@ -89,7 +64,7 @@ class Splitter {
 
   QuadraticMesh<2>& mesh_;
   CutSet cuts_;
-  std::map<int, std::vector<std::size_t>> stars_;  ///< elements at each node of the cuts
+  const Cuts& list_;
 };
 
 }  // namespace

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <utility>
+
 #include "base/error.hpp"
 #include "fem/solid/softening.hpp"
 #include "fem/solid/system.hpp"

@@ -16,6 +16,7 @@
 #include "fem/solid/walls.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/split.hpp"
 
 namespace talus::fem {
 
@@ -154,7 +155,7 @@ struct QuadraticMesh {
 };
 
 /// Edges of the linear mesh along which walls separate the soil.
-using Cuts = std::vector<std::array<int, 2>>;
+using mesh::Cuts;
 
 /// Makes the quadratic mesh. Nodes on cuts are doubled, the doubles come last; the ends of a cut inside the soil remain
 /// single.

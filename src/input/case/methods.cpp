@@ -341,8 +341,22 @@ void check_stiffness(const Case& data, Findings& findings) {
   }
 }
 
-/// Warns of heads that do not hold the wall on which they lie.
+/// Returns true if pore pressures follow from a calculation of seepage.
+bool computes_seepage(const Case& data) {
+  return is_wet(data) && (data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 ||
+                          data.timeline || uses(data, Method::seepage));
+}
+
+/// Checks that walls beside computed seepage are permeable or not, and warns of heads that do not hold their wall.
 void check_walls(const Case& data, Findings& findings) {
+  if (computes_seepage(data))
+    for (const auto& [name, support] : data.supports)
+      if (support.kind == SupportKind::wall && !support.permeable &&
+          findings.is_sound("support." + name + ".permeable"))
+        findings.add("support." + name,
+                     "support '{}': give 'permeable'; pore pressures follow from seepage here, which a wall with "
+                     "permeable = false stops and one with permeable = true does not",
+                     name);
   if (!findings.is_sound("support") || !findings.is_sound("geometry") || data.mesh.polygons.empty()) return;
   mesh::Polyline ground;
   try {
@@ -433,10 +447,7 @@ void check_methods(const Case& data, Findings& findings) {
   check_columns(data, findings);
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
-  if (!is_wet(data)) return;
-  const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 ||
-                             data.timeline || uses(data, Method::seepage);
-  if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 &&
+  if (computes_seepage(data) && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 &&
       findings.is_sound("mesh.size"))
     findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
 }

@@ -64,6 +64,7 @@ struct Support {
   std::optional<double> interface_strength;  ///< strength of the interface over that of the soil, R_inter [-]
   std::optional<double> plastic_force;       ///< N_p [N]
   std::optional<double> weight;              ///< per area of wall, less that of the soil it replaces [N/m²]
+  std::optional<bool> permeable;             ///< false: no seepage through the wall
   std::vector<double> strut_levels;          ///< [m]
   std::optional<double> strut_stiffness;     ///< [N/m]
   double strut_strength = 0;                 ///< [N]
@@ -237,6 +238,8 @@ void describe_wall(auto& v, Support& s) {
         "Weight of a square metre of wall, kN/m², less that of the soil that it replaces, for LEM and FEM. Not given: "
         "the "
         "wall weighs as much as that soil.");
+  v.key("permeable", s.permeable, plain().allowed_with("kind", s.kind, K::wall).example("false"),
+        "false: no water seeps through the wall. Required with a wall where pore pressures follow from seepage.");
   v.key("strut_levels", s.strut_levels, quantity("m").allowed_with("kind", s.kind, K::wall).example("[5, 2]"),
         "y of horizontal struts on the side of the wall without soil, for FEM.");
   v.key("strut_stiffness", s.strut_stiffness,

@@ -10,8 +10,8 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "site/design_values.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
@@ -163,7 +163,7 @@ void add_water(const site::Site& site, lem::Section& section, site::WaterResult&
   const input::Case& data = site.data();
   section.water_unit_weight = site.water_weight();
   if (site::needs_seepage(data)) {
-    const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
+    const mesh::Mesh<2> mesh = generate_for_seepage<2>(site);
     set_pressures(site, mesh, site::find_nodal_pressure<2>(site::close_sides(data), mesh, &out),
                   site::find_first_time(data), section);
     return;

@@ -8,10 +8,13 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "mesh/split.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/head.hpp"
 #include "site/ground_load.hpp"
+#include "site/seepage_model.hpp"
 #include "site/supports.hpp"
 
 namespace talus::run {
@@ -151,6 +154,32 @@ mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan) {
   }
   return site::add_corners(std::move(plan), places, 1e-9 * (site.ground().back()[0] - site.ground().front()[0]));
 }
+
+bool has_impermeable_walls(const input::Case& data) {
+  return std::any_of(data.supports.begin(), data.supports.end(), [](const auto& entry) {
+    return entry.second.kind == input::SupportKind::wall && !entry.second.permeable.value_or(true);
+  });
+}
+
+mesh::Mesh<2> cut_at_walls(const site::Site& site, mesh::Mesh<2> mesh) {
+  if (!has_impermeable_walls(site.data())) return mesh;
+  mesh::Cuts cuts;
+  for (const WallLine& line : list_walls(site)) {
+    if (site.data().supports.at(line.support).permeable.value_or(true)) continue;
+    const std::vector<int> nodes = list_nodes(line, mesh, site.data().units());
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) cuts.push_back({nodes[i], nodes[i + 1]});
+  }
+  return mesh::split(std::move(mesh), cuts, site::impermeable_sides);
+}
+
+template <int D>
+mesh::Mesh<D> generate_for_seepage(const site::Site& site) {
+  const mesh::Plan& plan = site.data().mesh;
+  if (!has_impermeable_walls(site.data())) return mesh::generate<D>(plan);
+  return cut_at_walls(site, mesh::generate<D>(conform_to_walls(site, plan)));
+}
+template mesh::Mesh<2> generate_for_seepage<2>(const site::Site&);
+template mesh::Mesh<3> generate_for_seepage<3>(const site::Site&);
 
 std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& mesh) {
   std::vector<fem::Wall> walls;

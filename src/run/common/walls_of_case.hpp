@@ -24,6 +24,20 @@ std::vector<WallLine> list_walls(const site::Site& site);
 /// Returns `plan` with the walls as lines, and their ends on the ground as corners.
 mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan);
 
+/// Returns true if the case has walls through which no water seeps.
+bool has_impermeable_walls(const input::Case& data);
+
+/// Returns `mesh` with its nodes doubled along the impermeable walls, to which it must conform. Throws as make_walls()
+/// and mesh::split().
+mesh::Mesh<2> cut_at_walls(const site::Site& site, mesh::Mesh<2> mesh);
+inline mesh::Mesh<3> cut_at_walls(const site::Site&, mesh::Mesh<3> mesh) {
+  return mesh;
+}
+
+/// Generates the mesh of the seepage of a case, cut at its impermeable walls.
+template <int D>
+mesh::Mesh<D> generate_for_seepage(const site::Site& site);
+
 /// Makes the walls on a mesh that conforms to them. Throws Error (wrong_input) if it does not, or if the strength of
 /// the soil does not give that of the interface.
 std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& mesh);

@@ -115,7 +115,9 @@ class SolidBuilder {
 
   /// Sets unit weights, χp and saturation.
   void set_water() {
-    site::HeldWater<D> water = site::find_held_water<D>(data_, mesh_, &solid_.water);
+    site::HeldWater<D> water = has_impermeable_walls(data_)
+                                   ? site::find_held_water<D>(data_, cut_at_walls(site_, mesh_), &solid_.water)
+                                   : site::find_held_water<D>(data_, mesh_, &solid_.water);
     fem::SolidModel<D>& model = solid_.model;
     model.unit_weight = std::move(water.unit_weight);
     model.saturation.assign(mesh_.elements.size(), 1.0);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "mesh/generate.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "site/initial_water.hpp"
 #include "site/season.hpp"
 #include "site/seepage_results.hpp"
@@ -30,7 +30,7 @@ void SeepageRun<D>::prepare() {
   try_part([&] {
     const input::Case& data = site_.data();
     show("mesh");
-    mesh_ = mesh::generate<D>(data.mesh);
+    mesh_ = generate_for_seepage<D>(site_);
     model_ = site::make_seepage_model<D>(data, mesh_, wet_mesh_);
     if (!data.seepage.times.empty()) fem::check_storage(model_);
     measures_.emplace(site_, mesh_, model_);

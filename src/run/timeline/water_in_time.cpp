@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "mesh/generate.hpp"
 #include "run/common/section_of_case.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/timeline/times.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
@@ -15,7 +15,7 @@
 namespace talus::run {
 
 WaterInTime::WaterInTime(const input::Case& data)
-    : given_(data), data_(site::close_sides(data)), mesh_(mesh::generate<2>(data_.mesh)) {
+    : given_(data), data_(site::close_sides(data)), mesh_(generate_for_seepage<2>(data_)) {
   model_ = site::make_seepage_model<2>(data_, mesh_, wet_mesh_);
   fem::check_storage(model_);
 }
