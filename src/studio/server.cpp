@@ -153,7 +153,10 @@ std::unique_ptr<HttpServer> make_http_server() {
 }
 
 StudioServer::StudioServer(ServerOptions options)
-    : options_(std::move(options)), workspace_(options_.folder), runs_(workspace_, options_.program) {}
+    : options_(std::move(options)),
+      workspace_(options_.folder),
+      runs_(workspace_, options_.program),
+      asides_(workspace_) {}
 
 Handlers StudioServer::handlers() {
   return {[this](const Request& request) { return admit(request); },
@@ -209,6 +212,7 @@ Response StudioServer::route(const Request& request) {
   if (!path.starts_with("/api")) return answer_page(path);
   if (is("POST", "/api/check")) return answer_engine(check(request.body, find_name(find(request.query, "path"))));
   if (is("POST", "/api/solve")) return answer_solve(request.body);
+  if (is("POST", "/api/import")) return answer_import(request.body);
   if (is("GET", "/api/schema")) return answer_engine(schema());
   if (is("GET", "/api/template")) return make_answer(200, {{"text", template_text()}});
   if (is("GET", "/api/files")) {
@@ -217,9 +221,10 @@ Response StudioServer::route(const Request& request) {
     return make_answer(200,
                        {{"files", list}, {"folder", workspace_.folder().filename().string()}, {"open", options_.open}});
   }
-  const std::string files = "/api/files/", journal = "/api/journal/", runs = "/api/runs";
+  const std::string files = "/api/files/", journal = "/api/journal/", runs = "/api/runs", aside = "/api/aside/";
   if (path.starts_with(files)) return answer_file(method, path.substr(files.size()), request.body);
   if (path.starts_with(journal)) return answer_journal(method, path.substr(journal.size()), request.body);
+  if (path.starts_with(aside)) return answer_aside(method, path.substr(aside.size()), request.body);
   if (path == runs || path.starts_with(runs + "/")) return answer_runs(method, path.substr(runs.size()), request.body);
   throw Refusal(404, fmt::format("there is no {} {}", method, make_printable(path)));
 }
@@ -263,6 +268,20 @@ Response StudioServer::answer_journal(const std::string& method, const std::stri
   if (method != "PUT") throw Refusal(405, "a journal can be read and written");
   const json given = read_object(body);
   workspace_.write_journal(path, {get_text(given, "text"), get_text(given, "revision", false)});
+  return make_answer(200, json::object());
+}
+
+Response StudioServer::answer_import(const std::string& body) {
+  constexpr int most_imports = 2;
+  const Place place(imports_);
+  if (imports_ > most_imports) throw Refusal(503, "other files are being imported; wait for them");
+  return answer_engine(import_dropped(workspace_, options_.program, body));
+}
+
+Response StudioServer::answer_aside(const std::string& method, const std::string& name, const std::string& body) {
+  if (method == "GET") return answer_engine(asides_.read(name));
+  if (method != "PUT") throw Refusal(405, "a note can be read and written");
+  asides_.write(name, body);
   return make_answer(200, json::object());
 }
 

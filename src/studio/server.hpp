@@ -10,6 +10,7 @@
 #include <string>
 
 #include "studio/http.hpp"
+#include "studio/imports.hpp"
 #include "studio/run_queue.hpp"
 #include "studio/workspace.hpp"
 
@@ -53,13 +54,17 @@ class StudioServer {
   Response answer_file(const std::string& method, const std::string& path, const std::string& body);
   Response answer_journal(const std::string& method, const std::string& path, const std::string& body);
   Response answer_runs(const std::string& method, const std::string& rest, const std::string& body);
+  /// Imports dropped files: a few at a time, because each is a process.
+  Response answer_import(const std::string& body);
+  Response answer_aside(const std::string& method, const std::string& name, const std::string& body);
   Response answer_page(const std::string& path) const;
   Response watch_run(const std::string& id);
 
   const ServerOptions options_;
   const Workspace workspace_;
   RunQueue runs_;
-  std::atomic<int> streams_{0}, searches_{0};
+  const Asides asides_;
+  std::atomic<int> streams_{0}, searches_{0}, imports_{0};
 };
 
 }  // namespace talus::studio

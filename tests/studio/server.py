@@ -6,6 +6,7 @@ Usage: server.py TALUS [requests]
 
 `requests` is the number of hostile requests (1,000). Nothing waits for a clock: events and answers are awaited.
 """
+import base64
 import http.client
 import json
 import os
@@ -18,6 +19,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import tomllib
 import urllib.parse
 
 CASE = """title = "Slope of a test"          # é comment
@@ -60,10 +62,12 @@ duration = 30000
 damping = 0.05
 """
 TIMEOUT = 120
+DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
 
 
 class Server:
     def __init__(self, program, target):
+        self.program = program
         self.process = subprocess.Popen([program, "studio", str(target), "--no-open"], stdout=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         found = re.search(r"http://127\.0\.0\.1:(\d+)/#([0-9a-f]{32})", line)
@@ -202,6 +206,58 @@ def check_files(server, folder):
     check(server.ask("PUT", "/api/journal/slope.toml", {"text": "typed", "revision": revision})[0] == 200, "journal")
 
 
+def check_imports(server, folder):
+    def give(*names, **options):
+        files = [{"name": pathlib.Path(name).name, "data": base64.b64encode((DATA / name).read_bytes()).decode()} for name in names]
+        return server.ask("POST", "/api/import", {"files": files, "options": options})
+
+    status, answer = give("tables/own_slope_surface.csv")
+    check(status == 400 and "--base" in answer["error"], f"a ground with nothing below it: {answer}")
+    status, answer = give("tables/own_slope_surface.csv", base="-20")
+    points = tomllib.loads(answer["text"])["geometry"]["ground"] if status == 200 else []
+    rows = [[float(cell) for cell in row.split(",")] for row in (DATA / "tables/own_slope_surface.csv").read_text().split()[1:]]
+    check(status == 200 and len(rows) == 60 and points == rows, f"60 points of a survey: {status} {answer}")
+    check(any("strengths and weights" in remark for remark in answer.get("remarks", [])), f"remarks: {answer}")
+    status, answer = give("tables/own_slope_surface.csv", "tables/own_slope_base.csv", base="-20")
+    check(status == 200 and len(tomllib.loads(answer["text"])["geometry"]["layer"]) == 2, f"two tables: {answer}")
+    # The program itself gives the same text.
+    with tempfile.TemporaryDirectory() as name:
+        for file, options in (("drawings/geotechstaff_sample_section.dxf", {"units": "ft"}), ("drawings/hand_written_cut.geojson", {})):
+            more = [f"--{key}={value}" for key, value in options.items()]
+            done = subprocess.run([server.program, "import", DATA / file, "-o", f"{name}/case.toml", "--overwrite", *more], capture_output=True, text=True)
+            status, answer = give(file, **options)
+            if done.returncode:
+                check(status == 400 and answer["error"].split("'")[-1] == done.stderr.strip().split("'")[-1], f"{file}: {answer} {done.stderr}")
+            else:
+                check(status == 200 and answer["text"] == pathlib.Path(f"{name}/case.toml").read_text(), f"{file}: {answer}")
+    status, answer = give("tables/pygslib_collar.csv")
+    check(status == 400 and str(folder) not in answer["error"], f"a table of collars alone: {answer}")
+    table = base64.b64encode(b"x,y\n0,5\n10,1\n").decode()
+    hostile = [{"name": name, "data": table} for name in ("../a.csv", "/etc/a.csv", ".a.csv", "a.toml", "a.sh", "a\0.csv", "", "a/b.csv", "x" * 300 + ".csv", "a\n.csv")]
+    for file in [*hostile, {"name": "a.csv", "data": "!!!!"}, {"name": "a.csv", "data": "abc"}, {"name": "a.csv", "data": "=abc"}, {"name": "a.csv"}, 5, None]:
+        status, answer = server.ask("POST", "/api/import", {"files": [file]})
+        check(status == 400 and "error" in answer, f"import of {file}: {status} {answer}")
+    good = {"name": "-o.csv", "data": table}
+    check(server.ask("POST", "/api/import", {"files": [good], "options": {"base": "-5"}})[0] == 200, "a name like an option")
+    check(server.ask("POST", "/api/import", {"files": [good, good]})[0] == 400, "two files of one name")
+    check(server.ask("POST", "/api/import", {"files": [good] * 30})[0] == 400, "30 files")
+    for options in ({"output": "x"}, {"overwrite": ""}, {"units": 5}, {"units": "m" * 400}, {"layers": "a"}, {"layers": [5]}, "--overwrite", {"base": "$(touch hacked)"}):
+        check(server.ask("POST", "/api/import", {"files": [good], "options": options})[0] == 400, f"options {options}")
+    check(server.ask("POST", "/api/import", "[" * 100000)[0] == 400, "deep JSON of an import")
+    check(not list((folder / ".talus-studio/imports").iterdir()), "dropped files are removed")
+    check(not (folder / "hacked").exists(), "no shell")
+
+
+def check_asides(server, folder):
+    check(server.ask("GET", "/api/aside/library")[1] is None, "no note")
+    check(server.ask("PUT", "/api/aside/library", {"a": [1]})[0] == 200 and server.ask("GET", "/api/aside/library")[1] == {"a": [1]}, "a note")
+    check(server.ask("PUT", "/api/aside/../../slope.toml", "{}")[0] in (200, 400, 404) and (folder / "slope.toml").read_text() == CASE, "the name of a note is no path")
+    for body in ("", "{", "[" * 100000):
+        check(server.ask("PUT", "/api/aside/library", body)[0] == 400, f"a note {body[:5]!r}")
+    check(server.ask("PUT", "/api/aside/library", "null")[0] == 200 and server.ask("GET", "/api/aside/library")[1] is None, "a note is removed")
+    check(server.ask("GET", "/api/aside/" + "x" * 2000)[0] == 404, "a long name of a note")
+
+
 def check_runs(server, folder, program):
     check(server.ask("POST", "/api/runs", {"path": "absent.toml"})[0] == 404, "run of an absent file")
     check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"threads": 0}})[0] == 400, "no threads")
@@ -269,7 +325,7 @@ def make_hostile(random_source, token, port):
     pick = random_source.choice
     noise = bytes(random_source.randrange(256) for _ in range(random_source.randrange(1, 200)))
     method = pick(["GET", "POST", "PUT", "DELETE", "HEAD", "OPTIONS", "PATCH", "TRACE", "get", "G\tT", ""])
-    path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/runs",
+    path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/runs", "/api/import", "/api/aside/x",
                  "/api/runs/0001/stop", "/api/runs/0001/events", "/api/runs/0001/report", "/api/" + "a" * random_source.randrange(9000),
                  "/" + "%" * 50, "/%ff%fe", "/api/files/" + "../" * 100, "/?" + "a=b&" * 500, "*", "//", "/\x00", "http://evil/"])
     case = CASE.encode()
@@ -330,6 +386,8 @@ def main():
             check_admission(server)
             check_engine(server)
             check_files(server, folder)
+            check_imports(server, folder)
+            check_asides(server, folder)
             check_runs(server, folder, program)
             server = check_stop_and_restart(server, folder, program)
             check_two_servers(server, folder, program)
