@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Lists of points of a case: regions, lines, ground, layers, water, surfaces, each with the places of its numbers in the text. */
+import { readQuantity } from "../units";
 import { type CaseTree, findNode, type Node, type Path, type Range, toPlain, writePath } from "./tree";
 
 export type ChainKind =
@@ -16,6 +17,11 @@ export type ChainKind =
   | "window"
   | "monitor"
   | "support"
+  | "section"
+  | "windowBox"
+  | "throughBox"
+  | "centres"
+  | "centre"
   | "box";
 
 export interface LengthAt {
@@ -42,6 +48,8 @@ export interface Chain {
   closed: boolean;
   /** A single point `[x, y]` and not a list of points. */
   single: boolean;
+  /** Two opposite corners of a rectangle. */
+  corners: boolean;
   points: ChainPoint[];
   /** Material of a region. */
   soil: string | null;
@@ -64,6 +72,9 @@ function readPoint(node: Node | undefined): ChainPoint | null {
   return x && y ? { x, y } : null;
 }
 
+/** Kinds that two opposite corners describe. */
+const rectangles: ReadonlySet<ChainKind> = new Set(["box", "windowBox", "throughBox", "centres"]);
+
 interface Source {
   kind: ChainKind;
   path: Path;
@@ -79,7 +90,9 @@ function readChain(tree: CaseTree, source: Source): Chain | null {
   const points = single ? [readPoint(node)] : node.items.map(readPoint);
   if (points.some((point) => !point)) return null;
   const { kind, path, name, closed = false, owner = path.slice(0, -1) } = source;
-  return { id: writePath(path), kind, name, path, owner, closed, single, points: points as ChainPoint[], soil: null };
+  const corners = rectangles.has(kind);
+  if (corners && points.length !== 2) return null;
+  return { id: writePath(path), kind, name, path, owner, closed, single, corners, points: points as ChainPoint[], soil: null };
 }
 
 function listEntries(tree: CaseTree, path: Path): { path: Path; name: string }[] {
@@ -108,7 +121,12 @@ function listSources(tree: CaseTree): Source[] {
   addAll("surface", ["lem", "surface"], "points", false, "Slip surface");
   addAll("exclude", ["lem", "exclude"], "points", true, "Excluded area");
   addAll("through", ["lem", "through"], "points", false, "Surfaces pass here");
+  addAll("throughBox", ["lem", "through"], "box", false, "Surfaces pass here");
   addAll("window", ["lem", "block", "window"], "points", false, "Window");
+  addAll("windowBox", ["lem", "block", "window"], "box", false, "Window");
+  sources.push({ kind: "centres", path: ["lem", "grid", "corners"], name: "Centres of circles" });
+  addAll("centre", ["lem", "surface"], "centre", false, "Slip circle");
+  addAll("section", ["seepage", "section"], "points", false, "Line of discharge");
   addAll("monitor", ["output", "monitor"], "at", false, "Monitor");
   const supports = findNode(tree, ["support"]);
   if (supports?.kind === "table")
@@ -135,7 +153,7 @@ export interface Load {
   path: Path;
   name: string;
   x: LengthAt[];
-  /** As written, in its unit. */
+  /** [kPa]; NaN for a text with an unknown unit. */
   values: number[];
 }
 
@@ -147,7 +165,7 @@ export function listLoads(tree: CaseTree): Load[] {
     };
     const x = read("x").map(readLength);
     if (!x.length || x.some((at) => !at)) return [];
-    const values = read("load").map((node) => (node.kind === "value" ? parseFloat(String(node.value)) : 0));
+    const values = read("load").map((node) => (node.kind !== "value" ? NaN : typeof node.value === "number" ? node.value : (readQuantity(String(node.value), "kPa")?.value ?? NaN)));
     return [{ path, name: name || "Surcharge", x: x as LengthAt[], values }];
   });
 }

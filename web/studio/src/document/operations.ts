@@ -131,6 +131,8 @@ const pathsOfLines: Partial<Record<ChainKind, { path: Path; title: string }>> = 
   line: { path: ["geometry", "line"], title: "line" },
   surface: { path: ["lem", "surface"], title: "surface" },
   exclude: { path: ["lem", "exclude"], title: "area" },
+  through: { path: ["lem", "through"], title: "passage" },
+  section: { path: ["seepage", "section"], title: "discharge" },
 };
 
 /** A named line, a slip surface or an excluded area. */
@@ -141,6 +143,68 @@ export function addChain(tree: CaseTree, kind: ChainKind, line: readonly Point[]
   const name = makeName(found.title, (entries ?? []).map((entry) => entry.name ?? ""));
   const points = kind === "surface" ? line.toSorted((a, b) => a[0] - b[0]) : line;
   return applyEdits(tree.text, appendEntry(tree, found.path, { name: writeText(name), points: writePoints(points) }));
+}
+
+const nameIn = (tree: CaseTree, path: Path, title: string): string =>
+  makeName(title, ((toPlain(findNode(tree, path)) ?? []) as { name?: string }[]).map((entry) => entry.name ?? ""));
+
+/** [lem] search, where another one is given or needed. */
+const setSearch = (search: "entry_exit" | "grid" | "block") => (tree: CaseTree) =>
+  findNode(tree, ["lem", "search"]) || search !== "entry_exit" ? setValue(tree, ["lem", "search"], writeText(search)) : [];
+
+const writeRange = (a: number, b: number) => `[${writeNumber(Math.min(a, b))}, ${writeNumber(Math.max(a, b))}]`;
+const writeCorners = (a: Point, b: Point) =>
+  writePoints([[Math.min(a[0], b[0]), Math.min(a[1], b[1])], [Math.max(a[0], b[0]), Math.max(a[1], b[1])]]);
+
+/** Where slip surfaces begin or end on the ground [m]. */
+export function setGroundRange(tree: CaseTree, which: "entry" | "exit", from: number, to: number): string {
+  if (from === to) throw new EditFault("A range needs two places with different x.");
+  return applyInTurn(tree.text, [(now) => setValue(now, ["lem", "entry_exit", which], writeRange(from, to)), setSearch("entry_exit")]);
+}
+
+/** A window of the block search: every surface has a vertex in it. */
+export function addWindow(tree: CaseTree, a: Point, b: Point): string {
+  const path = ["lem", "block", "window"];
+  const name = writeText(nameIn(tree, path, "window"));
+  return applyInTurn(tree.text, [(now) => appendEntry(now, path, { name, box: writeCorners(a, b) }), setSearch("block")]);
+}
+
+export function setCentres(tree: CaseTree, a: Point, b: Point): string {
+  return applyInTurn(tree.text, [(now) => setValue(now, ["lem", "grid", "corners"], writeCorners(a, b)), setSearch("grid")]);
+}
+
+/** A slip circle about a centre through a point. */
+export function addCircle(tree: CaseTree, centre: Point, through: Point): string {
+  const radius = Math.hypot(through[0] - centre[0], through[1] - centre[1]);
+  const point = `[${centre.map(writeNumber).join(", ")}]`;
+  return applyEdits(tree.text, appendEntry(tree, ["lem", "surface"], { name: writeText(nameIn(tree, ["lem", "surface"], "circle")), centre: point, radius: writeNumber(Number(radius.toFixed(3))) }));
+}
+
+/** Levels of the deepest points of all circles; one level where both are equal. */
+export function setTangent(tree: CaseTree, a: number, b: number): string {
+  const levels = Math.abs(a - b) < 1e-9 ? writeNumber(a) : writeRange(a, b);
+  return applyInTurn(tree.text, [(now) => removeAt(now, ["lem", "tangent", "layer"]), (now) => setValue(now, ["lem", "tangent", "levels"], levels)]);
+}
+
+/** A block whose safety against heave is computed, above the lower of two points. */
+export function addHeave(tree: CaseTree, a: Point, b: Point): string {
+  const path = ["seepage", "heave"];
+  return applyEdits(tree.text, appendEntry(tree, path, { name: writeText(nameIn(tree, path, "heave")), x: writeRange(a[0], b[0]), level: writeNumber(Math.min(a[1], b[1])) }));
+}
+
+/** A liquid up to the higher of two points; its unit weight is left to the form. */
+export function addSlurry(tree: CaseTree, a: Point, b: Point): string {
+  return applyEdits(tree.text, appendEntry(tree, ["slurry"], { name: writeText(nameIn(tree, ["slurry"], "slurry")), x: writeRange(a[0], b[0]), level: writeNumber(Math.max(a[1], b[1])) }));
+}
+
+/** A condition on a side or line. What it does is in the form: only fixity has a first value. */
+export function addCondition(tree: CaseTree, kind: "boundary" | "traction" | "hydraulic", on: string): string {
+  const first: Record<typeof kind, Record<string, string>> = {
+    boundary: { fix: writeText("full") },
+    traction: { traction: "[0, -10]" },
+    hydraulic: { condition: writeText("seepage_face") },
+  };
+  return applyEdits(tree.text, appendEntry(tree, [kind], { on: writeText(on), ...first[kind] }));
 }
 
 export function addMonitor(tree: CaseTree, at: Point): string {

@@ -18,12 +18,12 @@ export interface Vertex {
 /** Chains whose corners are boundaries of the section; others move alone. */
 const sharing: ReadonlySet<ChainKind> = new Set(["region", "line", "ground", "layer", "monitor"]);
 /** Chains along which boundaries run. */
-const boundaries: ReadonlySet<ChainKind> = new Set(["region", "line", "ground", "layer"]);
+export const boundaries: ReadonlySet<ChainKind> = new Set(["region", "line", "ground", "layer"]);
 
 export const pointsOf = (chain: Chain): Point[] => chain.points.map(({ x, y }) => [x.value, y.value]);
 
 export const segmentsOf = (chain: Chain): Segment[] =>
-  chain.kind === "box" || chain.kind === "monitor" || chain.kind === "support" ? [] : listSegments(pointsOf(chain), chain.closed);
+  chain.corners || chain.single || chain.kind === "monitor" || chain.kind === "support" ? [] : listSegments(pointsOf(chain), chain.closed);
 
 /** Corners that are nearer count as one [m]: a millionth of the section, as the reader of case files has it. */
 export function findTolerance(chains: readonly Chain[]): number {
@@ -64,7 +64,7 @@ export function listVertices(chains: readonly Chain[]): Vertex[] {
   return vertices;
 }
 
-function writeLength({ range, unit, value: old }: LengthAt, value: number): Edit[] {
+export function writeLength({ range, unit, value: old }: LengthAt, value: number): Edit[] {
   if (Math.abs(old - value) < 1e-12) return [];
   const text = unit ? `"${writeNumber(value / unit.si)} ${unit.name}"` : writeNumber(value);
   return [{ from: range[0], to: range[1], insert: text }];
@@ -164,7 +164,7 @@ export function insertVertex(tree: CaseTree, chains: readonly Chain[], at: Point
   const edits: Edit[] = [];
   chains.forEach((chain, c) => {
     if (shared ? !boundaries.has(chain.kind) : c !== only) return;
-    if (chain.single) return;
+    if (chain.single || chain.corners) return;
     listSegments(pointsOf(chain), chain.closed).forEach((side, index) => {
       if (isWithinSegment(at, side, tolerance)) edits.push(...insertItem(tree, chain.path, index + 1, writePoint(at)));
     });
@@ -180,7 +180,7 @@ export function deleteVertex(tree: CaseTree, chains: readonly Chain[], vertex: V
   for (const { chain: c, index } of vertex.corners) {
     const chain = chains[c]!;
     if (chain.kind === "monitor") continue;
-    if (chain.single || chain.points.length <= fewest(chain))
+    if (chain.single || chain.corners || chain.points.length <= fewest(chain))
       throw new EditFault(`“${chain.name}” would have fewer than ${fewest(chain)} points. Delete it as a whole instead.`);
     edits.push(...removeAt(tree, [...chain.path, index]));
   }

@@ -30,6 +30,11 @@ const kinds: Record<Chain["kind"], string> = {
   window: "Window of block search",
   monitor: "Monitor",
   support: "Support",
+  section: "Line of discharge",
+  windowBox: "Window of block search",
+  throughBox: "Surfaces pass here",
+  centres: "Centres of circles",
+  centre: "Centre of slip circle",
   box: "Box",
 };
 
