@@ -8,9 +8,13 @@ import "../../src/styles/bar.css";
 import "./styles/layout.css";
 import "./styles/canvas.css";
 import "./styles/forms.css";
+import { keepBackground } from "./background/background";
 import { App } from "./App";
 import { selectEngine } from "./engine/select";
-import { start } from "./session";
+import { keepLibrary } from "./library/library";
+import { start, whenStarted } from "./session";
 
 render(<App />, document.getElementById("app")!);
+whenStarted(keepBackground);
+whenStarted(keepLibrary);
 void start(selectEngine());

@@ -95,6 +95,10 @@ function startJournal(workspace: Workspace): void {
   });
 }
 
+/** Called once the engine is selected: parts of the page that keep notes of their own. */
+const beginnings: (() => void)[] = [];
+export const whenStarted = (begin: () => void): void => void beginnings.push(begin);
+
 export async function start(found: Setting): Promise<void> {
   setting.value = found;
   startChecks(found);
@@ -106,6 +110,7 @@ export async function start(found: Setting): Promise<void> {
     });
     startJournal(workspace);
   }
+  for (const begin of beginnings) begin();
   try {
     schema.value = await found.engine.schema();
     if (found.workspace) {

@@ -90,7 +90,9 @@ export function writeQuantity(typed: string, unit: string, before: string | numb
 export function showRange(text: string, unit: string): string {
   const shown = findShown(unit);
   const clean = (written: string) => written.replace("kN/m3", "kN/m³").replace(/ deg\b/, "°");
-  if (!shown || !text.endsWith(unit)) return clean(text);
-  const body = text.slice(0, -unit.length).replace(/[+-]?\d+\.?\d*(?:e[+-]?\d+)?/g, (number) => String(Number((Number(number) / shown.size).toPrecision(3))));
-  return `${body}${shown.name}`;
+  // "0.01 to 500 kPa, or 0": the numbers before the unit.
+  const at = text.indexOf(` ${unit}`);
+  if (!shown || at < 0) return clean(text);
+  const body = text.slice(0, at).replace(/[+-]?\d+\.?\d*(?:e[+-]?\d+)?/g, (number) => String(Number((Number(number) / shown.size).toPrecision(3))));
+  return `${body} ${shown.name}${text.slice(at + 1 + unit.length)}`;
 }

@@ -47,6 +47,11 @@ export interface Workspace {
   /** Calls back with every event; returns what ends that. */
   watchRun(id: string, listen: (event: RunEvent) => void): () => void;
   reportAddress(id: string): string;
+  /** A case by `talus import`; `data` is base64. */
+  importFiles(files: { name: string; data: string }[], options: Record<string, string | string[]>): Promise<{ text: string; remarks: string[] }>;
+  /** A note of the page that belongs to no case file; null where there is none. */
+  readNote<T>(name: string): Promise<T | null>;
+  writeNote(name: string, note: unknown): Promise<void>;
 }
 
 export class HttpEngine implements Engine, Workspace {
@@ -146,6 +151,14 @@ export class HttpEngine implements Engine, Workspace {
     source.addEventListener("progress", read("progress"));
     source.addEventListener("done", read("done"));
     return () => source.close();
+  }
+
+  importFiles = (files: { name: string; data: string }[], options: Record<string, string | string[]>) =>
+    this.get<{ text: string; remarks: string[] }>("/api/import", "POST", JSON.stringify({ files, options }));
+  readNote = <T>(name: string) => this.get<T | null>(`/api/aside/${encodeURIComponent(name)}`);
+
+  async writeNote(name: string, note: unknown): Promise<void> {
+    await this.get(`/api/aside/${encodeURIComponent(name)}`, "PUT", JSON.stringify(note));
   }
 
   reportAddress(id: string): string {

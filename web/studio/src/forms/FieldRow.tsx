@@ -5,6 +5,9 @@ import { useSignal } from "@preact/signals";
 import { applyEdits, removeAt, setValue } from "../document/edits";
 import { findNode, type Path, readTree, writePath } from "../document/tree";
 import * as state from "../state";
+import { findShown, readQuantity, showQuantity, showRange, writeQuantity } from "../units";
+import { pasteWhole, RowsField } from "./RowsField";
+import { countColumns, readRows } from "./rows";
 import { checkTyped, type Field, writeTyped } from "./schema";
 import { TextInput } from "./TextInput";
 
@@ -40,7 +43,7 @@ function findFault(field: Field, typed: string): string {
 }
 
 function describeEmpty(field: Field): string {
-  if (field.default !== "") return `default ${field.default}`;
+  if (field.default !== "") return `default ${Number.isNaN(Number(field.default)) ? field.default : showQuantity(Number(field.default), field.unit).text}`;
   return field.required ? "required" : "not given";
 }
 
@@ -49,28 +52,48 @@ function Marked({ text }: { text: string }) {
   return <>{text.split("`").map((part, i) => (i % 2 ? <code key={i}>{part}</code> : part))}</>;
 }
 
+/** The value of a key in the unit of display, and how a typed one is written in the file. */
+function useUnits(path: Path, field: Field) {
+  const node = findNode(state.tree.value, path);
+  const before = node?.kind === "value" ? node.value : null;
+  const isNumber = field.kind === "quantity" || field.kind === "number";
+  const shown = isNumber && (!node || before !== null) ? findShown(field.unit) : null;
+  const typed = readTyped(path);
+  if (!shown) return { typed, unit: typeof before === "string" && isNumber && readQuantity(before, field.unit) ? "" : field.unit, write: (text: string) => text, check: (text: string) => text };
+  const now = before === null ? { text: "", converted: true } : showQuantity(before, field.unit);
+  return {
+    typed: now.text,
+    unit: now.converted ? shown.name : "",
+    write: (text: string) => writeQuantity(text, field.unit, before, field.kind === "quantity"),
+    /** In the unit of plain numbers, for the limits of the schema. */
+    check: (text: string) => writeQuantity(text, field.unit, 0, false),
+  };
+}
+
 export function FieldRow({ path, field }: { path: Path; field: Field }) {
   const id = makeFieldId(path);
   const fault = useSignal("");
-  const typed = readTyped(path);
+  const { typed, unit, write, check } = useUnits(path, field);
   const key = writePath(path);
   const messages = state.messages.value.filter((message) => message.key === key);
   const commit = (value: string) => {
     const clean = value.trim();
-    fault.value = findFault(field, clean);
+    fault.value = findFault(field, check(clean));
     if (fault.value !== "") return false;
-    return clean === typed || writeField(path, field, clean);
+    return clean === typed || writeField(path, field, write(clean));
   };
   const isBad = fault.value !== "" || messages.some(({ severity }) => severity === "error");
   const noteId = `${id}-note`;
   const shared = { id, "aria-describedby": noteId, "aria-invalid": isBad };
+  const columns = countColumns(field);
+  const rows = columns > 0 ? readRows(state.tree.value, path) : null;
   const missing = field.required && typed === "";
   return (
     <div class={`field${isBad ? " bad-field" : ""}${missing ? " missing" : ""}`}>
-      <label for={id} title={field.key}>
+      {rows ? <span class="label" title={field.key}>{title(field.key)}{unit && ` [${showUnit(unit)}]`}</span> : <label for={id} title={field.key}>
         {title(field.key)}
         {field.required && <span class="mark" title="required"> *</span>}
-      </label>
+      </label>}
       {field.kind === "choice" ? (
         <select {...shared} value={typed} onChange={(e) => void commit(e.currentTarget.value)}>
           <option value="">{describeEmpty(field)}</option>
@@ -86,8 +109,10 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
           <option value="true">true</option>
           <option value="false">false</option>
         </select>
+      ) : rows ? (
+        <RowsField path={path} rows={rows} id={id} noteId={noteId} label={title(field.key)} />
       ) : (
-        <span class="input-with-unit">
+        <span class="input-with-unit" onPaste={(e) => columns > 0 && pasteWhole(e, path, columns as 1 | 2)}>
           <TextInput
             {...shared}
             value={typed}
@@ -95,7 +120,7 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
             inputMode={field.kind === "number" || field.kind === "whole" ? "decimal" : undefined}
             commit={commit}
           />
-          {field.unit && <span class="unit">{showUnit(field.unit)}</span>}
+          {unit && <span class="unit">{showUnit(unit)}</span>}
         </span>
       )}
       <p class="field-note" id={noteId}>
@@ -106,7 +131,7 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
           </span>
         ))}
         <Marked text={(field.kind === "choice" && field.choices.find(({ value }) => value === typed)?.meaning) || field.meaning} />
-        {field.usual && <span class="usual"> Usually {field.usual.replace("kN/m3", "kN/m³").replace(/ deg\b/, "°")}.</span>}
+        {field.usual && <span class="usual"> Usually {showRange(field.usual, field.unit)}.</span>}
       </p>
     </div>
   );

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Reads `talus schema` for forms: kind, unit, usual range, default, meaning of a key, and which keys belong to the present values. */
+import type { Path } from "../document/tree";
 import type { JsonSchema } from "../engine/engine";
 
 export type FieldKind = "choice" | "flag" | "number" | "quantity" | "whole" | "text" | "list" | "table";
@@ -123,4 +124,15 @@ export function writeTyped(field: Field, typed: string): string {
   if (field.kind === "list" || field.kind === "table") return clean;
   const number = ["number", "quantity", "whole"].includes(field.kind) && clean !== "" && !Number.isNaN(Number(clean));
   return number ? clean.replace(/^\+/, "").replace(/^(-?)\./, "$10.").replace(/\.$/, "") : JSON.stringify(clean);
+}
+
+/** The schema of a table at a path: names of materials and supports, and places in lists, are skipped. */
+export function findSchema(root: JsonSchema | null, path: Path): JsonSchema | null {
+  let at = root;
+  for (const step of path) {
+    if (!at) return null;
+    if (typeof step === "number") at = at.items ?? null;
+    else at = at.properties?.[step] ?? (typeof at.additionalProperties === "object" ? at.additionalProperties : null);
+  }
+  return at;
 }

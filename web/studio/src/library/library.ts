@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Typical values of soils with their source, and the user's own entries. */
+import { effect, signal } from "@preact/signals";
+
+import { setting } from "../session";
+import * as state from "../state";
+
 export interface LibraryEntry {
   /** Symbol of the unified soil classification, or the name of an own entry. */
   symbol: string;
@@ -7,6 +12,8 @@ export interface LibraryEntry {
   /** Ranges in the units of the case file. */
   ranges: Record<string, readonly [number, number]>;
   note: string;
+  /** Constitutive law; of own entries only. */
+  model?: string;
 }
 
 export const source =
@@ -53,22 +60,60 @@ export const entries: readonly LibraryEntry[] = [
   ...rows.map(readRow),
 ];
 
-const stored = "talus-studio-library";
+const browserKey = "talus-studio-library";
 
-/** The user's own entries, in this browser. */
-export function readOwn(): LibraryEntry[] {
-  try {
-    const found: unknown = JSON.parse(localStorage.getItem(stored) ?? "[]");
-    return Array.isArray(found) ? (found as LibraryEntry[]).filter((entry) => typeof entry?.symbol === "string" && typeof entry.ranges === "object") : [];
-  } catch {
-    return [];
-  }
+/** The user's own entries. */
+export const own = signal<readonly LibraryEntry[]>([]);
+
+const isRange = (range: unknown): range is [number, number] => Array.isArray(range) && range.length === 2 && range.every((value) => Number.isFinite(value));
+
+/** Entries of a JSON text or value; what is none is left out. */
+export function readEntries(found: unknown): LibraryEntry[] {
+  if (!Array.isArray(found)) return [];
+  return found.flatMap((entry: Partial<LibraryEntry> | null) => {
+    if (typeof entry?.symbol !== "string" || entry.symbol === "" || typeof entry.ranges !== "object" || entry.ranges === null) return [];
+    const ranges = Object.fromEntries(Object.entries(entry.ranges).filter(([, range]) => isRange(range)));
+    const model = typeof entry.model === "string" && entry.model ? { model: entry.model } : {};
+    return [{ symbol: entry.symbol, name: "own entry", ranges, note: typeof entry.note === "string" ? entry.note : "", ...model }];
+  });
 }
 
-export function writeOwn(own: readonly LibraryEntry[]): void {
-  try {
-    localStorage.setItem(stored, JSON.stringify(own));
-  } catch {
-    // Without storage own entries last as long as the page.
-  }
+/** Own entries by their names; those of `more` replace others of the same name. */
+export const mergeEntries = (known: readonly LibraryEntry[], more: readonly LibraryEntry[]): LibraryEntry[] => [
+  ...known.filter(({ symbol }) => !more.some((other) => other.symbol === symbol)),
+  ...more,
+];
+
+/** Own entries are a note of the folder of the program; without a program they are kept by the browser. */
+export function keepLibrary(): void {
+  const workspace = setting.value?.workspace;
+  let stored: readonly LibraryEntry[] = own.value;
+  const fail = (error: Error) => (state.notice.value = { text: `The material library is not stored: ${error.message}`, bad: true });
+  if (workspace)
+    workspace
+      .readNote<unknown>("library")
+      .then((found) => {
+        stored = mergeEntries(readEntries(found), own.peek());
+        own.value = stored;
+      })
+      .catch(() => undefined);
+  else
+    try {
+      stored = readEntries(JSON.parse(localStorage.getItem(browserKey) ?? "[]"));
+      own.value = stored;
+    } catch {
+      // Without storage own entries last as long as the page.
+    }
+  effect(() => {
+    const now = own.value;
+    if (now === stored) return;
+    stored = now;
+    if (workspace) workspace.writeNote("library", now).catch(fail);
+    else
+      try {
+        localStorage.setItem(browserKey, JSON.stringify(now));
+      } catch {
+        // Likewise.
+      }
+  });
 }
