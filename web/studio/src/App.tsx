@@ -4,14 +4,16 @@ import { useEffect } from "preact/hooks";
 
 import { Canvas } from "./canvas/Canvas";
 import { watchSelection } from "./canvas/drawing";
+import { takeFiles } from "./imports/imports";
 import { Bar } from "./panels/Bar";
 import { FactorBox } from "./panels/FactorBox";
+import { ImportDialog } from "./panels/ImportDialog";
 import { Messages } from "./panels/Messages";
-import { Palette } from "./panels/Palette";
+import { FurtherTools, Palette } from "./panels/Palette";
 import { Side } from "./panels/Side";
 import { StatusBar } from "./panels/StatusBar";
-import { isChanged, openLocal, save } from "./session";
-import { notice, redo, undo, undoNames } from "./state";
+import { isChanged, save } from "./session";
+import { redo, undo } from "./state";
 
 /** Keys of the whole page. Undo covers every kind of edit, so that it also acts in the text. */
 function pressPageKey(event: KeyboardEvent): void {
@@ -25,16 +27,12 @@ function pressPageKey(event: KeyboardEvent): void {
   event.preventDefault();
 }
 
-/** A case file that is dropped on the page is opened, if nothing would be lost. */
-async function dropFile(event: DragEvent): Promise<void> {
-  const found = event.dataTransfer?.files[0];
-  if (!found) return;
+/** Files that are dropped on the page: a case is opened, others are imported. */
+function dropFiles(event: DragEvent): void {
+  const files = [...(event.dataTransfer?.files ?? [])];
+  if (!files.length) return;
   event.preventDefault();
-  if (!found.name.endsWith(".toml")) {
-    notice.value = { text: `“${found.name}” is no case file (.toml). Drawings and tables are read by talus import.`, bad: true };
-  } else if (isChanged() && undoNames.value.length) {
-    notice.value = { text: "Save or undo the changes before another case is opened.", bad: true };
-  } else openLocal(found.name, await found.text());
+  void takeFiles(files);
 }
 
 export function App() {
@@ -51,7 +49,7 @@ export function App() {
     };
   }, []);
   return (
-    <div class="studio" onDragOver={(e) => e.preventDefault()} onDrop={(e) => void dropFile(e)}>
+    <div class="studio" onDragOver={(e) => e.preventDefault()} onDrop={dropFiles}>
       <Bar />
       <main class="workbench">
         <h1 class="unseen">Talus studio</h1>
@@ -59,6 +57,7 @@ export function App() {
         <section class="stage" aria-label="Section">
           <Canvas />
           <FactorBox />
+          <FurtherTools />
         </section>
         <Side />
         <div class="below">
@@ -66,6 +65,7 @@ export function App() {
           <StatusBar />
         </div>
       </main>
+      <ImportDialog />
     </div>
   );
 }

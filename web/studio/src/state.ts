@@ -4,6 +4,7 @@ import { batch, computed, signal } from "@preact/signals";
 
 import { type Chain, listChains, listLoads, listSoils } from "./document/chains";
 import { EditFault } from "./document/edits";
+import { listParts } from "./document/parts";
 import { emptyCase } from "./document/operations";
 import { type CaseTree, findNode, readTree, toPlain } from "./document/tree";
 import { listVertices, pointsOf, segmentsOf, type Vertex } from "./document/vertices";
@@ -11,6 +12,7 @@ import type { Message, Section, Solved } from "./engine/engine";
 import type { SnapTargets } from "./geometry/snap";
 import { type Point, type Segment } from "./geometry/plane";
 import { History } from "./history/history";
+import { length, system } from "./units";
 
 let history = new History(emptyCase);
 
@@ -50,7 +52,9 @@ export const isSolving = signal(false);
 /** Milliseconds of the last quick search, and updates in the last second of a drag. */
 export const solveTime = signal(0);
 
-export type Tool = "select" | "region" | "split" | "insert" | "water" | "load" | "nail" | "line" | "surface" | "measure";
+export type Tool =
+  | "select" | "region" | "split" | "insert" | "water" | "load" | "nail" | "line" | "surface" | "measure"
+  | "circle" | "entry" | "exit" | "window" | "through" | "exclude" | "centres" | "tangent" | "monitor" | "section" | "heave" | "slurry" | "picture";
 export const tool = signal<Tool>("select");
 /** Points of what is being drawn. */
 export const draft = signal<Point[]>([]);
@@ -59,14 +63,23 @@ export type Selection =
   | { kind: "none" }
   | { kind: "vertex"; at: Point }
   | { kind: "chain"; id: string }
-  | { kind: "load"; index: number };
+  | { kind: "load"; index: number }
+  | { kind: "part"; id: string };
 export const selection = signal<Selection>({ kind: "none" });
+/** Lines and regions that are selected besides the one of `selection`. */
+export const also = signal<readonly string[]>([]);
 
 /** One sentence for the user: what went wrong, or what was done. */
 export const notice = signal<{ text: string; bad: boolean } | null>(null);
 /** Distance of the lines of the grid [m]; set by the zoom. */
 export const gridStep = signal(1);
 export const snapping = signal(true);
+
+/** The selected line or region, then those that were added to it. */
+export const selectedChains = computed<Chain[]>(() => {
+  const first = selectedChain.value;
+  return first ? [first, ...chains.value.filter(({ id }) => id !== first.id && also.value.includes(id))] : [];
+});
 
 export const selectedChain = computed(() => {
   const now = selection.value;
@@ -142,6 +155,7 @@ export function openText(found: string): void {
     publish();
     ++opened.value;
   });
+  followUnits();
 }
 
 /** Regions: those of the text, or those that the engine builds from layers. */
@@ -151,6 +165,25 @@ export const regions = computed<{ id: string; name: string; soil: string; points
   return (section.value?.regions ?? []).map(({ name, soil, polygon }, i) => ({ id: `section.${i}`, name, soil, points: polygon }));
 });
 
+/** Conditions, ranges of the search and the like. */
+export const parts = computed(() => {
+  const built = regions.value.filter(({ id }) => id.startsWith("section.")).map(({ points }) => points);
+  return listParts(tree.value, chains.value, built);
+});
+export const selectedPart = computed(() => {
+  const now = selection.value;
+  return now.kind === "part" ? (parts.value.find(({ id }) => id === now.id) ?? null) : null;
+});
+
+/** Selects a line or region; with `more` it is added to the selected ones, or taken away from them. */
+export function selectChain(id: string, more = false): void {
+  const now = selection.value;
+  if (!more || now.kind !== "chain") {
+    also.value = [];
+    selection.value = { kind: "chain", id };
+  } else if (now.id !== id) also.value = also.value.includes(id) ? also.value.filter((other) => other !== id) : [...also.value, id];
+}
+
 /** Vertices and lines to snap to, without those at a place that is being dragged. */
 export function listTargets(without: Point | null): SnapTargets {
   const isDragged = (p: Point) => without !== null && p[0] === without[0] && p[1] === without[1];
@@ -159,5 +192,12 @@ export function listTargets(without: Point | null): SnapTargets {
     vertices: vertices.value.map(({ at }) => at).filter((at) => !isDragged(at)),
     segments,
     grid: gridStep.value,
+    unit: length.value.size,
   };
+}
+
+/** Units of display follow those of the report where a case is opened. */
+export function followUnits(): void {
+  const unit = toPlain(findNode(tree.value, ["output", "length_unit"]));
+  system.value = unit === "ft" || unit === "in" || unit === "yd" ? "us" : "si";
 }

@@ -5,11 +5,12 @@ import { useEffect, useRef } from "preact/hooks";
 
 import { ZoomButtons } from "../../../src/drawing/buttons";
 import * as state from "../state";
+import { length } from "../units";
 import { findGridStep, size, view, zoomBy } from "./camera";
 import { fitAll } from "./hit";
 import { pressKey } from "./keys";
 import { Labels, WorldLayers } from "./layers";
-import { Draft, Grid, Handles, MessageMarks, Rulers, SnapMarker } from "./overlay";
+import { Draft, Grid, Handles, MessageMarks, PictureMarks, Rulers, SnapMarker } from "./overlay";
 import { listenToPointer } from "./pointing";
 
 const help =
@@ -40,7 +41,8 @@ export function Canvas() {
       untracked(fitAll);
     });
     const stopGrid = effect(() => {
-      state.gridStep.value = findGridStep(view.value.scale);
+      const { size: unit } = length.value;
+      state.gridStep.value = findGridStep(view.value.scale * unit) * unit;
     });
     return () => {
       observer.disconnect();
@@ -68,6 +70,7 @@ export function Canvas() {
         <Labels />
         <Handles />
         <Draft />
+        <PictureMarks />
         <MessageMarks />
         <SnapMarker />
         <Rulers />

@@ -2,93 +2,34 @@
 /** Tools that draw: which points they take, and what they do with them. */
 import { effect, signal } from "@preact/signals";
 
-import { addChain, addNail, addRegion, addSurcharge, listRegionNames, makeName, setWaterTable, splitRegions } from "../document/operations";
+import { background, marks } from "../background/background";
+import type { ChainKind } from "../document/chains";
+import {
+  addChain,
+  addCircle,
+  addHeave,
+  addMonitor,
+  addNail,
+  addRegion,
+  addSlurry,
+  addSurcharge,
+  addWindow,
+  listRegionNames,
+  makeName,
+  setCentres,
+  setGroundRange,
+  setTangent,
+  setWaterTable,
+  splitRegions,
+} from "../document/operations";
+import { splitLineBy } from "../document/transform";
+import type { CaseTree } from "../document/tree";
 import { insertVertex } from "../document/vertices";
 import { type Point } from "../geometry/plane";
+import { openTab } from "../panels/tabs";
 import * as state from "../state";
-
-interface ToolText {
-  title: string;
-  key: string;
-  /** Points after which it is finished; Infinity: by Enter or a double click. */
-  points: number;
-  hint: string;
-  /** Path of an icon of 16 by 16. */
-  icon: string;
-}
-
-export const tools: Record<state.Tool, ToolText> = {
-  select: {
-    title: "Select and move",
-    key: "v",
-    points: 0,
-    hint: "Drag a vertex or a side. Shift: the whole line. Alt: without snapping.",
-    icon: "M3.5 2l9 5.5-4 .8 2 4-1.6.8-2-4.1-3 2.8z",
-  },
-  region: {
-    title: "Draw a region",
-    key: "r",
-    points: Infinity,
-    hint: "Click corners, or type x,y, @dx,dy or length<angle. Enter, or a click on the first corner, closes it.",
-    icon: "M2 13V9l4-1 3-5h5v10zM2 13h12",
-  },
-  split: {
-    title: "Split by a line",
-    key: "s",
-    points: Infinity,
-    hint: "Draw a line from side to side of a region; Enter splits it.",
-    icon: "M2.5 3.5h11v9h-11zM1 10c4 0 6-5 14-5",
-  },
-  insert: {
-    title: "Insert a vertex",
-    key: "i",
-    points: 1,
-    hint: "Click on a side.",
-    icon: "M2 12L14 4M8 1v5M5.5 3.5h5M6.5 9a1.6 1.6 0 103-1 1.6 1.6 0 10-3 1",
-  },
-  water: {
-    title: "Water table",
-    key: "w",
-    points: Infinity,
-    hint: "Click points from left to right; Enter finishes. It is level beyond its ends.",
-    icon: "M1.5 9c4 0 5 3 13 3M5 3h6L8 7.5z",
-  },
-  load: {
-    title: "Surcharge",
-    key: "l",
-    points: 2,
-    hint: "Click where it begins and where it ends along x; its value is in the form.",
-    icon: "M2 13h12M2.5 3h11M4 3v8M2.5 9L4 11l1.5-2M12 3v8M10.5 9l1.500 2 1.500-2M8 3v8M6.500 9L8 11l1.500-2",
-  },
-  nail: {
-    title: "Nail",
-    key: "n",
-    points: 2,
-    hint: "Click its head on the ground, then its tip. Strengths and spacing are in the form.",
-    icon: "M4 3l2 4 8 4M3 7.500l3.500-1",
-  },
-  line: {
-    title: "Named line",
-    key: "g",
-    points: Infinity,
-    hint: "Click points; Enter finishes. Boundary conditions and tractions refer to it by its name.",
-    icon: "M2 12l4-6 4 3 4-6",
-  },
-  surface: {
-    title: "Slip surface of your own",
-    key: "u",
-    points: Infinity,
-    hint: "Click points from ground to ground; Enter finishes.",
-    icon: "M2 3c1 7 6 9 12 9M2 3h3M11 12h3",
-  },
-  measure: {
-    title: "Measure",
-    key: "m",
-    points: 2,
-    hint: "Click two points: distance, differences and inclination are in the bar below.",
-    icon: "M1.500 11.500l10-10 3 3-10 10zM5 8l1.500 1.500M7.500 5.500L9 7M10 3l1.500 1.500",
-  },
-};
+import { toShownLength, writeLengthShown } from "../units";
+import { tools } from "./tools";
 
 /** What was measured last, as a sentence. */
 export const measured = signal("");
@@ -135,12 +76,37 @@ function finishRegion(points: Point[]): void {
   if (done && made) state.selection.value = { kind: "chain", id: made.id };
 }
 
+/** Two points of the picture are marked; the form then asks for their coordinates. */
+function finishPicture(a: Point, b: Point): void {
+  if (!background.value) {
+    state.notice.value = { text: "There is no background picture: drop one on the page.", bad: true };
+    return;
+  }
+  marks.value = [a, b];
+  state.selection.value = { kind: "none" };
+  openTab("selection");
+  setTimeout(() => document.getElementById("picture-point-1")?.focus());
+}
+
+/** Does an edit and selects what it has added: a line, a rectangle, or another part. */
+function drawPart(name: string, edit: (tree: CaseTree) => string): void {
+  const before = new Set([...state.chains.value, ...state.parts.value].map(({ id }) => id));
+  if (!state.attempt(name, () => edit(state.tree.value))) return;
+  const part = state.parts.value.find(({ id }) => !before.has(id));
+  const chain = state.chains.value.find(({ id }) => !before.has(id));
+  if (part) state.selection.value = { kind: "part", id: part.id };
+  else if (chain) state.selectChain(chain.id);
+}
+
+const drawChain = (name: string, kind: ChainKind, line: readonly Point[]): void => drawPart(name, (tree) => addChain(tree, kind, line));
+
 function finishMeasure([a, b]: Point[]): void {
   if (!a || !b) return;
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const angle = (Math.atan2(Math.abs(dy), Math.abs(dx)) * 180) / Math.PI;
   const ratio = dy !== 0 ? `, 1:${Math.abs(dx / dy).toFixed(2)}` : "";
-  measured.value = `Length ${Math.hypot(dx, dy).toFixed(3)} m, Δx ${dx.toFixed(3)}, Δy ${dy.toFixed(3)}, ${angle.toFixed(1)}°${ratio}`;
+  const [lx, ly] = [dx, dy].map((value) => toShownLength(value).toFixed(3));
+  measured.value = `Length ${writeLengthShown(Math.hypot(dx, dy), 3)}, Δx ${lx}, Δy ${ly}, ${angle.toFixed(1)}°${ratio}`;
 }
 
 const finishers: Partial<Record<state.Tool, { least: number; finish: (points: Point[]) => void }>> = {
@@ -150,6 +116,10 @@ const finishers: Partial<Record<state.Tool, { least: number; finish: (points: Po
     finish: (line) => {
       const chain = state.selectedChain.value;
       const only = chain?.kind === "region" ? chain.name : null;
+      if (chain && ["line", "section", "through"].includes(chain.kind)) {
+        state.attempt(`Split ${chain.name}`, () => splitLineBy(state.tree.value, chain, line));
+        return;
+      }
       state.attempt("Split by a line", () => splitRegions(state.tree.value, line, only).text);
     },
   },
@@ -179,9 +149,22 @@ const finishers: Partial<Record<state.Tool, { least: number; finish: (points: Po
       if (done) state.selection.value = { kind: "chain", id: `support.${name}.first` };
     },
   },
-  line: { least: 2, finish: (line) => void state.attempt("Draw a line", () => addChain(state.tree.value, "line", line)) },
-  surface: { least: 2, finish: (line) => void state.attempt("Draw a slip surface", () => addChain(state.tree.value, "surface", line)) },
+  line: { least: 2, finish: (line) => drawChain("Draw a line", "line", line) },
+  surface: { least: 2, finish: (line) => drawChain("Draw a slip surface", "surface", line) },
+  through: { least: 2, finish: (line) => drawChain("Draw a line that surfaces cross", "through", line) },
+  exclude: { least: 3, finish: (line) => drawChain("Draw an excluded area", "exclude", line) },
+  section: { least: 2, finish: (line) => drawChain("Draw a line of discharge", "section", line) },
+  circle: { least: 2, finish: ([a, b]) => drawPart("Draw a slip circle", (tree) => addCircle(tree, a!, b!)) },
+  entry: { least: 2, finish: ([a, b]) => drawPart("Set the entry range", (tree) => setGroundRange(tree, "entry", a![0], b![0])) },
+  exit: { least: 2, finish: ([a, b]) => drawPart("Set the exit range", (tree) => setGroundRange(tree, "exit", a![0], b![0])) },
+  tangent: { least: 2, finish: ([a, b]) => drawPart("Set the tangent levels", (tree) => setTangent(tree, a![1], b![1])) },
+  heave: { least: 2, finish: ([a, b]) => drawPart("Draw a block of heave", (tree) => addHeave(tree, a!, b!)) },
+  slurry: { least: 2, finish: ([a, b]) => drawPart("Draw a slurry", (tree) => addSlurry(tree, a!, b!)) },
+  window: { least: 2, finish: ([a, b]) => drawPart("Draw a window", (tree) => addWindow(tree, a!, b!)) },
+  centres: { least: 2, finish: ([a, b]) => drawPart("Draw the grid of centres", (tree) => setCentres(tree, a!, b!)) },
+  monitor: { least: 1, finish: ([a]) => drawPart("Add a monitor", (tree) => addMonitor(tree, a!)) },
   measure: { least: 2, finish: finishMeasure },
+  picture: { least: 2, finish: ([a, b]) => finishPicture(a!, b!) },
 };
 
 /** Finishes what is being drawn, if it has enough points. */
@@ -210,6 +193,7 @@ export function insertAt(at: Point, chainId: string): void {
 export function watchSelection(): void {
   effect(() => {
     const now = state.selection.value;
+    if (now.kind === "part" && !state.selectedPart.value && !state.fault.value) state.selection.value = { kind: "none" };
     if (now.kind === "chain" && !state.chains.value.some(({ id }) => id === now.id)) state.selection.value = { kind: "none" };
     if (now.kind === "load" && now.index >= state.loads.value.length) state.selection.value = { kind: "none" };
     if (now.kind === "vertex" && !state.selectedVertex.value && !state.fault.value) state.selection.value = { kind: "none" };

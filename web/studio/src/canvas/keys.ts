@@ -3,9 +3,10 @@
 import type { Point } from "../geometry/plane";
 import * as state from "../state";
 import { panBy, zoomBy } from "./camera";
-import { dropPoint, finishDraft, selectTool, tools } from "./drawing";
+import { dropPoint, finishDraft, selectTool } from "./drawing";
 import { fitAll } from "./hit";
 import { deleteSelected, moveSelectedBy } from "./moving";
+import { tools } from "./tools";
 
 /** The field for typed coordinates takes the focus with their first character, at once, so that the next is not lost. */
 function startTyping(first: string): void {
@@ -29,7 +30,7 @@ function selectVertex(step: number): void {
 }
 
 function pressArrow([x, y]: Point, event: KeyboardEvent): void {
-  if (state.selection.value.kind === "none" || state.selection.value.kind === "load") return panBy(-40 * x, 40 * y);
+  if (state.selection.value.kind === "none") return panBy(-40 * x, 40 * y);
   const step = state.gridStep.value * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
   moveSelectedBy(x * step, y * step);
 }

@@ -2,11 +2,14 @@
 /** Layers of the section in metres: regions, water, loads, supports, slip surface. Zoom and pan change the transform alone. */
 import { findRoom } from "../../../src/drawing/ground";
 import { tabulateCategories, writeColour } from "../../../src/viewer/colours";
+import { background, writeMatrix } from "../background/background";
 import { pointsOf } from "../document/vertices";
 import { findExtent, findTop, type Point } from "../geometry/plane";
 import * as state from "../state";
+import { stress } from "../units";
 import { toScreen, transform, view } from "./camera";
 import { findGround } from "./hit";
+import { PartLines, PartMarks } from "./partLayers";
 
 /** Colour of a soil: by its place in the file, as in the report. */
 export function findSoilColour(soil: string): string {
@@ -16,15 +19,16 @@ export function findSoilColour(soil: string): string {
 const draw = (points: readonly Point[], closed = false): string =>
   points.length ? `M${points.map(([x, y]) => `${x} ${y}`).join("L")}${closed ? "Z" : ""}` : "";
 
+const isChosen = (id: string) => state.selectedChains.value.some((chain) => chain.id === id);
+
 function Regions() {
-  const now = state.selection.value;
   return (
     <g class="regions">
       {state.regions.value.map(({ id, soil, points }) => (
         <path
           key={id}
           d={draw(points, true)}
-          class={now.kind === "chain" && now.id === id ? "region chosen" : "region"}
+          class={isChosen(id) ? "region chosen" : "region"}
           style={{ fill: findSoilColour(soil) }}
         />
       ))}
@@ -34,17 +38,16 @@ function Regions() {
 
 /** Lines of the text, drawn by their kind. */
 function Lines() {
-  const now = state.selection.value;
   return (
     <g>
       {state.chains.value
         .filter(({ kind, single }) => kind !== "region" && kind !== "support" && !single)
         .map((chain) => {
-          const chosen = now.kind === "chain" && now.id === chain.id ? " chosen" : "";
+          const chosen = isChosen(chain.id) ? " chosen" : "";
           const [low, high] = pointsOf(chain);
-          if (chain.kind === "box") {
+          if (chain.corners) {
             const corners: Point[] = low && high ? [low, [high[0], low[1]], high, [low[0], high[1]]] : [];
-            return <path key={chain.id} class="line box" d={draw(corners, true)} />;
+            return <path key={chain.id} class={`line ${chain.kind}${chosen}`} d={draw(corners, true)} />;
           }
           const points = pointsOf(chain);
           return (
@@ -125,14 +128,24 @@ function Slip() {
   );
 }
 
+/** The picture behind the section. */
+function Picture() {
+  const found = background.value;
+  if (!found?.shown) return null;
+  const { data, width, height, opacity } = found;
+  return <image class="picture" href={data} width={width} height={height} opacity={opacity} transform={writeMatrix(found)} preserveAspectRatio="none" />;
+}
+
 /** Everything whose coordinates are metres; widths of lines are pixels. */
 export function WorldLayers() {
   return (
     <g transform={transform.value} class="world">
+      <Picture />
       <Regions />
       <Ponds />
       <Slip />
       <Lines />
+      <PartLines />
       <Supports />
     </g>
   );
@@ -183,11 +196,12 @@ export function Labels() {
           return <path key={chain.id} class="water-mark" d={`M${x - 6} ${y - 11}h12l-6 10zM${x - 4} ${y + 4}h8M${x - 2} ${y + 7}h4`} />;
         })}
       {state.chains.value
-        .filter(({ kind }) => kind === "monitor")
+        .filter(({ kind }) => kind === "monitor" || kind === "centre")
         .map((chain) => {
           const [x, y] = toScreen(pointsOf(chain)[0]!);
           return <path key={chain.id} class="monitor-mark" d={`M${x - 5} ${y}h10M${x} ${y - 5}v10`} />;
         })}
+      <PartMarks />
       <Loads />
     </g>
   );
@@ -210,12 +224,12 @@ function Loads() {
         const arrows = tops.map(([px, py]) => `M${px} ${py - 24}V${py - 3}M${px - 3} ${py - 8}L${px} ${py - 2}L${px + 3} ${py - 8}`).join("");
         const rail = `M${tops.map(([px, py]) => `${px} ${py - 24}`).join("L")}`;
         const [tx, ty] = tops[Math.floor(tops.length / 2)]!;
-        const shown = [...new Set(values)].join(" – ");
+        const shown = [...new Set(values.map((value) => (Number.isNaN(value) ? "?" : String(Number((value / stress.value.size).toPrecision(4))))))].join(" – ");
         return (
           <g key={index} class={now.kind === "load" && now.index === index ? "load chosen" : "load"}>
             <path d={arrows + rail} />
             <text x={tx} y={ty - 32}>
-              {shown} kPa
+              {shown} {stress.value.name}
             </text>
           </g>
         );

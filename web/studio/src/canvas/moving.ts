@@ -3,11 +3,15 @@
 import { batch } from "@preact/signals";
 
 import { applyEdits, removeAt, setValue, writeNumber } from "../document/edits";
+import { type CaseTree, readTree } from "../document/tree";
 import { deleteRegion } from "../document/operations";
-import { applyInTurn, deleteVertex, listVertices, moveVertices, prepareMove, type Vertex } from "../document/vertices";
+import type { Chain, LengthAt } from "../document/chains";
+import type { Part } from "../document/parts";
+import { mapChains, shiftBy } from "../document/transform";
+import { applyInTurn, deleteVertex, moveVertices, prepareMove, type Vertex, writeLength } from "../document/vertices";
 import type { Point } from "../geometry/plane";
 import * as state from "../state";
-import type { Hit } from "./hit";
+import type { Grip, Hit } from "./hit";
 
 /** A drag from its first place; every move is an edit of the text as it was then. */
 export interface Drag {
@@ -61,6 +65,32 @@ function dragLoad(index: number, end: number): Drag {
   };
 }
 
+const setLength = (text: string, at: LengthAt, value: number) => applyEdits(text, writeLength(at, value));
+
+/** Keeps a range from left to right. */
+const isBetween = (value: number, all: readonly LengthAt[], index: number) =>
+  all.every((other, i) => i === index || (i < index ? value > other.value : value < other.value));
+
+function dragPart(part: Part, grip: Grip): Drag {
+  const { text } = state.tree.value;
+  const name = `Move ${part.title.toLowerCase()}`;
+  const group = `drag ${++counter}`;
+  const from: Point = grip.of === "x" ? [part.x[grip.index]!.value, 0] : grip.of === "level" ? [0, part.levels[grip.index]!.value] : [0, 0];
+  return {
+    name,
+    from,
+    to([x, y]) {
+      const change = () => {
+        if (grip.of === "x") return isBetween(x, part.x, grip.index) ? setLength(text, part.x[grip.index]!, x) : state.tree.value.text;
+        if (grip.of === "level") return isBetween(y, part.levels, grip.index) ? setLength(text, part.levels[grip.index]!, y) : state.tree.value.text;
+        const { centre, radius } = part.circle!;
+        return setLength(text, radius, Number(Math.max(1e-3, Math.hypot(x - centre[0], y - centre[1])).toFixed(3)));
+      };
+      state.attempt(name, change, group);
+    },
+  };
+}
+
 /** The drag of what was hit; null for what does not move. */
 export function startDrag(hit: Hit, whole: boolean): Drag | null {
   if (state.fault.value) return null;
@@ -69,6 +99,10 @@ export function startDrag(hit: Hit, whole: boolean): Drag | null {
     return vertex ? dragVertices("Move a vertex", hit.at, [vertex], true) : null;
   }
   if (hit.kind === "load") return dragLoad(hit.index, hit.end);
+  if (hit.kind === "part") {
+    const part = state.parts.value.find(({ id }) => id === hit.id);
+    return part && hit.grip ? dragPart(part, hit.grip) : null;
+  }
   if (hit.kind !== "side") return null;
   const c = state.chains.value.findIndex(({ id }) => id === hit.chain);
   const count = state.chains.value[c]!.points.length;
@@ -90,15 +124,26 @@ export function moveSelectedTo(at: Point, group: string | null = null): void {
 /** Moves the selected vertex, or all vertices of the selected line or region. */
 export function moveSelectedBy(dx: number, dy: number): void {
   const vertex = state.selectedVertex.value;
-  const chain = state.selectedChain.value;
+  const shapes = state.selectedChains.value;
+  const part = state.selectedPart.value;
   const round = (value: number) => Number(value.toFixed(9));
   if (vertex) return moveSelectedTo([round(vertex.at[0] + dx), round(vertex.at[1] + dy)], `key ${vertex.corners[0]!.chain}`);
-  if (!chain) return;
-  const c = state.chains.value.indexOf(chain);
-  const moves = listVertices(state.chains.value)
-    .filter(({ corners }) => corners.some((corner) => corner.chain === c))
-    .map((moved) => ({ vertex: moved, to: [round(moved.at[0] + dx), round(moved.at[1] + dy)] as const }));
-  state.attempt(`Move ${chain.name}`, () => moveVertices(state.tree.value, state.chains.value, moves), `key ${chain.id}`);
+  if (part) return movePartBy(part, dx, dy);
+  const now = state.selection.value;
+  if (now.kind === "load") {
+    const load = state.loads.value[now.index]!;
+    const edits = load.x.flatMap((at) => writeLength(at, round(at.value + dx)));
+    return void state.attempt("Move a surcharge", () => applyEdits(state.tree.value.text, edits), `key load ${now.index}`);
+  }
+  if (!shapes.length) return;
+  const name = shapes.length > 1 ? `Move ${shapes.length} shapes` : `Move ${shapes[0]!.name}`;
+  state.attempt(name, () => mapChains(state.tree.value, state.chains.value, shapes, shiftBy(dx, dy)), `key ${shapes[0]!.id}`);
+}
+
+function movePartBy(part: Part, dx: number, dy: number): void {
+  const round = (value: number) => Number(value.toFixed(9));
+  const edits = [...part.x.flatMap((at) => writeLength(at, round(at.value + dx))), ...part.levels.flatMap((at) => writeLength(at, round(at.value + dy)))];
+  if (edits.length) state.attempt(`Move ${part.title.toLowerCase()}`, () => applyEdits(state.tree.value.text, edits), `key ${part.id}`);
 }
 
 /** Deletes what is selected. */
@@ -112,15 +157,29 @@ export function deleteSelected(): void {
     state.attempt("Delete a surcharge", () => applyEdits(state.tree.value.text, removeAt(state.tree.value, path)));
     return;
   }
+  const part = state.selectedPart.value;
+  if (part) {
+    const path = part.key === null ? part.path : [...part.path, part.key];
+    return void state.attempt(`Delete ${part.title.toLowerCase()}`, () => applyEdits(state.tree.value.text, removeAt(state.tree.value, path)));
+  }
   if (!chain) return;
-  state.attempt(`Delete ${chain.name}`, () => {
-    if (chain.kind === "region") return deleteRegion(state.tree.value, chain.name);
-    if (chain.kind === "water")
-      return applyInTurn(state.tree.value.text, [
-        (tree) => removeAt(tree, chain.path),
-        (tree) => removeAt(tree, ["initial", "pore_pressure"]),
-      ]);
-    const own = ["ground", "box"].includes(chain.kind) ? chain.path : chain.owner;
-    return applyEdits(state.tree.value.text, removeAt(state.tree.value, own));
-  });
+  const others = state.also.value;
+  if (others.length) {
+    // From the last entry of a list to the first, so that the paths of the others hold.
+    const names = state.selectedChains.value.toSorted((a, b) => Number(b.owner.at(-1)) - Number(a.owner.at(-1)) || 0);
+    state.attempt(`Delete ${names.length} shapes`, () => names.reduce((text, one) => deleteChain(readTree(text).tree!, one), state.tree.value.text));
+    return;
+  }
+  state.attempt(`Delete ${chain.name}`, () => deleteChain(state.tree.value, chain));
+}
+
+function deleteChain(tree: CaseTree, chain: Chain): string {
+  if (chain.kind === "region") return deleteRegion(tree, chain.name);
+  if (chain.kind === "water")
+    return applyInTurn(tree.text, [
+      (now) => removeAt(now, chain.path),
+      (now) => removeAt(now, ["initial", "pore_pressure"]),
+    ]);
+  const own = ["ground", "box", "centres"].includes(chain.kind) ? chain.path : chain.owner;
+  return applyEdits(tree.text, removeAt(tree, own));
 }

@@ -3,9 +3,11 @@
 import { computed, signal } from "@preact/signals";
 
 import { makeTicks } from "../../../src/viewer/scale";
+import { marks } from "../background/background";
 import type { Snapped } from "../geometry/snap";
 import type { Point } from "../geometry/plane";
 import * as state from "../state";
+import { length } from "../units";
 import { ruler, size, toScreen, toWorld } from "./camera";
 
 /** Where the next point would be, by the pointer. */
@@ -39,15 +41,16 @@ export function Rulers() {
   const { width, height } = size.value;
   const base = height - ruler.bottom;
   const [low, high] = [toWorld([ruler.left, base]), toWorld([width, 0])];
-  const across = makeTicks(low[0], high[0], Math.max(2, (width - ruler.left) / 90));
-  const up = makeTicks(low[1], high[1], Math.max(2, base / 60));
+  const { name, size: unit } = length.value;
+  const across = makeTicks(low[0] / unit, high[0] / unit, Math.max(2, (width - ruler.left) / 90));
+  const up = makeTicks(low[1] / unit, high[1] / unit, Math.max(2, base / 60));
   return (
     <g class="rulers">
       <rect x="0" y={base} width={width} height={ruler.bottom} />
       <rect x="0" y="0" width={ruler.left} height={height} />
       <path d={`M${ruler.left} 0V${base}H${width}`} />
       {across.map(({ value, text }) => {
-        const x = toScreen([value, 0])[0];
+        const x = toScreen([value * unit, 0])[0];
         if (x < ruler.left + 16 || x > width - 16) return null;
         return (
           <g key={value}>
@@ -59,7 +62,7 @@ export function Rulers() {
         );
       })}
       {up.map(({ value, text }) => {
-        const y = toScreen([0, value])[1];
+        const y = toScreen([0, value * unit])[1];
         if (y > base - 8 || y < 10) return null;
         return (
           <g key={value}>
@@ -71,7 +74,7 @@ export function Rulers() {
         );
       })}
       <text class="left" x={ruler.left - 7} y={base + 16}>
-        m
+        {name}
       </text>
     </g>
   );
@@ -110,21 +113,46 @@ export function Handles() {
 
 const line = (points: readonly Point[]) => points.map((p) => toScreen(p).map((v) => v.toFixed(1)).join(" ")).join("L");
 
+const rectangles: ReadonlySet<state.Tool> = new Set(["window", "centres", "heave"]);
+const listCorners = ([x0, y0]: Point, [x1, y1]: Point): Point[] => [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
+
 /** The line that is being drawn, up to the pointer. */
 export function Draft() {
   const points = state.draft.value;
   const at = pointer.value?.at;
   if (!points.length) return null;
   const [x, y] = toScreen(points[0]!);
+  const closes = state.tool.value === "region" || state.tool.value === "exclude";
   return (
     <g class="draft">
       <path d={`M${line(at ? [...points, at] : points)}`} />
-      {state.tool.value === "region" && points.length > 1 && at && <path class="closing" d={`M${line([at, points[0]!])}`} />}
+      {closes && points.length > 1 && at && <path class="closing" d={`M${line([at, points[0]!])}`} />}
+      {rectangles.has(state.tool.value) && at && <path class="closing" d={`M${line(listCorners(points[0]!, at))}Z`} />}
+      {state.tool.value === "circle" && at && <circle class="first" cx={x} cy={y} r={Math.hypot(toScreen(at)[0] - x, toScreen(at)[1] - y)} />}
       {points.map((p, i) => {
         const [px, py] = toScreen(p);
         return <circle key={i} cx={px} cy={py} r="3.5" />;
       })}
-      {state.tool.value === "region" && points.length > 2 && <circle class="first" cx={x} cy={y} r="8" />}
+      {closes && points.length > 2 && <circle class="first" cx={x} cy={y} r="8" />}
+    </g>
+  );
+}
+
+/** The two points of the background picture whose coordinates are asked for. */
+export function PictureMarks() {
+  return (
+    <g class="draft">
+      {marks.value?.map((at, i) => {
+        const [x, y] = toScreen(at);
+        return (
+          <g key={i}>
+            <path d={`M${x - 8} ${y}h16M${x} ${y - 8}v16`} />
+            <text class="mark-number" x={x + 7} y={y - 7}>
+              {i + 1}
+            </text>
+          </g>
+        );
+      })}
     </g>
   );
 }

@@ -4,6 +4,7 @@ import { listenTo } from "../../../src/viewer/theme";
 import { distance, type Point } from "../geometry/plane";
 import { type Snapped, snap } from "../geometry/snap";
 import * as state from "../state";
+import { length } from "../units";
 import { panBy, toScreen, toWorld, view, zoomAt } from "./camera";
 import { addPoint, finishDraft, insertAt } from "./drawing";
 import { findHit, type Hit } from "./hit";
@@ -18,9 +19,12 @@ export function snapPixel(pixel: Point, free: boolean, without: Point | null = n
   const { scale } = view.value;
   const at = toWorld(pixel);
   const on = state.snapping.value && !free;
-  const targets = on ? { ...state.listTargets(without), anchor: anchor ?? state.draft.value.at(-1) ?? null } : { vertices: [], segments: [], grid: 0 };
+  const targets = on ? { ...state.listTargets(without), anchor: anchor ?? state.draft.value.at(-1) ?? null } : { vertices: [], segments: [], grid: 0, unit: length.value.size };
   return snap(at, targets, snapRadius / scale, 1 / scale);
 }
+
+/** Shift or Ctrl adds to the selection. */
+const isMore = (event: MouseEvent) => event.shiftKey || event.ctrlKey || event.metaKey;
 
 /** A pressed pointer that has not yet moved far enough to be a drag. */
 interface Press {
@@ -40,13 +44,13 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
   };
   const findReach = (event: PointerEvent) => (event.pointerType === "touch" ? 18 : 9) / view.value.scale;
 
-  const selectHit = (hit: Hit) => {
+  const selectHit = (hit: Hit, more: boolean) => {
     if (hit.kind === "vertex") state.selection.value = { kind: "vertex", at: hit.at };
-    else if (hit.kind === "side") state.selection.value = { kind: "chain", id: hit.chain };
+    else if (hit.kind === "side") state.selectChain(hit.chain, more);
     else if (hit.kind === "load") state.selection.value = { kind: "load", index: hit.index };
-    else if (hit.kind === "region" && state.chains.value.some(({ id }) => id === hit.id))
-      state.selection.value = { kind: "chain", id: hit.id };
-    else state.selection.value = { kind: "none" };
+    else if (hit.kind === "part") state.selection.value = { kind: "part", id: hit.id };
+    else if (hit.kind === "region" && state.chains.value.some(({ id }) => id === hit.id)) state.selectChain(hit.id, more);
+    else if (!more) state.selection.value = { kind: "none" };
   };
 
   const down = (event: PointerEvent) => {
@@ -63,7 +67,7 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
     const selecting = state.tool.value === "select" && event.button === 0;
     const hit: Hit = selecting ? findHit(toWorld(pixel), findReach(event)) : { kind: "nothing" };
     press = { pixel, hit, drag: null, moved: false };
-    if (selecting && hit.kind !== "nothing" && hit.kind !== "region") selectHit(hit);
+    if (selecting && hit.kind !== "nothing" && hit.kind !== "region" && !isMore(event)) selectHit(hit, false);
   };
 
   const pinch = (id: number, pixel: Point) => {
@@ -116,13 +120,13 @@ export function listenToPointer(svg: SVGSVGElement): () => void {
     if (!now) return;
     if (now.moved || event.button === 1) return;
     const pixel = findPixel(event);
-    if (state.tool.value === "select") selectHit(now.hit);
+    if (state.tool.value === "select") selectHit(now.hit, isMore(event));
     else click(pixel, event);
   };
 
   const click = (pixel: Point, event: PointerEvent) => {
     const first = state.draft.value[0];
-    const closes = state.tool.value === "region" && state.draft.value.length > 2 && first && distance(toScreen(first), pixel) <= 12;
+    const closes = (state.tool.value === "region" || state.tool.value === "exclude") && state.draft.value.length > 2 && first && distance(toScreen(first), pixel) <= 12;
     if (closes) return void finishDraft();
     if (state.tool.value === "insert") {
       const at = snapPixel(pixel, event.altKey);

@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 
 import { ThemeButton } from "../../../src/page/ThemeButton";
 import { emptyCase } from "../document/operations";
+import { accepted, takeFiles } from "../imports/imports";
 import { conflict, engineFault, file, files, openFile, openLocal, recovered, save, savedText, setting, settle } from "../session";
 import * as state from "../state";
 
@@ -75,6 +76,11 @@ function FileMenu() {
         {item("New case", startNew)}
         {files.value.map(({ path }) => item(path, () => void openFile(path).then(close)))}
         {item("Open from this computer …", () => document.getElementById("case-file")?.click())}
+        <li>
+          <button type="button" onClick={() => document.getElementById("import-files")?.click()}>
+            Import DXF, CSV, AGS, GeoStudio …
+          </button>
+        </li>
         {workspace && (
           <li>
             <button type="button" onClick={saveAs}>
@@ -91,6 +97,21 @@ function FileMenu() {
         tabIndex={-1}
         aria-label="Case file"
         onChange={(e) => void read(e.currentTarget.files?.[0])}
+      />
+      <input
+        id="import-files"
+        type="file"
+        multiple
+        accept={accepted}
+        class="unseen"
+        tabIndex={-1}
+        aria-label="Files to import"
+        onChange={(e) => {
+          const chosen = [...(e.currentTarget.files ?? [])];
+          e.currentTarget.value = "";
+          close();
+          void takeFiles(chosen);
+        }}
       />
     </details>
   );

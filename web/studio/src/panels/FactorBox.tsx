@@ -3,6 +3,7 @@
 import { formatFactor } from "../../../src/page/format";
 import { liveMethod } from "../session";
 import * as state from "../state";
+import { writeLengthShown } from "../units";
 import { Warnings } from "./Warnings";
 
 const methods: Record<string, string> = {
@@ -19,7 +20,7 @@ function describe(): string {
   if (errors) return `${errors} ${errors === 1 ? "error" : "errors"}: see the messages below.`;
   if (!found) return state.solveFault.value || "Searching …";
   if (found.factor === null) return state.solveFault.value || "No surface has a factor.";
-  const circle = found.circle ? `, R = ${found.circle.radius.toFixed(2)} m` : "";
+  const circle = found.circle ? `, R = ${writeLengthShown(found.circle.radius)}` : "";
   return `Quick search: ${found.searched.toLocaleString("en").replaceAll(",", "\u202f")} circles${circle}`;
 }
 

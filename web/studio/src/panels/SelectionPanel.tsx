@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 /** What is selected: name, soil and points of a region or line, coordinates of a vertex, keys of a load or support. Without a selection: the parts of the section. */
 import { findSoilColour } from "../canvas/layers";
-import { deleteSelected, moveSelectedTo } from "../canvas/moving";
+import { moveSelectedTo } from "../canvas/moving";
 import type { Chain } from "../document/chains";
-import { applyEdits, setValue, writeNumber } from "../document/edits";
+import { applyEdits, setValue } from "../document/edits";
 import { renameRegion, setSoil } from "../document/operations";
-import type { Path } from "../document/tree";
-import { deleteVertex, insertVertex, moveVertices, pointsOf, replacePoints } from "../document/vertices";
-import type { JsonSchema } from "../engine/engine";
+import { splitLine } from "../document/transform";
+import { type Corner, pointsOf } from "../document/vertices";
+import { findSchema } from "../forms/schema";
 import { TableForm } from "../forms/TableForm";
 import { TextInput } from "../forms/TextInput";
-import { readCoordinates, readPastedPoints } from "../geometry/coordinates";
+import { readCoordinates } from "../geometry/coordinates";
 import { computeArea } from "../geometry/plane";
 import { schema } from "../session";
 import * as state from "../state";
+import { length } from "../units";
+import { BackgroundPart } from "./BackgroundPart";
+import { AddCondition, DeleteButton, LineConditions, PartPanel } from "./PartPanel";
+import { PointTable, writeShown } from "./PointTable";
 import { tab } from "./tabs";
+import { TransformPart } from "./TransformPart";
 
 const kinds: Record<Chain["kind"], string> = {
   region: "Region",
@@ -37,100 +42,6 @@ const kinds: Record<Chain["kind"], string> = {
   centre: "Centre of slip circle",
   box: "Box",
 };
-
-/** The schema of a table at a path: names of materials and supports, and places in lists, are skipped. */
-export function findSchema(root: JsonSchema | null, path: Path): JsonSchema | null {
-  let at = root;
-  for (const step of path) {
-    if (!at) return null;
-    if (typeof step === "number") at = at.items ?? null;
-    else at = at.properties?.[step] ?? (typeof at.additionalProperties === "object" ? at.additionalProperties : null);
-  }
-  return at;
-}
-
-const write = (value: number) => writeNumber(Number(value.toFixed(6)));
-
-/** A coordinate of a vertex; all that shares it moves. */
-function PointRow({ chain, index }: { chain: Chain; index: number }) {
-  const { x, y } = chain.points[index]!;
-  const c = state.chains.value.indexOf(chain);
-  const vertex = state.vertices.value.find(({ corners }) => corners.some((corner) => corner.chain === c && corner.index === index));
-  if (!vertex) return null;
-  const set = (which: 0 | 1, typed: string) => {
-    const value = Number(typed.replace("−", "-"));
-    if (typed.trim() === "" || Number.isNaN(value)) {
-      state.notice.value = { text: `“${typed}” is not a coordinate.`, bad: true };
-      return;
-    }
-    const to = which === 0 ? ([value, vertex.at[1]] as const) : ([vertex.at[0], value] as const);
-    state.attempt("Move a vertex", () => moveVertices(state.tree.value, state.chains.value, [{ vertex, to }], state.vertices.value));
-  };
-  const add = () => {
-    const points = pointsOf(chain);
-    const next = points[(index + 1) % points.length]!;
-    const at = [(vertex.at[0] + next[0]) / 2, (vertex.at[1] + next[1]) / 2] as const;
-    state.attempt("Insert a vertex", () => insertVertex(state.tree.value, state.chains.value, at, c));
-  };
-  const isLast = !chain.closed && index === chain.points.length - 1;
-  const name = `Point ${index + 1}`;
-  return (
-    <tr class={state.selectedVertex.value === vertex ? "chosen" : undefined}>
-      <th scope="row">{index + 1}</th>
-      <td>
-        <TextInput aria-label={`${name}, x`} value={write(x.value)} commit={(typed) => set(0, typed)} />
-      </td>
-      <td>
-        <TextInput aria-label={`${name}, y`} value={write(y.value)} commit={(typed) => set(1, typed)} />
-      </td>
-      <td class="row-tools">
-        <button type="button" title="Insert a point after this one" aria-label={`Insert a point after ${index + 1}`} disabled={isLast || chain.single} onClick={add}>
-          +
-        </button>
-        <button
-          type="button"
-          title="Delete this point"
-          aria-label={`Delete point ${index + 1}`}
-          onClick={() => state.attempt("Delete a vertex", () => deleteVertex(state.tree.value, state.chains.value, vertex))}
-        >
-          −
-        </button>
-      </td>
-    </tr>
-  );
-}
-
-function PointTable({ chain }: { chain: Chain }) {
-  const paste = (event: ClipboardEvent) => {
-    const points = readPastedPoints(event.clipboardData?.getData("text/plain") ?? "");
-    // A single number goes into its cell.
-    if (!points || points.length < 2) return;
-    event.preventDefault();
-    state.attempt(`Paste ${points.length} points`, () => applyEdits(state.tree.value.text, replacePoints(state.tree.value, chain, points)));
-  };
-  return (
-    <table class="points" onPaste={paste}>
-      <caption>Points. A table pasted from a spreadsheet replaces them.</caption>
-      <thead>
-        <tr>
-          <th scope="col">
-            <span class="unseen">Number</span>
-          </th>
-          <th scope="col">x [m]</th>
-          <th scope="col">y [m]</th>
-          <th scope="col">
-            <span class="unseen">Change</span>
-          </th>
-        </tr>
-      </thead>
-      <tbody>
-        {chain.points.map((_, index) => (
-          <PointRow key={index} chain={chain} index={index} />
-        ))}
-      </tbody>
-    </table>
-  );
-}
 
 function SoilChoice({ region, soil }: { region: string; soil: string | null }) {
   const known = state.soils.value;
@@ -163,12 +74,12 @@ function NameField({ chain }: { chain: Chain }) {
   );
 }
 
-const drawn: readonly string[] = ["points", "bottom", "at", "first", "heads", "water_table", "name", "x"];
+const drawn: readonly string[] = ["points", "bottom", "at", "first", "heads", "water_table", "name", "x", "corners", "centre", "box"];
 
 function ChainPanel({ chain }: { chain: Chain }) {
-  const named = ["region", "line", "surface", "exclude", "monitor", "layer"].includes(chain.kind);
+  const named = ["region", "line", "surface", "exclude", "monitor", "layer", "through", "throughBox", "window", "windowBox", "section", "centre"].includes(chain.kind);
   const table = findSchema(schema.value, chain.owner);
-  const hasForm = table && ["surface", "support", "through", "window", "drawdown", "layer"].includes(chain.kind);
+  const hasForm = table && ["surface", "support", "drawdown", "layer", "centre", "centres"].includes(chain.kind);
   return (
     <>
       <h2>
@@ -176,29 +87,23 @@ function ChainPanel({ chain }: { chain: Chain }) {
       </h2>
       {named && <NameField chain={chain} />}
       {chain.kind === "region" && <SoilChoice region={chain.name} soil={chain.soil} />}
-      {chain.closed && <p class="muted">Area {Math.abs(computeArea(pointsOf(chain))).toFixed(2)} m²</p>}
+      {chain.closed && <p class="muted">Area {writeArea(Math.abs(computeArea(pointsOf(chain))))}</p>}
+      {chain.kind === "line" && <LineConditions name={chain.name} />}
       <PointTable chain={chain} />
       {hasForm && <TableForm path={chain.owner} schema={table} without={chain.kind === "support" ? ["first", "heads"] : drawn} />}
-      <DeleteButton what={named ? chain.name : kinds[chain.kind].toLowerCase()} />
+      <TransformPart chain={chain} />
+      <DeleteButton what={state.selectedChains.value.length > 1 ? `${state.selectedChains.value.length} shapes` : named ? chain.name : kinds[chain.kind].toLowerCase()} />
     </>
   );
 }
 
-function DeleteButton({ what }: { what: string }) {
-  return (
-    <p class="tools">
-      <button type="button" onClick={deleteSelected}>
-        Delete {what}
-      </button>
-    </p>
-  );
-}
+const writeArea = (area: number) => `${(area / length.value.size ** 2).toFixed(2)} ${length.value.name}²`;
 
 function VertexPanel() {
   const vertex = state.selectedVertex.value!;
   const sharing = vertex.corners.map(({ chain }) => state.chains.value[chain]!);
   const set = (typed: string) => {
-    const { point, fault } = readCoordinates(typed, vertex.at);
+    const { point, fault } = readCoordinates(typed, vertex.at, length.value.size);
     if (point) moveSelectedTo(point);
     else state.notice.value = { text: fault, bad: true };
   };
@@ -207,7 +112,7 @@ function VertexPanel() {
       <h2>Vertex</h2>
       <label class="plain-field">
         Place: x,y or @dx,dy or length&lt;angle
-        <TextInput value={`${write(vertex.at[0])}, ${write(vertex.at[1])}`} commit={set} />
+        <TextInput value={`${writeShown(vertex.at[0])}, ${writeShown(vertex.at[1])}`} commit={set} />
       </label>
       <h3>Shared by</h3>
       <ul class="parts">
@@ -219,8 +124,27 @@ function VertexPanel() {
           </li>
         ))}
       </ul>
+      <SplitButtons sharing={sharing} corners={vertex.corners} />
       <DeleteButton what="vertex" />
     </>
+  );
+}
+
+/** Named lines that have the vertex between their ends can be split there. */
+function SplitButtons({ sharing, corners }: { sharing: readonly Chain[]; corners: readonly Corner[] }) {
+  const inner = corners.filter(({ index }, i) => ["line", "section", "through"].includes(sharing[i]!.kind) && index > 0 && index < sharing[i]!.points.length - 1);
+  if (!inner.length) return null;
+  return (
+    <p class="tools">
+      {inner.map(({ chain: c, index }) => {
+        const chain = state.chains.value[c]!;
+        return (
+          <button key={chain.id} type="button" onClick={() => void state.attempt(`Split ${chain.name}`, () => splitLine(state.tree.value, chain, index))}>
+            Split {chain.name} here
+          </button>
+        );
+      })}
+    </p>
   );
 }
 
@@ -237,8 +161,29 @@ function LoadPanel({ index }: { index: number }) {
   );
 }
 
+/** Parts of the search and conditions, and what can be added to sides and lines. */
+function PartList() {
+  const parts = state.parts.value;
+  return (
+    <>
+      <h3>Conditions and search</h3>
+      <ul class="parts">
+        {parts.map((part) => (
+          <li key={part.id}>
+            <button type="button" onClick={() => (state.selection.value = { kind: "part", id: part.id })}>
+              {part.title}
+            </button>
+            {part.word && <span class="muted"> {part.word.replaceAll("_", " ")}</span>}
+          </li>
+        ))}
+      </ul>
+      <AddCondition />
+    </>
+  );
+}
+
 function Overview() {
-  const chains = state.chains.value.filter(({ kind }) => kind !== "box");
+  const chains = state.chains.value.filter(({ kind }) => kind !== "box" && kind !== "centre");
   const built = state.regions.value.filter(({ id }) => id.startsWith("section."));
   if (!chains.length)
     return (
@@ -253,6 +198,8 @@ function Overview() {
           </li>
           <li>Drag its vertices: the factor of safety follows.</li>
         </ol>
+        <p>A survey, a drawing or a GeoStudio file dropped on the page is imported.</p>
+        <BackgroundPart />
       </>
     );
   return (
@@ -276,6 +223,8 @@ function Overview() {
           </li>
         ))}
       </ul>
+      <PartList />
+      <BackgroundPart />
       {built.length > 0 && (
         <>
           <h3>Regions built from layers</h3>
@@ -299,6 +248,8 @@ export function SelectionPanel() {
   const now = state.selection.value;
   if (now.kind === "vertex" && state.selectedVertex.value) return <VertexPanel />;
   if (now.kind === "load") return <LoadPanel index={now.index} />;
+  const part = state.selectedPart.value;
+  if (part) return <PartPanel key={part.id} part={part} />;
   const chain = state.selectedChain.value;
   return chain ? <ChainPanel key={chain.id} chain={chain} /> : <Overview />;
 }

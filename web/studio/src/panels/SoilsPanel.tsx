@@ -6,11 +6,11 @@ import { findSoilColour } from "../canvas/layers";
 import { applyEdits, removeAt } from "../document/edits";
 import { addMaterial } from "../document/operations";
 import { makeFieldId } from "../forms/FieldRow";
+import { findSchema } from "../forms/schema";
 import { TableForm } from "../forms/TableForm";
 import { schema } from "../session";
 import * as state from "../state";
 import { LibraryPart } from "./LibraryPart";
-import { findSchema } from "./SelectionPanel";
 
 const usual = ["model", "unit_weight", "saturated_unit_weight", "cohesion", "friction_angle", "undrained_strength"];
 

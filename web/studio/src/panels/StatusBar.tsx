@@ -3,17 +3,20 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 
-import { addPoint, finishDraft, insertAt, lastPoint, measured, tools } from "../canvas/drawing";
+import { addPoint, finishDraft, insertAt, lastPoint, measured } from "../canvas/drawing";
 import { findHit } from "../canvas/hit";
 import { moveSelectedTo } from "../canvas/moving";
 import { pointer } from "../canvas/overlay";
+import { tools } from "../canvas/tools";
 import { readCoordinates } from "../geometry/coordinates";
 import * as state from "../state";
+import { length, stress, system } from "../units";
 
 const kinds: Record<string, string> = { vertex: "vertex", intersection: "crossing", line: "line", aligned: "aligned", grid: "grid", free: "" };
 
 function write(value: number): string {
-  return value.toFixed(Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(state.gridStep.value) + 0.5)))).replace("-", "−");
+  const { size } = length.value;
+  return (value / size).toFixed(Math.min(3, Math.max(0, 2 - Math.floor(Math.log10(state.gridStep.value / size) + 0.5)))).replace("-", "−");
 }
 
 /** Why nothing can be typed now; empty where it can. */
@@ -41,7 +44,7 @@ function Coordinates() {
       return;
     }
     const vertex = state.selectedVertex.value;
-    const { point, fault: found } = readCoordinates(typed, use === "move" ? (vertex?.at ?? null) : lastPoint());
+    const { point, fault: found } = readCoordinates(typed, use === "move" ? (vertex?.at ?? null) : lastPoint(), length.value.size);
     fault.value = found ?? "";
     if (!point) return;
     field.current!.value = "";
@@ -86,6 +89,18 @@ function Coordinates() {
   );
 }
 
+/** Switches the units of display; the text of the case keeps its own. */
+function UnitButton() {
+  const isAmerican = system.value === "us";
+  const shown = `${length.value.name} · ${stress.value.name}`;
+  const label = `${shown}: units of display. Switch to ${isAmerican ? "SI" : "feet and pounds"}`;
+  return (
+    <button type="button" class="units" aria-label={label} title={label} onClick={() => (system.value = isAmerican ? "si" : "us")}>
+      {shown}
+    </button>
+  );
+}
+
 export function StatusBar() {
   const at = pointer.value;
   const { hint } = tools[state.tool.value];
@@ -102,8 +117,9 @@ export function StatusBar() {
         </button>
       )}
       <Coordinates />
+      <UnitButton />
       <span class="pointer-place" aria-hidden="true">
-        {at ? `${write(at.at[0])}, ${write(at.at[1])} m` : ""}
+        {at ? `${write(at.at[0])}, ${write(at.at[1])} ${length.value.name}` : ""}
         <span class="muted"> {at ? kinds[at.kind] : ""}</span>
       </span>
     </div>
