@@ -11,6 +11,7 @@ import { startBrowser } from "../session.mjs";
 import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawing.mjs";
 import { editInTwoWindows, hostileCase, openHostile, recoverText, runCase } from "./files.mjs";
 import { useKeysAlone } from "./keyboard.mjs";
+import { changeShapes, drawSearch, findOwnEntry, importSurvey, pasteAndKeep, placePicture, switchUnits } from "./parts.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
 const [program, example, outGiven, pageFolder] = process.argv.slice(2);
@@ -22,7 +23,7 @@ const out = resolve(outGiven);
 mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
 // With one file alone the page would open it.
-for (const name of ["embankment.toml", "second.toml"]) copyFileSync(example, join(folder, name));
+for (const name of ["embankment.toml", "second.toml", "parts.toml"]) copyFileSync(example, join(folder, name));
 writeFileSync(join(folder, "hostile.toml"), hostileCase);
 
 const list = new Checklist();
@@ -55,6 +56,25 @@ try {
   const second = addFile(studio.address, "second.toml");
   await list.group("Two windows", async () => editInTwoWindows(list, await open(second), await open(second)));
   await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
+  await closeAll();
+  const parts = addFile(studio.address, "parts.toml");
+  const path = join(folder, "parts.toml");
+  /** A group in a window of its own, which ends afterwards. */
+  const openPart = async (name, use) => {
+    await list.group(name, async () => {
+      const one = await open(parts);
+      await waitForFactor(one);
+      await use(one);
+    });
+    await closeAll();
+  };
+  await openPart("Import", (one) => importSurvey(list, one, out));
+  await openPart("Shapes", (one) => changeShapes(list, one, path, out));
+  await openPart("Search and conditions", (one) => drawSearch(list, one, path, out));
+  await openPart("Background", (one) => placePicture(list, one, path, out));
+  await openPart("Units", (one) => switchUnits(list, one, path, out));
+  await openPart("Tables and own soils", (one) => pasteAndKeep(list, one, path));
+  await openPart("Own soils again", (one) => findOwnEntry(list, one));
   await list.group("Hostile", async () => openHostile(list, await open(addFile(studio.address, "hostile.toml"))));
   for (const colorScheme of ["light", "dark"]) {
     await list.group(`Accessibility, ${colorScheme}`, async () => {
