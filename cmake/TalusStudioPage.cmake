@@ -14,5 +14,5 @@ if(TALUS_NPM AND node_version GREATER_EQUAL 20)
     COMMENT "Building the page of the studio"
     VERBATIM)
   add_custom_target(talus_studio_page DEPENDS ${studio_stamp})
-  install(DIRECTORY ${studio_folder}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/talus/studio OPTIONAL)
+  install(DIRECTORY ${studio_folder}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/talus/studio COMPONENT program OPTIONAL)
 endif()

@@ -8,6 +8,11 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 (cd "$build" && cpack >"$scratch/log" 2>&1) || { cat "$scratch/log"; exit 1; }
 package=$(ls "$build"/packages/talus_*.deb)
+# Modules and page that this build has are in the package.
+dpkg -c "$package" >"$scratch/content"
+for part in bin/libtalus_http.so bin/libtalus_xlsx.so bin/studio/index.html; do
+  if [ -e "$build/$part" ] && ! grep -q "${part#bin/}" "$scratch/content"; then echo "the package lacks $part"; exit 1; fi
+done
 if [ "$(id -u)" -ne 0 ] || ! unshare --mount true 2>/dev/null; then
   echo "SKIP: only root can install packages: they were made, and were NOT installed"
   exit 77
@@ -24,6 +29,10 @@ talus run case.toml -q -o results
 test -s results/report.html
 cd /
 /usr/bin/python3 -c 'import talus; assert len(talus.Results("/tmp/block/results")) > 1; print("python: talus", talus.__version__, "in", talus.__path__[0])'
+if ls /usr/lib/talus/libtalus_http.so /usr/lib/talus/*/libtalus_http.so >/dev/null 2>&1; then
+  timeout 10 talus studio /tmp/block --no-open >/tmp/studio.log || true
+  grep -q 'http://127.0.0.1' /tmp/studio.log
+fi
 man -w talus >/dev/null || test -s /usr/share/man/man1/talus.1.gz
 bash -c 'source /usr/share/bash-completion/completions/talus; COMP_WORDS=(talus ru); COMP_CWORD=1; _talus; test "${COMPREPLY[*]}" = run'
 dpkg -r talus >/dev/null
