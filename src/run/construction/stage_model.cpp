@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -62,10 +63,16 @@ void check_borne(const input::Case& data, int number, const SolidOfCase<2>& soli
     if (mesh.element_region[e] != mesh::empty_region)
       for (const int node : mesh.elements[e]) part[static_cast<std::size_t>(find(node))] = find(mesh.elements[e][0]);
   std::vector<char> borne(mesh.nodes.size(), 0);
+  // A smooth vertical side bears no weight.
+  const auto bears = [&](const fem::Support<2>& support, const std::array<int, 2>& side) {
+    if (!support.along_normal) return support.fixed[1];
+    const auto &a = mesh.nodes[static_cast<std::size_t>(side[0])], &b = mesh.nodes[static_cast<std::size_t>(side[1])];
+    return std::abs(a[0] - b[0]) > 1e-9 * std::abs(a[1] - b[1]);
+  };
   for (const auto& support : solid.model.supports)
     for (const auto& side : support.sides)
-      for (const int node : side)
-        if (support.fixed[1] || support.along_normal) borne[static_cast<std::size_t>(find(node))] = 1;
+      if (bears(support, side))
+        for (const int node : side) borne[static_cast<std::size_t>(find(node))] = 1;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const int region = mesh.element_region[e];
     if (region == mesh::empty_region || borne[static_cast<std::size_t>(find(mesh.elements[e][0]))]) continue;
