@@ -7,11 +7,11 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/case_options.hpp"
 #include "app/command_line.hpp"
+#include "app/progress_lines.hpp"
 #include "base/error.hpp"
 #include "base/lane.hpp"
 #include "base/parallel.hpp"
@@ -44,19 +44,6 @@ void refuse_restless(const results::RunResult& result) {
                   "stage '{}' did not come to rest, which --strict asks for; the results are complete, and their "
                   "warnings say what moved",
                   stage.name);
-}
-
-/// Writes progress as a line of JSON.
-void write_progress_line(const ProgressReport& report) {
-  nlohmann::ordered_json line{{"line", report.line}};
-  if (!report.label.empty()) line["label"] = report.label;
-  if (!report.stage.empty()) {
-    line["stage"] = report.stage;
-    line["time"] = report.time;
-    line["duration"] = report.duration;
-  }
-  print(stderr, line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  std::fflush(stderr);
 }
 
 /// Temporary folder of a rank other than the first. These ranks run the same case, and their results are removed with

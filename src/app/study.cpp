@@ -10,9 +10,11 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "app/case_options.hpp"
 #include "app/command_line.hpp"
+#include "app/progress_lines.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "base/ranks.hpp"
@@ -28,7 +30,7 @@ struct StudyCommand {
   CaseOptions input;
   std::string folder, prepared;
   int threads = 0, jobs = 0, job = no_job;
-  bool resume = false, overwrite = false, quiet = false, no_report = false, collects = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false, collects = false, progress_lines = false;
 
   study::StudyOptions make_options(const std::filesystem::path& where, Progress& progress) const {
     study::StudyOptions options;
@@ -87,7 +89,12 @@ void run_study(const StudyCommand& command) {
   const std::vector<input::Override> overrides = command.input.parse_overrides();
   const input::LoadedCase base = input::read_case(command.input.file, overrides);
   catch_interrupts();
-  Progress progress(!command.quiet);
+  std::optional<Progress> own_progress;
+  if (command.progress_lines)
+    own_progress.emplace(Progress::Listener(write_progress_line));
+  else
+    own_progress.emplace(!command.quiet);
+  Progress& progress = *own_progress;
   const study::StudyOptions options = command.make_options(
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder,
       progress);
@@ -166,6 +173,8 @@ void add_study(CLI::App& app) {
       .excludes(prepare)
       .excludes(job);
   command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.flag("--progress-lines", options->progress_lines,
+               "Print progress as lines of JSON to standard error, for programs that start runs");
   command.act([options] { choose(*options); });
 }
 

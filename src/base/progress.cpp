@@ -75,6 +75,10 @@ void Progress::show(const std::string& line) {
   show(ProgressReport{line, {}, {}, 0, 0});
 }
 
+void Progress::show(const std::string& line, ProgressValues values) {
+  show(ProgressReport{line, {}, {}, 0, 0, std::move(values)});
+}
+
 void Progress::show(const ProgressReport& report) {
   const std::lock_guard lock(mutex_);
   if (!enabled_) return;

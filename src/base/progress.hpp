@@ -3,11 +3,14 @@
 // Handling of SIGINT and SIGTERM, and progress on the terminal: one line that is overwritten, or calls of a listener in
 // a program that embeds this one.
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace talus {
 
@@ -29,6 +32,19 @@ void request_interrupt(bool wanted = true);
 /// Calls `look` at every check for signals, for tests of their frequency; nullptr ends it.
 void watch_interrupts(void (*look)());
 
+/// Values that a calculation has found so far, for programs that draw them. Those without a value are unknown.
+struct ProgressValues {
+  std::string method{};                    ///< word of the method, such as "fem"; empty: there are no values
+  std::string series{};                    ///< distinguishes curves of one method, such as flow rules
+  std::optional<double> lower{}, upper{};  ///< ends of the factor of safety so far
+  std::optional<double> factor{};          ///< of a trial, or a result
+  std::optional<bool> holds{};             ///< equilibrium in the trial at `factor`; nullopt: `factor` is a result
+  std::optional<double> displacement{};    ///< of the trial, or largest so far [m]
+  std::optional<double> time{};            ///< at which `factor` holds [s]
+  int done = 0, total = 0;                 ///< of equal parts; total = 0: unknown
+  std::vector<std::array<double, 2>> surface{};  ///< slip surface of `factor` [m]
+};
+
 /// Progress of a calculation, as a line for the terminal and as values.
 struct ProgressReport {
   std::string line;
@@ -36,6 +52,7 @@ struct ProgressReport {
   std::string stage;    ///< name of the stage or trial; empty if there is only a line
   double time = 0;      ///< simulated time since its start [s]
   double duration = 0;  ///< total time, or the longest time to rest [s]; 0: unknown
+  ProgressValues values{};
 };
 
 class Progress {
@@ -54,6 +71,7 @@ class Progress {
   bool is_due(Clock::time_point now = Clock::now()) const;
   /// Replaces the line. Thread-safe.
   void show(const std::string& line);
+  void show(const std::string& line, ProgressValues values);
   void show(const ProgressReport& report);
   /// Writes a permanent sentence to standard error, also if it is not a terminal.
   void note(const std::string& sentence);

@@ -364,7 +364,11 @@ std::vector<double> find_factors(const SliceFactor& slices, const SampleSet& set
     for (std::size_t i = begin; i < last && !is_interrupted(); ++i) factors[i] = find_one(slices, set, first + i, work);
     done += last - begin;
     if (options.progress != nullptr && options.progress->is_due())
-      options.progress->show(fmt::format("{} of {} samples calculated", done.load(), count));
+      options.progress->show(fmt::format("{} of {} samples calculated", done.load(), count),
+                             {.method = "study",
+                              .series = "samples",
+                              .done = static_cast<int>(done.load()),
+                              .total = static_cast<int>(count)});
   });
   if (options.progress != nullptr) options.progress->clear();
   if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while the samples were calculated");

@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "base/user_file.hpp"
+#include "results/governing.hpp"
 #include "results/json.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/forecast/forecast.hpp"
@@ -63,16 +64,22 @@ class VariantRuns {
     rows_[i] = std::move(row);
     ++done_;
     renew_(rows_);
-    show();
+    show(i);
   }
 
-  void show() {
+  /// `ended`: number of a variant that has just ended.
+  void show(std::optional<std::size_t> ended = std::nullopt) {
     if (!options_.progress) return;
+    ProgressValues values{.method = "study", .done = static_cast<int>(done_), .total = static_cast<int>(rows_.size())};
+    if (ended) {
+      values.series = plan_.variants[*ended].label;
+      if (rows_[*ended].result) values.factor = results::find_main_factor(*rows_[*ended].result);
+    }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     std::string line =
         fmt::format("{} of {} variants done after {}", done_, rows_.size(), format_duration(passed.count()));
     for (std::size_t i = 0; i < running_.size(); ++i) line += (i == 0 ? "; now " : " | ") + running_[i];
-    options_.progress->show(line);
+    options_.progress->show(line, std::move(values));
   }
 
   const StudyPlan& plan_;

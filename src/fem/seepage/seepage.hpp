@@ -106,7 +106,8 @@ struct SeepageSchedule {
   double first_step = 0;                                          ///< [s]; 0: 0.1 % of the time to the first output
   double smallest_step = 0;                                       ///< [s]; 0: 1e-9 of the total time
   double largest_step = std::numeric_limits<double>::infinity();  ///< [s]
-  double head_tolerance = 1e-3;  ///< limit of the error of a step, estimated from a prediction [m]
+  double head_tolerance = 1e-3;               ///< limit of the error of a step, estimated from a prediction [m]
+  std::function<void(double time)> report{};  ///< called after every step; may be empty
 };
 
 template <int D>

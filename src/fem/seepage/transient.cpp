@@ -216,6 +216,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     time = then;
     ++history.steps;
     history.largest_error = std::max(history.largest_error, error);
+    if (schedule.report) schedule.report(time);
     const double growth = error > 0 ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.3, 2.0) : 1.5;
     dt = lands ? std::max(dt, step * growth) : step * growth;
     if (!lands) continue;

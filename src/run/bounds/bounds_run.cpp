@@ -194,10 +194,17 @@ void BoundsRun::prepare() {
 
 results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) const {
   show(fmt::format("{} triangles", made.problem.size()));
+  ProgressValues values{.method = "bounds"};
   return make_bounds_result(
       find_case_bounds(made, options,
                        [&](const bounds::BoundsLevel& level) {
-                         show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper));
+                         // With a second problem each of the two has one bound of this case, and another that is not.
+                         if (!made.stronger && level.lower > 0)
+                           values.lower = std::max(values.lower.value_or(0), level.lower);
+                         if (!made.stronger && std::isfinite(level.upper))
+                           values.upper = std::min(values.upper.value_or(level.upper), level.upper);
+                         show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper),
+                              values);
                        }),
       data_.bounds.gap);
 }

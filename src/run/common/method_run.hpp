@@ -66,8 +66,9 @@ class MethodRun {
   }
   void write_kept() const { results::write_file(options_.folder / name_, file_, -1); }
 
-  void show(const std::string& what) const {
-    if (options_.progress) options_.progress->show(fmt::format("{}: {}", title_, what));
+  void show(const std::string& what) const { show(what, {}); }
+  void show(const std::string& what, ProgressValues values) const {
+    if (options_.progress) options_.progress->show(fmt::format("{}: {}", title_, what), std::move(values));
   }
   void clear_progress() const {
     if (options_.progress) options_.progress->clear();

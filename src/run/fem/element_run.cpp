@@ -256,10 +256,22 @@ void ElementRun<D>::calculate() {
 template <int D>
 fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) const {
   show(fmt::format("{}, equilibrium at full strength", words));
+  std::optional<double> lower, upper;
   return fem::reduce_strength<D>(model.solid.model, make_options(data().fem, options_.threads),
                                  [&](const fem::ReductionTrial& t) {
+                                   if (t.converged)
+                                     lower = std::max(lower.value_or(t.factor), t.factor);
+                                   else
+                                     upper = std::min(upper.value_or(t.factor), t.factor);
                                    show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words,
-                                                    t.factor, t.converged ? "converges" : "fails", t.iterations));
+                                                    t.factor, t.converged ? "converges" : "fails", t.iterations),
+                                        {.method = "fem",
+                                         .series = words,
+                                         .lower = lower,
+                                         .upper = upper,
+                                         .factor = t.factor,
+                                         .holds = t.converged,
+                                         .displacement = t.displacement});
                                  });
 }
 
@@ -403,6 +415,8 @@ void ElementRun<D>::reduce(results::Flow flow) {
     }
   }
   file_.summary.unknowns = found.unknowns;
+  show(fmt::format("{}, factor {:.4g}", words, run.factor),
+       {.method = "fem", .series = words, .factor = run.factor, .surface = run.slip_line});
   file_.summary.runs.push_back(std::move(run));
   file_.mesh.runs.push_back(make_fields_result<D>(model_->mesh, found.at_failure, flow));
 }

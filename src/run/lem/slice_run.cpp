@@ -196,6 +196,11 @@ void SliceRun::calculate() {
     try_part([&] {
       SliceOutcome found = run_lem(data_, prepared_, options_.threads);
       file_ = {hash_, std::move(found.result), std::move(found.trials)};
+      if (const auto governing = results::find_governing_surface(file_.summary, nullptr))
+        show("the critical slip surface is found", {.method = "lem",
+                                                    .series = governing->found->surface.title,
+                                                    .factor = governing->found->surface.factor,
+                                                    .surface = governing->found->surface.points});
     });
     clear_progress();
   }

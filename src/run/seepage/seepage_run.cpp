@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/units.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/initial_water.hpp"
 #include "site/season.hpp"
@@ -71,6 +72,17 @@ void SeepageRun<D>::follow() {
   fem::SeepageSchedule schedule;
   schedule.outputs = data.seepage.times;
   schedule.head_tolerance = site::head_tolerance;
+  const double end = schedule.outputs.back();
+  schedule.report = [&](double time) {
+    if (!options_.progress || !options_.progress->is_due()) return;
+    options_.progress->show(
+        {fmt::format("{}: flow at {} of {}", title_, units::format_time(time), units::format_time(end)),
+         {},
+         title_,
+         time,
+         end,
+         {.method = "seepage"}});
+  };
   const site::FlowInTime<D> flow = site::follow_flow<D>(data, model_, heads, schedule, "[seepage] times");
   file_.summary.step_error = flow.history.largest_error;
   for (std::size_t i = 0; i < schedule.outputs.size(); ++i)

@@ -10,6 +10,7 @@
 #include "base/atomic_file.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
+#include "base/units.hpp"
 #include "results/json.hpp"
 #include "run/bounds/referee.hpp"
 #include "run/timeline/times.hpp"
@@ -89,18 +90,32 @@ bool FactorsInTime::search_more(std::vector<std::size_t> next) {
   if (next.empty()) return false;
   if (options_.progress) options_.progress->show(fmt::format("timeline: {} searches", moments_.size() + next.size()));
   std::vector<Moment> found(next.size());
+  std::size_t done = tried_.size();
   std::mutex keeping;
   parallel_tasks(static_cast<int>(next.size()), options_.threads, [&](int i) {
     Moment& moment = found[static_cast<std::size_t>(i)] = water_.make_moment(next[static_cast<std::size_t>(i)]);
     throw_if_interrupted();
     search_moment(data_, search_, moments_, moment);
     const std::lock_guard lock(keeping);
+    show_moment(moment, ++done, tried_.size() + next.size());
     kept_.moments.push_back(keep_moment(moment));
     results::write_file(options_.folder / kept_file, kept_, -1);
   });
   tried_.insert(tried_.end(), next.begin(), next.end());
   std::move(found.begin(), found.end(), std::back_inserter(moments_));
   return true;
+}
+
+void FactorsInTime::show_moment(const Moment& moment, std::size_t done, std::size_t total) const {
+  if (!options_.progress) return;
+  const results::TimedFactor found = make_moment_result(search_, moment);
+  options_.progress->show(fmt::format("timeline: {} of {} searches, {}", done, total, units::format_time(found.time)),
+                          {.method = "timeline",
+                           .factor = found.factor,
+                           .time = found.time,
+                           .done = static_cast<int>(done),
+                           .total = static_cast<int>(total),
+                           .surface = found.surface.points});
 }
 
 void FactorsInTime::share() {

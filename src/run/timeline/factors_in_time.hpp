@@ -37,6 +37,7 @@ class FactorsInTime {
 
  private:
   bool search_more(std::vector<std::size_t> next);
+  void show_moment(const Moment& moment, std::size_t done, std::size_t total) const;
   void share();
   void make_results();
   void take_kept_moments();

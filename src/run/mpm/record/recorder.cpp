@@ -376,7 +376,11 @@ void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& stat
                    settings_.label, plan_->name, time, plan_->until_rest ? "at most " : "", plan_->duration, speed,
                    remaining, moved / displacement, settings_.data->output.displacement_unit,
                    body.monitor.kinetic_energy),
-       settings_.label, plan_->name, time, plan_->duration});
+       settings_.label,
+       plan_->name,
+       time,
+       plan_->duration,
+       {.method = "mpm", .displacement = moved}});
 }
 
 template <int D>

@@ -197,9 +197,21 @@ class FrozenMesh {
     if constexpr (D == 2)
       if (outcome.trial.end == results::StageEnd::failed) outcome.slip_line = find_slip_line(factor, body);
     keep(outcome);
+    show(outcome, recording.label);
     recorder.finish(true);
     context_.add_timing(body.timing);
     return outcome;
+  }
+
+  void show(const results::TrialOutcome& outcome, const std::string& label) const {
+    if (!context_.progress) return;
+    ProgressValues values{.method = "mpm",
+                          .series = "frozen geometry",
+                          .factor = outcome.trial.factor,
+                          .displacement = outcome.trial.displacement};
+    if (outcome.trial.end != results::StageEnd::time) values.holds = outcome.trial.end == results::StageEnd::rest;
+    if (outcome.slip_line) values.surface = outcome.slip_line->points;
+    context_.progress->show(fmt::format("{}{}", label, results::to_word(outcome.trial.end)), std::move(values));
   }
 
   /// Writes the outcome of a trial to files, once.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/leg.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "base/ranks.hpp"
 #include "base/user_file.hpp"
 #include "results/json.hpp"
@@ -69,6 +72,12 @@ std::vector<results::Trial> run_trial_legs(const mpm::Body<D>& state, double fac
     if (i > first) stage = {};
     const StageHooks<D> hooks = recorder.begin_leg(i, leg, body, stage);
     results.push_back(run_trial(body, factor, leg, stage, hooks));
+    if (context.progress)
+      context.progress->show(fmt::format("{}{}: moved {:.4g} m", files.label, leg.name, results.back().displacement),
+                             {.method = "mpm",
+                              .series = i == 0 ? "displacement curve" : "runout",
+                              .factor = factor,
+                              .displacement = results.back().displacement});
     const bool last = i + 1 == static_cast<int>(legs.size());
     if (!last) save_trial(leg_folder, results.back());
     recorder.end_leg(body, !last);
