@@ -97,15 +97,30 @@ void add_regions(const site::Site& site, lem::Section& section, std::vector<std:
   }
 }
 
+/// Bounding box of a polygon.
+struct Box {
+  site::Point low{}, high{};
+
+  explicit Box(const std::vector<lem::Point>& polygon) : low(polygon.front()), high(polygon.front()) {
+    for (const site::Point& x : polygon)
+      for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  }
+  bool holds(const site::Point& x) const {
+    return x[0] >= low[0] && x[0] <= high[0] && x[1] >= low[1] && x[1] <= high[1];
+  }
+};
+
 /// Sets the unit weight above the water table, if it follows from the water content: the mean over the unsaturated
 /// soil of the polygons.
 void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
   const double weight = site::find_water_weight(data);
   const bool has_table = !section.water_table.empty();
   std::vector<double> sum(section.soils.size(), 0.0), area(section.soils.size(), 0.0);
+  std::vector<Box> boxes;  // with many regions most are far from a place
+  for (const lem::Region& region : section.regions) boxes.emplace_back(region.polygon);
   const auto find_soil = [&](const site::Point& x) {
-    for (auto r = section.regions.rbegin(); r != section.regions.rend(); ++r)
-      if (mesh::is_inside(x, r->polygon)) return r->soil;
+    for (std::size_t r = section.regions.size(); r-- > 0;)
+      if (boxes[r].holds(x) && mesh::is_inside(x, section.regions[r].polygon)) return section.regions[r].soil;
     return -1;
   };
   const auto add = [&](const site::Point& x, double pressure, double share) {
@@ -123,10 +138,9 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
           std::abs(mesh::compute_area({a, b, c})));
     }
   } else if (has_table) {
-    for (const lem::Region& region : section.regions) {
-      site::Point low = region.polygon.front(), high = low;
-      for (const site::Point& x : region.polygon)
-        for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+    for (std::size_t r = 0; r < section.regions.size(); ++r) {
+      const lem::Region& region = section.regions[r];
+      const auto& [low, high] = boxes[r];
       for (int i = 0; i < weight_samples * weight_samples; ++i) {
         const int row = i / weight_samples, column = i % weight_samples;
         const site::Point x{low[0] + (high[0] - low[0]) * (column + 0.5) / weight_samples,
