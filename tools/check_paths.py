@@ -33,7 +33,7 @@ MAY_OPEN = {
     "src/base/folder_lock.cpp": "the lock of a folder",
     "src/base/foreign_code.cpp": "/dev/null",
     "src/base/memory.cpp": "what the system says of its memory",
-    "src/studio/run_queue.cpp": "the state of a process in /proc, and the end of a growing log that is no link",
+    "src/studio/process.cpp": "the state of a process in /proc, and the end of a growing log that is no link",
     "src/base/foreign_code.cpp": "the program's own modules",
     "src/output/files/history.cpp": "rows at the end of a history that it has begun",
     "src/output/files/hdf5.cpp": "results in HDF5, after find_file_fault()",

@@ -17,7 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PARTS = ["results", "input", "lem", "fem/seepage", "sparse", "bounds", "site", "run/lem"]
 # The engine of the studio, and what it needs of other parts.
-FILES = ["studio/engine.cpp", "studio/section.cpp", "studio/spans.cpp", "run/common/section_of_case.cpp", "run/case_picture.cpp",
+FILES = ["studio/engine.cpp", "studio/messages.cpp", "studio/section.cpp", "studio/spans.cpp", "run/common/section_of_case.cpp", "run/case_picture.cpp",
          "run/message_places.cpp", "run/picture_conditions.cpp", "run/picture_search.cpp"]
 # Libraries of headers only, behind the headers of emscripten itself.
 INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]

@@ -9,6 +9,7 @@ string(JOIN "|" left_out
   "mesh/(generate|gmsh_mesh|points|quality|read_mesh_file)"
   "material/external"
   "results/(json|tables)"
+  "studio/(comparison|exports|method_check|process|run_progress|run_queue|server|workspace)"
   "site/(flow_measures|known_state|mesh_sides|season|seepage_model)")
 list(FILTER TALUS_WASM_SOURCES EXCLUDE REGEX "/(${left_out})\\.cpp$")
 foreach(name common/section_of_case common/bars_of_case case_picture message_places picture_conditions picture_search)

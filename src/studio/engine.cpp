@@ -19,8 +19,8 @@
 #include "run/lem/slice_run.hpp"
 #include "site/design_values.hpp"
 #include "site/initial_water.hpp"
+#include "studio/messages.hpp"
 #include "studio/section.hpp"
-#include "studio/spans.hpp"
 
 namespace talus::studio {
 namespace {
@@ -50,68 +50,6 @@ void check_size(const std::string& text) {
   if (text.size() > largest_file::case_file)
     fail_input("the text has {} bytes, and a case has at most {}", text.size(), largest_file::case_file);
 }
-
-/// Finds the key of a message, its span and its place in the section.
-class MessageWriter {
- public:
-  MessageWriter(const std::string& text, const input::Sketch& sketch)
-      : lines_(text),
-        sketch_(sketch),
-        ground_(run::find_sketched_ground(sketch)),
-        spans_(find_spans(text)),
-        size_(text.size()) {
-    for (const auto& [path, span] : spans_.keys) names_.emplace(span[0], path);
-    // A list of tables begins where its first table does; the longer path is that of the table.
-    for (const auto& [path, span] : spans_.values)
-      if (std::string& known = starts_[span[0]]; path.size() > known.size()) known = path;
-  }
-
-  const TextSpans& spans() const { return spans_; }
-
-  void add(const char* severity, const Diagnostic& message, json& list) const {
-    json& out = list.emplace_back();
-    out["severity"] = severity;
-    out["text"] = message.sentence;
-    out["line"] = message.line;
-    out["column"] = message.column;
-    out["key"] = "";
-    out["span"] = out["place"] = nullptr;
-    if (message.line > 0) add_place(message, out);
-    if (list.size() > most_places) return;
-    if (const auto place = run::find_message_place(sketch_, ground_, message)) out["place"] = *place;
-  }
-
- private:
-  static constexpr std::size_t most_places = 300;  // of a hostile text with very many faults
-
-  void add_place(const Diagnostic& message, json& out) const {
-    const std::size_t at =
-        lines_.find_byte(static_cast<std::size_t>(message.line), static_cast<std::size_t>(message.column));
-    const auto name = names_.find(at);
-    const auto start = starts_.find(at);
-    const std::string path = name != names_.end()     ? name->second
-                             : start != starts_.end() ? start->second
-                                                      : sketch_.find_path(message);
-    out["key"] = path;
-    if (message.is_unknown_key && name != names_.end()) {
-      out["span"] = spans_.keys.at(path);
-      return;
-    }
-    const auto value = spans_.values.find(path);
-    // The text is not TOML, or the message concerns the whole of it.
-    if (value == spans_.values.end())
-      out["span"] = Span{std::min(at, size_), std::min(at + 1, size_)};
-    else
-      out["span"] = value->second;
-  }
-
-  LineTable lines_;
-  const input::Sketch& sketch_;
-  std::vector<results::Point> ground_;
-  TextSpans spans_;
-  std::size_t size_;
-  std::map<std::size_t, std::string> names_, starts_;  ///< paths by the first byte of their name and of their value
-};
 
 /// Adds what LEM and the ground of a case without faults in its text show.
 void add_model_messages(const input::LoadedCase& loaded, const MessageWriter& writer, json& messages, bool& is_ready) {

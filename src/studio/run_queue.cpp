@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "studio/run_queue.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "base/atomic_file.hpp"
 #include "base/text.hpp"
@@ -23,6 +16,8 @@
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/run.hpp"
+#include "studio/process.hpp"
+#include "studio/run_progress.hpp"
 
 namespace talus::studio {
 namespace {
@@ -45,6 +40,7 @@ json to_json(const StudioRun& run) {
            {"revision", run.revision},
            {"set", run.overrides},
            {"threads", run.threads},
+           {"is_study", run.is_study},
            {"state", get_word(run.state)},
            {"resumes", run.resumes},
            {"is_stopping", run.is_stopping},
@@ -63,6 +59,7 @@ StudioRun from_json(const json& in) {
   run.revision = in.at("revision").get<std::string>();
   run.overrides = in.at("set").get<std::vector<std::string>>();
   run.threads = in.at("threads").get<int>();
+  run.is_study = in.value("is_study", false);
   const auto word = std::find(state_words.begin(), state_words.end(), in.at("state").get<std::string>());
   if (word == state_words.end()) throw Refusal(500, "the state of a run is damaged");
   run.state = static_cast<RunState>(word - state_words.begin());
@@ -73,66 +70,6 @@ StudioRun from_json(const json& in) {
   run.message = in.at("message").get<std::string>();
   if (in.at("factor").is_number()) run.factor = in.at("factor").get<double>();
   return run;
-}
-
-/// Returns the time at which a process started, in the words of the system; empty if there is none.
-std::string find_process_start(int process) {
-  if (process <= 1) return "";  // a damaged state; kill() and waitpid() take such numbers for groups
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  std::string text;
-  std::getline(file, text);
-  // The name of the program is in brackets and may contain blanks; the time is the 22nd word, the state the third.
-  const std::size_t name_end = text.rfind(')');
-  if (name_end == std::string::npos) return "";
-  std::istringstream words(text.substr(name_end + 1));
-  std::vector<std::string> list;
-  for (std::string word; words >> word;) list.push_back(word);
-  constexpr std::size_t state = 0, start = 19;
-  return list.size() > start && list[state] != "Z" ? list[start] : "";
-}
-
-/// Returns the last lines of a log, at most `most` bytes.
-std::string read_tail(const fs::path& log, std::streamoff most) {
-  std::error_code failure;
-  if (!fs::is_regular_file(fs::symlink_status(log, failure))) return "";
-  std::ifstream file(log, std::ios::binary | std::ios::ate);
-  if (!file) return "";
-  const std::streamoff size = file.tellg(), from = std::max<std::streamoff>(0, size - most);
-  file.seekg(from);
-  std::string text(static_cast<std::size_t>(size - from), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-  return text;
-}
-
-/// Returns the values of a line of progress (`talus run --progress-lines`); null for other lines.
-json read_progress(const std::string& line) {
-  if (!line.starts_with('{')) return {};
-  json values = json::parse(line, nullptr, false);
-  if (!values.is_object() || !values.contains("line")) return {};
-  const auto number = [&](const char* key) {
-    const auto found = values.find(key);
-    return found != values.end() && found->is_number() ? found->get<double>() : 0;
-  };
-  if (number("duration") > 0) values["fraction"] = std::clamp(number("time") / number("duration"), 0.0, 1.0);
-  return values;
-}
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-/// Returns the last line that is no progress: the error of the command.
-std::string find_last_sentence(const fs::path& log) {
-  constexpr std::streamoff most = 8192;
-  constexpr std::size_t longest = 1000;
-  const std::vector<std::string> lines = split_lines(read_tail(log, most));
-  for (std::size_t i = lines.size(); i-- > 0;)
-    if (!lines[i].empty() && read_progress(lines[i]).is_null()) return lines[i].substr(0, longest);
-  return "";
 }
 
 std::vector<std::string> read_overrides(const json& settings) {
@@ -223,6 +160,7 @@ json RunQueue::describe(const StudioRun& run) const {
            {"path", run.path},
            {"revision", run.revision},
            {"state", get_word(run.state)},
+           {"is_study", run.is_study},
            {"is_stopping", run.is_stopping},
            {"message", run.message},
            {"factor", nullptr},
@@ -230,15 +168,10 @@ json RunQueue::describe(const StudioRun& run) const {
   if (run.factor) out["factor"] = *run.factor;
   if (run.state == RunState::done) out["progress"] = 1;
   if (run.state != RunState::running) return out;
-  constexpr std::streamoff most = 4096;
-  const std::vector<std::string> lines = split_lines(read_tail(find_log(run.id), most));
-  for (std::size_t i = lines.size(); i-- > 0;) {
-    const json progress = read_progress(lines[i]);
-    if (progress.is_null()) continue;
-    out["message"] = progress["line"];
-    if (progress.contains("fraction")) out["progress"] = progress["fraction"];
-    break;
-  }
+  const json progress = find_last_progress(find_log(run.id));
+  if (progress.is_null()) return out;
+  out["message"] = progress["line"];
+  if (progress.contains("fraction")) out["progress"] = progress["fraction"];
   return out;
 }
 
@@ -252,6 +185,11 @@ std::string RunQueue::add(const std::string& path, const json& settings) {
   if (!settings.is_null() && !settings.is_object()) throw Refusal(400, "'settings' must be an object");
   if (settings.is_object()) {
     run.overrides = read_overrides(settings);
+    const auto study = settings.find("study");
+    if (study != settings.end()) {
+      if (!study->is_boolean()) throw Refusal(400, "'study' must be true or false");
+      run.is_study = study->get<bool>();
+    }
     const auto threads = settings.find("threads");
     if (threads != settings.end()) {
       if (!threads->is_number_integer() || threads->get<double>() < 1 || threads->get<double>() > most_threads)
@@ -308,6 +246,15 @@ void RunQueue::resume(const std::string& id) {
   wakes_.notify_all();
 }
 
+fs::path RunQueue::find_folder(const std::string& id) const {
+  read(id);
+  const fs::path folder = find_results(id);
+  std::error_code failure;
+  if (fs::canonical(folder, failure) != folder || failure || !fs::is_directory(folder))
+    throw Refusal(404, fmt::format("run {} has no results yet", id));
+  return folder;
+}
+
 fs::path RunQueue::find_report(const std::string& id) const {
   read(id);
   const fs::path report = find_results(id) / "report.html";
@@ -319,43 +266,20 @@ fs::path RunQueue::find_report(const std::string& id) const {
 
 Response::Stream RunQueue::watch(const std::string& id) const {
   read(id);
-  struct Watch {
-    std::streamoff at = 0;
-    bool has_begun = false;
-    std::string rest;  ///< an incomplete line
-  };
-  const auto watch = std::make_shared<Watch>();
-  return [this, id, watch](std::string& piece) {
-    constexpr std::streamoff most = 65536;
-    const auto add = [&](const char* event, const json& data) {
-      piece += fmt::format("event: {}\ndata: {}\n\n", event, data.dump(-1, ' ', false, json::error_handler_t::replace));
-    };
+  const auto follower = std::make_shared<RunFollower>(find_log(id), find_results(id));
+  return [this, id, follower, has_begun = false](std::string& piece) mutable {
     StudioRun run;
     try {
       run = read(id);  // before the log, which is then complete for a run that has ended
     } catch (const Refusal& refusal) {
-      add("done", {{"id", id}, {"state", "failed"}, {"message", refusal.what()}});
+      add_event(piece, "done", {{"id", id}, {"state", "failed"}, {"message", refusal.what()}});
       return false;
     }
-    if (!watch->has_begun) {
-      watch->has_begun = true;
-      add("progress", describe(run));
-    }
-    std::error_code failure;
-    const auto size = static_cast<std::streamoff>(fs::file_size(find_log(id), failure));
-    if (!failure && size > watch->at) {
-      const std::string text = watch->rest + read_tail(find_log(id), std::min(size - watch->at, most));
-      watch->at = size;
-      const std::size_t end = text.rfind('\n');
-      watch->rest = end == std::string::npos ? text : text.substr(end + 1);
-      json last;
-      if (end != std::string::npos)
-        for (const std::string& line : split_lines(text.substr(0, end)))
-          if (json progress = read_progress(line); !progress.is_null()) last = std::move(progress);
-      if (!last.is_null()) add("progress", last);
-    }
+    if (!has_begun) add_event(piece, "progress", describe(run));
+    has_begun = true;
+    follower->add_news(piece);
     if (run.state != RunState::waiting && run.state != RunState::running) {
-      add("done", describe(run));
+      add_event(piece, "done", describe(run));
       return false;
     }
     if (ends_) return false;
@@ -405,38 +329,19 @@ void RunQueue::advance() {
 void RunQueue::start(StudioRun& run) {
   make_own_folder(workspace_.folder() / results_folder);
   const fs::path results = find_results(run.id), snapshot = find_snapshot(run), log = find_log(run.id);
-  std::vector<std::string> arguments{"talus", "run", snapshot.string(), "-o", results.string(), "--progress-lines"};
+  std::vector<std::string> arguments{
+      "talus", run.is_study ? "study" : "run", snapshot.string(), "-o", results.string(), "--progress-lines"};
   if (run.resumes && fs::exists(results)) arguments.emplace_back("--resume");
   if (run.threads > 0) {
     arguments.emplace_back("--threads");
     arguments.push_back(std::to_string(run.threads));
   }
   for (const std::string& change : run.overrides) arguments.push_back("--set=" + change);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW,
-                                   0600);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  // A group of its own: Ctrl-C ends the server, and not the run.
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  sigset_t all, none;
-  sigfillset(&all);
-  sigemptyset(&none);
-  posix_spawnattr_setsigdefault(&attributes, &all);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  pid_t process = 0;
-  const int fault = posix_spawn(&process, program_.c_str(), &files, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (fault != 0) {
+  std::string why;
+  const int process = start_process(program_, std::move(arguments), log, why);
+  if (process == 0) {
     run.state = RunState::failed;
-    run.message = fmt::format("the program cannot be started: {}", std::strerror(fault));
+    run.message = why;
     return;
   }
   run.state = RunState::running;
@@ -460,7 +365,9 @@ bool RunQueue::has_ended(const StudioRun& run, std::optional<int>& code) const {
 
 void RunQueue::finish(StudioRun& run, std::optional<int> code) const {
   const auto result = results::find_file<results::RunResult>(find_results(run.id) / "summary.json");
-  const auto status = result ? result->status : results::Status::unfinished;
+  auto status = result ? result->status : results::Status::unfinished;
+  // A study ends with its report.
+  if (run.is_study && fs::exists(find_results(run.id) / "report.html")) status = results::Status::finished;
   const bool is_interrupted = code ? *code == static_cast<int>(ExitCode::interrupted) || *code < 0
                                    : status == results::Status::interrupted || status == results::Status::unfinished;
   const bool is_done = code ? *code == 0 : status == results::Status::finished;

@@ -26,7 +26,8 @@ struct StudioRun {
   std::string path;      ///< case file, below the folder
   std::string revision;  ///< of the text that is run
   std::vector<std::string> overrides;
-  int threads = 0;  ///< 0: the default of `talus run`
+  int threads = 0;        ///< 0: the default of `talus run`
+  bool is_study = false;  ///< `talus study` in place of `talus run`
   RunState state = RunState::waiting;
   bool resumes = false;
   bool is_stopping = false;
@@ -48,7 +49,8 @@ class RunQueue {
   /// Ends the thread and all streams of events.
   void end();
 
-  /// Adds a run of the case file as it is now. `settings`: {"set": {key: value}, "threads": n}. Throws Refusal.
+  /// Adds a run of the case file as it is now. `settings`: {"set": {key: value}, "threads": n, "study": true for
+  /// `talus study`}. Throws Refusal.
   std::string add(const std::string& path, const nlohmann::json& settings);
   /// Returns all runs, the newest first: {id, path, revision, state, progress, message, factor, folder}.
   nlohmann::json list() const;
@@ -56,8 +58,10 @@ class RunQueue {
   void stop(const std::string& id);
   /// Continues a stopped or failed run in its folder.
   void resume(const std::string& id);
-  /// Returns server-sent events: `progress` {line, stage, time, duration, fraction}, at last `done` {state, …}.
+  /// Returns server-sent events: those of RunFollower, and at last `done` {state, …}.
   Response::Stream watch(const std::string& id) const;
+  /// Returns the folder of results of a run. Throws Refusal (404) if there is none yet.
+  std::filesystem::path find_folder(const std::string& id) const;
   /// Returns the report of a run. Throws Refusal (404) if there is none yet.
   std::filesystem::path find_report(const std::string& id) const;
 

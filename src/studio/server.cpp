@@ -12,7 +12,12 @@
 #include "base/foreign_code.hpp"
 #include "base/text.hpp"
 #include "base/user_file.hpp"
+#include "results/json.hpp"
+#include "results/run.hpp"
+#include "studio/comparison.hpp"
 #include "studio/engine.hpp"
+#include "studio/exports.hpp"
+#include "studio/method_check.hpp"
 
 namespace talus::studio {
 namespace {
@@ -23,7 +28,7 @@ using nlohmann::json;
 /// The page has its own files alone; icons of style sheets are data.
 constexpr const char* page_policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; connect-src "
-    "'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "'self'; frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 /// The script of a report is inline: the sandbox separates it from the studio and its token.
 constexpr const char* report_policy =
     "sandbox allow-scripts allow-downloads allow-popups allow-modals; default-src 'none'; script-src 'unsafe-inline' "
@@ -113,6 +118,22 @@ void add_headers(Response& response, const char* policy) {
                                                    {"Cross-Origin-Resource-Policy", "same-origin"},
                                                    {"Cache-Control", "no-store"}});
 }
+
+Response make_download(std::string bytes, const std::string& name) {
+  Response response{200, "application/octet-stream", std::move(bytes)};
+  response.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"{}\"", name));
+  return response;
+}
+
+/// Returns the results of a run. Throws Refusal for a run without, such as a study.
+results::RunResult read_result(const fs::path& folder) {
+  auto result = results::read_file<results::RunResult>(folder / "summary.json");
+  if (!result) throw Refusal(404, "this run has no results of a single case yet; a study has them in its report");
+  return std::move(*result);
+}
+
+constexpr int most_searches = 4;  ///< at the same time, of calculations that take all cores
+constexpr std::string_view export_part = "export.";
 
 /// One of several requests at a time.
 class Place {
@@ -211,8 +232,11 @@ Response StudioServer::route(const Request& request) {
   const auto is = [&](const char* verb, const char* name) { return method == verb && path == name; };
   if (!path.starts_with("/api")) return answer_page(path);
   if (is("POST", "/api/check")) return answer_engine(check(request.body, find_name(find(request.query, "path"))));
+  if (is("POST", "/api/check-methods")) return answer_method_check(request);
   if (is("POST", "/api/solve")) return answer_solve(request.body);
   if (is("POST", "/api/import")) return answer_import(request.body);
+  if (is("POST", "/api/export")) return answer_export(request.body);
+  if (is("GET", "/api/compare")) return answer_comparison(find(request.query, "first"), find(request.query, "second"));
   if (is("GET", "/api/schema")) return answer_engine(schema());
   if (is("GET", "/api/template")) return make_answer(200, {{"text", template_text()}});
   if (is("GET", "/api/files")) {
@@ -233,8 +257,32 @@ std::string StudioServer::find_name(const std::string& path) const {
   return (path.empty() ? workspace_.folder() / unnamed_case : workspace_.find(path)).string();
 }
 
+Response StudioServer::answer_method_check(const Request& request) {
+  const Place place(searches_);
+  if (searches_ > most_searches) throw Refusal(503, "other calculations are in progress; wait for them");
+  return answer_engine(check_methods(request.body, find_name(find(request.query, "path"))));
+}
+
+Response StudioServer::answer_export(const std::string& body) {
+  const json asked = read_object(body);
+  const std::string text = get_text(asked, "text"), path = get_text(asked, "path", false);
+  const Place place(searches_);
+  if (searches_ > most_searches) throw Refusal(503, "other calculations are in progress; wait for them");
+  return make_download(export_case(workspace_, options_.program, text, path), "case.dxf");
+}
+
+Response StudioServer::answer_comparison(const std::string& first, const std::string& second) const {
+  return make_answer(200, compare_runs(read_result(runs_.find_folder(first)), read_result(runs_.find_folder(second))));
+}
+
+Response StudioServer::answer_run_export(const std::string& id, const std::string& format) {
+  const Place place(searches_);
+  if (searches_ > most_searches) throw Refusal(503, "other calculations are in progress; wait for them");
+  return make_download(export_results(workspace_, options_.program, runs_.find_folder(id), format),
+                       fmt::format("run-{}.{}", id, format));
+}
+
 Response StudioServer::answer_solve(const std::string& body) {
-  constexpr int most_searches = 4;
   const json asked = read_object(body);
   const std::string text = get_text(asked, "text"), name = find_name(get_text(asked, "path", false));
   json options = asked.value("options", json::object());
@@ -242,7 +290,7 @@ Response StudioServer::answer_solve(const std::string& body) {
   if (options.is_object() && !options.contains("threads"))
     options["threads"] = options.contains("circles") ? 1 : options_.threads;
   const Place place(searches_);
-  if (searches_ > most_searches) throw Refusal(503, "other searches are in progress; wait for them");
+  if (searches_ > most_searches) throw Refusal(503, "other calculations are in progress; wait for them");
   return answer_engine(solve(text, write_answer(options), name));
 }
 
@@ -300,6 +348,10 @@ Response StudioServer::answer_runs(const std::string& method, const std::string&
     runs_.resume(id);
   else if (method == "GET" && part == "events")
     return watch_run(id);
+  else if (method == "GET" && part == "values")
+    return make_answer(200, list_run(read_result(runs_.find_folder(id))));
+  else if (method == "GET" && part.starts_with(export_part))
+    return answer_run_export(id, part.substr(export_part.size()));
   else if (method == "GET" && part == "report") {
     Response page{200, "text/html; charset=utf-8", read_user_file(runs_.find_report(id), largest_file::result)};
     add_headers(page, report_policy);

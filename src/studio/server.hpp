@@ -50,7 +50,11 @@ class StudioServer {
   Response route(const Request& request);
   /// Returns the name of a text for the engine, whose folder is that of its tables. Throws Refusal for a bad path.
   std::string find_name(const std::string& path) const;
+  Response answer_method_check(const Request& request);
   Response answer_solve(const std::string& body);
+  Response answer_export(const std::string& body);
+  Response answer_comparison(const std::string& first, const std::string& second) const;
+  Response answer_run_export(const std::string& id, const std::string& format);
   Response answer_file(const std::string& method, const std::string& path, const std::string& body);
   Response answer_journal(const std::string& method, const std::string& path, const std::string& body);
   Response answer_runs(const std::string& method, const std::string& rest, const std::string& body);

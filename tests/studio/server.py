@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The server of the studio over a real socket: who may ask, paths, revisions, journal, runs, restarts, hostile requests.
+"""The server of the studio over a real socket: who may ask, paths, revisions, journal, runs and their course, comparison, exports,
+restarts, hostile requests.
 
 Usage: server.py TALUS [requests]
 
@@ -60,6 +61,23 @@ fix = "full"
 name = "long"
 duration = 30000
 damping = 0.05
+"""
+# All methods that finish in seconds, on coarse meshes.
+METHODS = CASE.replace('methods = ["lem"]', 'methods = ["lem", "fem", "bounds"]').replace(
+    "[materials.clay]", "[mesh]\nsize = 3\n\n[materials.clay]").replace(
+    "unit_weight = 20\n", "unit_weight = 20\nyoung_modulus = \"45 MPa\"\npoisson_ratio = 0.3\ndilatancy_angle = 0\ntensile_strength = 0\n") + """
+[fem]
+size = 3
+meshes = 1
+resolution = 0.05
+
+[bounds]
+gap = 0.15
+"""
+STUDY = CASE + """
+[[study.vary]]
+key = "materials.clay.cohesion"
+values = ["8 kPa", "10 kPa", "12 kPa"]
 """
 TIMEOUT = 120
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
@@ -283,6 +301,119 @@ def check_runs(server, folder, program):
     check(not list(folder.glob(".slope-0002*")), "the copy of the text is removed")
 
 
+def list_values(events, method):
+    return [data for kind, data in events if kind == "value" and data["method"] == method]
+
+
+def check_course(events, results):
+    """Values of a run in progress against its results."""
+    lem, fem, bounds = (list_values(events, method) for method in ("lem", "fem", "bounds"))
+    check(len(lem) == 1 and abs(lem[0]["factor"] - results["lem.bishop"]) < 1e-12 and len(lem[0]["surface"]) > 2, f"LEM: {lem}")
+    trials = [v for v in fem if "holds" in v]
+    check(len(trials) >= 3, f"trials of FEM: {fem}")
+    for before, after in zip(trials, trials[1:]):
+        check(after.get("lower", 0) >= before.get("lower", 0) and after.get("upper", 1e9) <= before.get("upper", 1e9), "the bracket of FEM narrows")
+    check(all(v["lower"] >= v["factor"] if v["holds"] else v["upper"] <= v["factor"] for v in trials), "a trial is within the bracket")
+    found = [v for v in fem if "factor" in v and "holds" not in v]
+    check(len(found) == 1 and abs(found[0]["factor"] - results["fem.factor"]) < 1e-12, f"the factor of FEM: {found}")
+    check(trials[-1]["lower"] <= found[0]["factor"] <= trials[-1]["upper"], "the factor of FEM is in its bracket")
+    check(bounds and bounds[-1]["lower"] == results["bounds.lower"] and bounds[-1]["upper"] == results["bounds.upper"], f"limit analysis: {bounds}")
+    progress = [data for kind, data in events if kind == "progress"]
+    check(progress and all(isinstance(data.get("line", ""), str) for data in progress), "lines of progress")
+
+
+def read_summary(folder, run):
+    return json.loads((folder / "studio_runs" / run / "summary.json").read_text())
+
+
+def check_results(server, folder, program):
+    """Live values, results, comparison and exports of two runs."""
+    (folder / "methods.toml").write_text(METHODS, encoding="utf-8")
+    first = server.ask("POST", "/api/runs", {"path": "methods.toml"})[1]["id"]
+    second = server.ask("POST", "/api/runs", {"path": "methods.toml", "settings": {"set": {"materials.clay.cohesion": "14 kPa"}}})[1]["id"]
+    events = server.watch(first)
+    check(events[-1][1]["state"] == "done", f"all methods: {events[-1]}")
+    stored = {r["name"]: r["value"] for r in read_summary(folder, first)["results"]}
+    check_course(events, stored)
+    again = server.watch(first)
+    check([e for e in again if e[0] == "value"] == [e for e in events if e[0] == "value"], "a later window sees the same course")
+    status, listed = server.ask("GET", f"/api/runs/{first}/values")
+    check(status == 200 and {v["name"] for v in listed["values"]} == set(stored), "results of a run")
+    check({s["method"] for s in listed["surfaces"]} >= {"lem", "fem"} and all(len(s["points"]) > 1 for s in listed["surfaces"]), "surfaces of a run")
+    check(server.watch(second)[-1][1]["state"] == "done", "the second run")
+    status, compared = server.ask("GET", f"/api/compare?first={first}&second={second}")
+    check(status == 200 and [k["key"] for k in compared["inputs"]] == ["materials.clay.cohesion"], f"keys that differ: {compared.get('inputs')}")
+    check([float(compared["inputs"][0][side]) for side in ("first", "second")] == [10, 14], f"their values: {compared['inputs']}")
+    other = {r["name"]: r["value"] for r in read_summary(folder, second)["results"]}
+    check({v["name"] for v in compared["values"]} == set(stored) | set(other), "all results are compared")
+    for value in compared["values"]:
+        if value["name"] in stored and value["name"] in other and value["unit"] in ("", "1"):
+            difference = other[value["name"]] - stored[value["name"]]
+            check(value["difference"] == difference and abs(value["relative"] * stored[value["name"]] - difference) < 1e-12, f"difference: {value}")
+    factor = next(v for v in compared["values"] if v["name"] == "lem.factor")
+    check(factor["difference"] > 0.05 and compared["warnings"] == [], f"more cohesion, larger factor: {factor} {compared['warnings']}")
+    same = server.ask("GET", f"/api/compare?first={first}&second={first}")[1]
+    check(same["inputs"] == [] and all(v["difference"] == 0 for v in same["values"]), "a run equals itself")
+    check(server.ask("GET", f"/api/compare?first={first}&second=9999")[0] == 404, "comparison with an absent run")
+    check_exports(server, folder, program, first)
+
+
+def check_exports(server, folder, program, run):
+    modules = pathlib.Path(program).parent
+    for name, module, begin in (("dxf", "libtalus_gdal.so", b"  0\nSECTION"), ("xlsx", "libtalus_xlsx.so", b"PK")):
+        status, data = server.ask("GET", f"/api/runs/{run}/export.{name}?token={server.token}", token=False)
+        if (modules / module).exists():
+            check(status == 200 and data.startswith(begin), f"{name}: {status} {data[:80]!r}")
+            check("attachment" in server.headers.get("Content-Disposition", ""), f"{name} is a download")
+        else:
+            check(status == 400 and "error" in data, f"{name} without its module: {status} {data}")
+    check(server.ask("GET", f"/api/runs/{run}/export.svg")[0] == 404, "another format")
+    check(server.ask("GET", f"/api/runs/{run}/export.dxf", token=False)[0] == 401, "an export needs the token")
+    if (modules / "libtalus_gdal.so").exists():
+        status, data = server.ask("POST", "/api/export", {"text": CASE, "path": "slope.toml"})
+        check(status == 200 and b"ENTITIES" in data, f"DXF of a text: {status} {data[:80]!r}")
+        status, answer = server.ask("POST", "/api/export", {"text": CASE.replace("unit_weight = 20", "")})
+        check(status == 400 and "unit_weight" in answer["error"], f"DXF of a faulty text: {status} {answer}")
+    check(server.ask("POST", "/api/export", {"text": CASE, "path": "../x.toml"})[0] == 403, "an export outside the folder")
+    check(not list(folder.glob(".*export*")) and not list((folder / ".talus-studio/exports").iterdir()), "no scratch file stays")
+
+
+def check_method_checks(server, folder, program):
+    """The checks of methods are those of `talus check`."""
+    check(server.ask("POST", "/api/check-methods", METHODS)[1] == {"messages": []}, "methods without faults")
+    wrong = METHODS.replace("gap = 0.15", "gap = 0.15\nsize = 0.02\ntriangles = 1000")
+    check(server.ask("POST", "/api/check", wrong)[1]["messages"] == [], "the quick check does not see the number of triangles")
+    status, answer = server.ask("POST", "/api/check-methods", wrong)
+    (folder / "wrong.toml").write_text(wrong, encoding="utf-8")
+    told = subprocess.run([program, "check", str(folder / "wrong.toml")], capture_output=True, text=True).stderr
+    (folder / "wrong.toml").unlink()
+    check(len(answer["messages"]) == 1 and answer["messages"][0]["text"] in told, f"{answer} and {told!r}")
+    check(server.ask("POST", "/api/check-methods", "x = [")[1] == {"messages": []}, "a text with faults has its messages elsewhere")
+    check(server.ask("POST", "/api/check-methods?path=../x.toml", CASE)[0] == 403, "a method check outside the folder")
+
+
+def check_study_and_frames(server, folder):
+    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    check(server.ask("POST", "/api/runs", {"path": "study.toml", "settings": {"study": 1}})[0] == 400, "study = 1")
+    study = server.ask("POST", "/api/runs", {"path": "study.toml", "settings": {"study": True}})[1]["id"]
+    events = server.watch(study)
+    check(events[-1][1]["state"] == "done", f"a study: {events[-1]}")
+    rows = list_values(events, "study")
+    check(sorted(v["done"] for v in rows) == [1, 2, 3] and all(v["total"] == 3 for v in rows), f"variants: {rows}")
+    factors = {v["series"]: v["factor"] for v in rows}
+    check(factors["cohesion = 8 kPa"] < factors["base"] < factors["cohesion = 12 kPa"], f"the factor follows the cohesion: {rows}")
+    check(server.ask("GET", f"/api/runs/{study}/values")[0] == 404, "a study has no results of a single case")
+    (folder / "frames.toml").write_text(LONG + "\n[output]\nframe_interval = 0.2\n", encoding="utf-8")
+    run = server.ask("POST", "/api/runs", {"path": "frames.toml"})[1]["id"]
+    frames = [data for kind, data in server.watch(run, lambda event: event[0] == "frame" and event[1]["time"] > 0.3) if kind == "frame"]
+    frame = frames[-1]
+    check(frame["count"] > 100 and len(frame["x"]) == len(frame["y"]) == len(frame["displacement"]) <= 4000, "points of a frame")
+    check(0 <= min(frame["x"]) and max(frame["x"]) <= 44 and 0 <= min(frame["y"]) and max(frame["y"]) <= 17, "points lie in the box")
+    check(max(frame["displacement"]) > 0 and frame["stage"] == "long", "points have moved")
+    server.ask("POST", f"/api/runs/{run}/stop")
+    check(server.watch(run)[-1][1]["state"] == "stopped", "the run with frames is stopped")
+
+
 def check_stop_and_restart(server, folder, program):
     (folder / "long.toml").write_text(LONG, encoding="utf-8")
     long = server.ask("POST", "/api/runs", {"path": "long.toml"})[1]["id"]
@@ -326,7 +457,8 @@ def make_hostile(random_source, token, port):
     noise = bytes(random_source.randrange(256) for _ in range(random_source.randrange(1, 200)))
     method = pick(["GET", "POST", "PUT", "DELETE", "HEAD", "OPTIONS", "PATCH", "TRACE", "get", "G\tT", ""])
     path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/runs", "/api/import", "/api/aside/x",
-                 "/api/runs/0001/stop", "/api/runs/0001/events", "/api/runs/0001/report", "/api/" + "a" * random_source.randrange(9000),
+                 "/api/runs/0001/stop", "/api/runs/0001/events", "/api/runs/0001/report", "/api/runs/0001/values",
+                 "/api/runs/0001/export.xlsx", "/api/check-methods", "/api/export", "/api/compare?first=0001&second=0001", "/api/" + "a" * random_source.randrange(9000),
                  "/" + "%" * 50, "/%ff%fe", "/api/files/" + "../" * 100, "/?" + "a=b&" * 500, "*", "//", "/\x00", "http://evil/"])
     case = CASE.encode()
     at = random_source.randrange(len(case))
@@ -389,6 +521,9 @@ def main():
             check_imports(server, folder)
             check_asides(server, folder)
             check_runs(server, folder, program)
+            check_results(server, folder, program)
+            check_method_checks(server, folder, program)
+            check_study_and_frames(server, folder)
             server = check_stop_and_restart(server, folder, program)
             check_two_servers(server, folder, program)
             check_hostile(server, count, folder)
