@@ -9,9 +9,10 @@ import { Checklist } from "../checklist.mjs";
 import { checkWidth } from "../layout.mjs";
 import { startBrowser } from "../session.mjs";
 import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawing.mjs";
-import { editInTwoWindows, hostileCase, openHostile, recoverText, runCase } from "./files.mjs";
+import { editInTwoWindows, hostileCase, mergeTwoWindows, openHostile, recoverText, runCase } from "./files.mjs";
 import { useKeysAlone } from "./keyboard.mjs";
 import { changeShapes, drawSearch, findOwnEntry, importSurvey, pasteAndKeep, placePicture, switchUnits } from "./parts.mjs";
+import { compareRuns, exportAll, followRun, methodsCase } from "./runs.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
 const [program, example, outGiven, pageFolder] = process.argv.slice(2);
@@ -23,8 +24,9 @@ const out = resolve(outGiven);
 mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
 // With one file alone the page would open it.
-for (const name of ["embankment.toml", "second.toml", "parts.toml"]) copyFileSync(example, join(folder, name));
+for (const name of ["embankment.toml", "second.toml", "third.toml", "parts.toml"]) copyFileSync(example, join(folder, name));
 writeFileSync(join(folder, "hostile.toml"), hostileCase);
+writeFileSync(join(folder, "methods.toml"), methodsCase);
 
 const list = new Checklist();
 const browser = await startBrowser();
@@ -55,6 +57,14 @@ try {
   const embankment = addFile(studio.address, "embankment.toml");
   const second = addFile(studio.address, "second.toml");
   await list.group("Two windows", async () => editInTwoWindows(list, await open(second), await open(second)));
+  const third = addFile(studio.address, "third.toml");
+  await list.group("Merge", async () => mergeTwoWindows(list, await open(third), await open(third)));
+  await closeAll();
+  const methods = await open(addFile(studio.address, "methods.toml"));
+  await list.group("Course of a run", () => followRun(list, methods, out));
+  await list.group("Comparison", () => compareRuns(list, methods, out));
+  await list.group("Exports", () => exportAll(list, methods, out));
+  await closeAll();
   await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
   await closeAll();
   const parts = addFile(studio.address, "parts.toml");

@@ -30,6 +30,34 @@ export async function editInTwoWindows(list, first, second) {
   list.expect(/cohesion = 22/.test(await readText(second)), "and the own one is a step back");
 }
 
+/** Two windows change different lines: both changes are merged and saved; a place that both changed keeps both. */
+export async function mergeTwoWindows(list, first, second) {
+  await waitForFactor(first);
+  await waitForFactor(second);
+  await setCohesion(first, "fill", "41");
+  await first.getByRole("button", { name: "Save", exact: true }).click();
+  await first.locator(".changed").waitFor({ state: "detached" });
+  await setCohesion(second, "clay", "42");
+  await second.getByRole("button", { name: "Save", exact: true }).click();
+  await second.getByRole("button", { name: /^Merge both/ }).click();
+  const merged = await readText(second);
+  list.expect(/cohesion = 41/.test(merged) && /cohesion = 42/.test(merged), "changes of different lines are merged", merged);
+  await second.getByRole("button", { name: "Save", exact: true }).click();
+  await second.locator(".changed").waitFor({ state: "detached" });
+  await setCohesion(first, "fill", "43");
+  await setCohesion(second, "fill", "44");
+  await second.getByRole("button", { name: "Save", exact: true }).click();
+  await second.locator(".changed").waitFor({ state: "detached" });
+  await first.bringToFront();
+  await first.getByRole("button", { name: "Save", exact: true }).click();
+  await first.getByRole("button", { name: /^Merge both/ }).click();
+  const both = await readText(first);
+  list.expect(/cohesion = 43/.test(both) && /# other text: cohesion = 44/.test(both), "a line that both changed is kept twice", both);
+  list.expect(/cohesion = 42/.test(both), "the rest of the other change is there");
+  await first.keyboard.press("Control+z");
+  list.expect(!/other text/.test(await readText(first)), "a merge is a step that can be undone");
+}
+
 /** A window that is closed without saving offers its text at the next start. */
 export async function recoverText(list, page, reopen) {
   await waitForFactor(page);

@@ -9,6 +9,7 @@ import "./styles/layout.css";
 import "./styles/canvas.css";
 import "./styles/forms.css";
 import { keepBackground } from "./background/background";
+import "./styles/runs.css";
 import { App } from "./App";
 import { selectEngine } from "./engine/select";
 import { keepLibrary } from "./library/library";

@@ -2,10 +2,11 @@
 /** The engine at work: checks and quick searches behind every change, files with revisions, the journal of typing. */
 import { batch, effect, signal, untracked } from "@preact/signals";
 
-import type { JsonSchema } from "./engine/engine";
+import type { JsonSchema, Message } from "./engine/engine";
 import type { FileText, Workspace } from "./engine/http";
 import { makeLatest } from "./engine/latest";
 import type { Setting } from "./engine/select";
+import { mergeTexts } from "./document/merge";
 import * as state from "./state";
 
 export const setting = signal<Setting | null>(null);
@@ -22,6 +23,8 @@ export const engineFault = signal("");
 /** Factors by all methods of the case, from the last calculation that was asked for. */
 export const liveMethod = signal("bishop");
 export const liveCircles = 1000;
+/** Between the last change and the checks that need meshes [ms]. */
+const restBeforeCheck = 1200;
 /** Between checks during a drag [ms]. */
 const checkInterval = 300;
 
@@ -32,7 +35,7 @@ function startChecks({ engine }: Setting): void {
     (text: string) => engine.check(text),
     (answer) => {
       engineFault.value = "";
-      state.messages.value = answer.messages;
+      state.textMessages.value = answer.messages;
       state.section.value = answer.section;
       state.isReady.value = answer.ready ?? !answer.messages.some(({ severity }) => severity === "error");
     },
@@ -46,6 +49,27 @@ function startChecks({ engine }: Setting): void {
     if (waits && performance.now() - last < checkInterval) return;
     last = performance.now();
     check.ask(text);
+  });
+}
+
+/** Messages of the methods, which need meshes: asked for once the text has rested and has no other error. */
+function startMethodChecks({ engine }: Setting): void {
+  if (!engine.checkMethods) return;
+  const check = makeLatest(
+    (text: string) => engine.checkMethods!(text),
+    (answer, text) => {
+      if (text === state.text.value) state.methodMessages.value = { text, messages: answer };
+    },
+    (error, text) => {
+      const note: Message = { severity: "note", key: "", text: `Meshes and methods were not checked: ${sentence(error)}`, span: null };
+      state.methodMessages.value = { text, messages: [note] };
+    },
+  );
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const text = state.text.value;
+    clearTimeout(timer);
+    if (state.isReady.value) timer = setTimeout(() => check.ask(text), restBeforeCheck);
   });
 }
 
@@ -102,6 +126,7 @@ export const whenStarted = (begin: () => void): void => void beginnings.push(beg
 export async function start(found: Setting): Promise<void> {
   setting.value = found;
   startChecks(found);
+  startMethodChecks(found);
   startSearches(found);
   const { workspace } = found;
   if (workspace) {
@@ -187,12 +212,26 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
   }
 }
 
-/** Ends a conflict: mine is written over theirs, or theirs is opened as a step that can be undone. */
-export async function settle(choice: "mine" | "theirs"): Promise<void> {
+/** Both changes in one text, as a step that can be undone; the next save writes it. */
+function mergeConflict(theirs: FileText): void {
+  const { text, conflicts } = mergeTexts(state.text.value, savedText.value, theirs.text);
+  savedText.value = theirs.text;
+  state.change("Merge with the text of the file", text);
+  state.notice.value = {
+    text: conflicts
+      ? `Merged. In ${conflicts} ${conflicts === 1 ? "place" : "places"} both changed the same lines: yours stay, the others are comments below them.`
+      : "Merged: both changes are in the text. Save writes it.",
+    bad: conflicts > 0,
+  };
+}
+
+/** Ends a conflict: mine is written over theirs, or theirs is opened or merged as a step that can be undone. */
+export async function settle(choice: "mine" | "theirs" | "both"): Promise<void> {
   const theirs = conflict.value;
   if (!theirs) return;
   file.value = { path: theirs.path, revision: theirs.revision };
   conflict.value = null;
+  if (choice === "both") return mergeConflict(theirs);
   if (choice === "mine") return save();
   savedText.value = theirs.text;
   state.change("Open the text of the file", theirs.text);

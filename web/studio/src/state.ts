@@ -44,7 +44,14 @@ export const title = computed(() => String(toPlain(findNode(tree.value, ["title"
 
 /** Answers of the engine, of a text that may be a moment older. */
 export const section = signal<Section | null>(null);
-export const messages = signal<Message[]>([]);
+/** Messages of the checker, and those of the methods, which follow later and are of one text. */
+export const textMessages = signal<Message[]>([]);
+export const methodMessages = signal<{ text: string; messages: Message[] }>({ text: "", messages: [] });
+export const messages = computed<Message[]>(() => {
+  const later = methodMessages.value.text === text.value ? methodMessages.value.messages : [];
+  const known = new Set(textMessages.value.map((message) => message.text));
+  return [...textMessages.value, ...later.filter((message) => !known.has(message.text))];
+});
 export const isReady = signal(false);
 export const solved = signal<Solved | null>(null);
 export const solveFault = signal("");
@@ -150,7 +157,7 @@ export function openText(found: string): void {
     tool.value = "select";
     solved.value = null;
     section.value = null;
-    messages.value = [];
+    textMessages.value = [];
     notice.value = null;
     publish();
     ++opened.value;

@@ -4,6 +4,7 @@ import { effect, untracked } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 
 import { ZoomButtons } from "../../../src/drawing/buttons";
+import { RunLayer } from "../runs/RunLayer";
 import * as state from "../state";
 import { length } from "../units";
 import { findGridStep, size, view, zoomBy } from "./camera";
@@ -59,6 +60,7 @@ export function Canvas() {
         class={`section tool-${state.tool.value}`}
         width={size.value.width}
         height={size.value.height}
+        viewBox={`0 0 ${size.value.width} ${size.value.height}`}
         tabindex={0}
         role="application"
         aria-roledescription="drawing"
@@ -68,6 +70,7 @@ export function Canvas() {
         <Grid />
         <WorldLayers />
         <Labels />
+        <RunLayer />
         <Handles />
         <Draft />
         <PictureMarks />

@@ -66,6 +66,8 @@ export interface Solved {
 export interface Engine {
   name: string;
   check(text: string): Promise<Checked>;
+  /** Checks that need meshes, in a second or more; missing where the engine has none. */
+  checkMethods?(text: string): Promise<Message[]>;
   solve(text: string, options: SolveOptions): Promise<Solved>;
   schema(): Promise<JsonSchema>;
   template(): Promise<string>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The engine and the files of `talus studio`, over HTTP on the loopback address. */
-import { type Checked, type Engine, EngineFault, type JsonSchema, openAnswer, type Solved, type SolveOptions } from "./engine";
+import type { Point } from "../geometry/plane";
+import type { RunFrame, RunValue } from "../runs/liveRun";
+import { type Checked, type Engine, EngineFault, type JsonSchema, type Message, openAnswer, type Solved, type SolveOptions } from "./engine";
 
 export interface FileText {
   text: string;
@@ -11,6 +13,8 @@ export interface Run {
   id: string;
   path: string;
   state: "waiting" | "running" | "done" | "failed" | "stopped";
+  is_study?: boolean;
+  is_stopping?: boolean;
   progress?: RunProgress | number | null;
   message?: string;
   factor?: number | null;
@@ -20,15 +24,42 @@ export interface RunProgress {
   /** The last line of the program. */
   line?: string;
   stage?: string;
+  /** Since the start of the stage [s]. */
+  time?: number;
+  values?: RunValue;
   /** 0 to 1. */
   fraction?: number | null;
 }
 
 export type SaveResult = { saved: true; revision: string } | { saved: false; theirs: FileText };
 
-export interface RunEvent {
-  kind: "progress" | "done";
-  data: RunProgress & { state?: Run["state"] };
+export type RunEvent =
+  | { kind: "progress" | "done"; data: RunProgress & { state?: Run["state"] } }
+  | { kind: "value"; data: RunValue }
+  | { kind: "frame"; data: RunFrame };
+
+/** Results of a finished run. */
+export interface RunResults {
+  title: string;
+  values: { name: string; title: string; unit: string; value: number | null }[];
+  /** Points in [m]. */
+  surfaces: { name: string; title: string; method: string; factor: number | null; points: Point[] }[];
+  warnings: string[];
+}
+
+export interface RunComparison {
+  inputs: { key: string; first: string | null; second: string | null; unit: string }[];
+  values: {
+    name: string;
+    title: string;
+    unit: string;
+    first: number | null;
+    second: number | null;
+    difference: number | null;
+    /** Of the first value. */
+    relative: number | null;
+  }[];
+  warnings: string[];
 }
 
 /** Files and runs of the server; the static page has none. */
@@ -52,6 +83,12 @@ export interface Workspace {
   /** A note of the page that belongs to no case file; null where there is none. */
   readNote<T>(name: string): Promise<T | null>;
   writeNote(name: string, note: unknown): Promise<void>;
+  readRun(id: string): Promise<RunResults>;
+  compareRuns(first: string, second: string): Promise<RunComparison>;
+  /** Address of the section (dxf) or the tables (xlsx) of a run. */
+  exportAddress(id: string, format: "dxf" | "xlsx"): string;
+  /** The section of a text as DXF. */
+  exportCase(text: string): Promise<Blob>;
 }
 
 export class HttpEngine implements Engine, Workspace {
@@ -92,7 +129,8 @@ export class HttpEngine implements Engine, Workspace {
   }
 
   check = (text: string) => this.get<Checked>(`/api/check${this.query}`, "POST", text);
-  solve = (text: string, options: SolveOptions) => this.get<Solved>(`/api/solve${this.query}`, "POST", JSON.stringify({ text, options }));
+  checkMethods = async (text: string) => (await this.get<{ messages: Message[] }>(`/api/check-methods${this.query}`, "POST", text)).messages;
+  solve = (text: string, options: SolveOptions) => this.get<Solved>("/api/solve", "POST", JSON.stringify({ text, options, path: this.path }));
   schema = () => this.get<JsonSchema>("/api/schema");
   template = async () => {
     const answer = await this.get<{ text: string }>("/api/template");
@@ -142,14 +180,13 @@ export class HttpEngine implements Engine, Workspace {
     const source = new EventSource(`${this.base}/api/runs/${encodeURIComponent(id)}/events?token=${encodeURIComponent(this.token)}`);
     const read = (kind: RunEvent["kind"]) => (event: MessageEvent<string>) => {
       try {
-        listen({ kind, data: JSON.parse(event.data) as RunEvent["data"] });
+        listen({ kind, data: JSON.parse(event.data) as unknown } as RunEvent);
       } catch {
         // A line that was cut is followed by another.
       }
       if (kind === "done") source.close();
     };
-    source.addEventListener("progress", read("progress"));
-    source.addEventListener("done", read("done"));
+    for (const kind of ["progress", "value", "frame", "done"] as const) source.addEventListener(kind, read(kind));
     return () => source.close();
   }
 
@@ -159,6 +196,24 @@ export class HttpEngine implements Engine, Workspace {
 
   async writeNote(name: string, note: unknown): Promise<void> {
     await this.get(`/api/aside/${encodeURIComponent(name)}`, "PUT", JSON.stringify(note));
+  }
+
+  readRun = (id: string) => this.get<RunResults>(`/api/runs/${encodeURIComponent(id)}/values`);
+  compareRuns = (first: string, second: string) =>
+    this.get<RunComparison>(`/api/compare?first=${encodeURIComponent(first)}&second=${encodeURIComponent(second)}`);
+
+  exportAddress(id: string, format: "dxf" | "xlsx"): string {
+    return `${this.base}/api/runs/${encodeURIComponent(id)}/export.${format}?token=${encodeURIComponent(this.token)}`;
+  }
+
+  async exportCase(text: string): Promise<Blob> {
+    const response = await fetch(`${this.base}/api/export`, {
+      method: "POST",
+      body: JSON.stringify({ text, path: this.path }),
+      headers: { "X-Talus-Token": this.token },
+    });
+    if (!response.ok) openAnswer(await response.json());
+    return response.blob();
   }
 
   reportAddress(id: string): string {

@@ -7,6 +7,7 @@ import { emptyCase } from "../document/operations";
 import { accepted, takeFiles } from "../imports/imports";
 import { conflict, engineFault, file, files, openFile, openLocal, recovered, save, savedText, setting, settle } from "../session";
 import * as state from "../state";
+import { ExportMenu } from "./ExportMenu";
 
 const icons = {
   undo: "M6 3L2.5 6.5 6 10M3 6.500h6.500a4 4 0 010 8H7",
@@ -122,6 +123,9 @@ function Questions() {
     return (
       <p class="question" role="alert">
         {conflict.value.path} holds another text than the one that was opened. Nothing was overwritten.
+        <button type="button" onClick={() => void settle("both")}>
+          Merge both (can be undone)
+        </button>
         <button type="button" onClick={() => void settle("theirs")}>
           Open the other text (can be undone)
         </button>
@@ -172,6 +176,7 @@ export function Bar() {
           <span>Talus studio</span>
         </span>
         <FileMenu />
+        <ExportMenu />
         <span class="file-name" title={name}>
           {name}
           {changed && <span class="changed"> · changed</span>}

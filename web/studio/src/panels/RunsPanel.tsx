@@ -4,10 +4,13 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { formatFactor } from "../../../src/page/format";
+import { findNode } from "../document/tree";
 import type { Message, SolvedSurface } from "../engine/engine";
-import type { Run, RunProgress, Workspace } from "../engine/http";
+import type { Run, Workspace } from "../engine/http";
+import { ComparisonDialog } from "../runs/Comparison";
 import { file, isChanged, save, setting } from "../session";
 import * as state from "../state";
+import { RunRow } from "./RunRow";
 import { Warnings } from "./Warnings";
 
 const sentence = (error: unknown) => (error instanceof Error ? error.message : String(error));
@@ -66,82 +69,69 @@ function FullSearch() {
   );
 }
 
-function RunRow({ run, workspace, refresh }: { run: Run; workspace: Workspace; refresh: () => void }) {
-  const live = useSignal<RunProgress>({});
-  const isActive = run.state === "running" || run.state === "waiting";
-  useEffect(() => {
-    if (!isActive) return;
-    return workspace.watchRun(run.id, ({ kind, data }) => {
-      live.value = { ...live.value, ...data };
-      if (kind === "done") refresh();
-    });
-  }, [run.id, isActive]);
-  const stored = typeof run.progress === "object" && run.progress ? run.progress : {};
-  const { fraction, line } = { ...stored, ...live.value };
-  const message = (isActive && line) || run.message || "";
-  const act = (what: Promise<void>) =>
-    void what.then(refresh).catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
-  return (
-    <li class={`run ${run.state}`}>
-      <div>
-        <b>{run.path}</b> <span class="muted">{run.state}</span>
-        {typeof run.factor === "number" && <span> · F = {formatFactor(run.factor)}</span>}
-      </div>
-      {isActive && <progress max="1" value={fraction ?? undefined} aria-label={`Progress of ${run.path}`} />}
-      {message && <p class="muted">{message}</p>}
-      <p class="tools">
-        {isActive && (
-          <button type="button" onClick={() => act(workspace.stopRun(run.id))}>
-            Stop
-          </button>
-        )}
-        {run.state === "stopped" && (
-          <button type="button" onClick={() => act(workspace.resumeRun(run.id))}>
-            Resume
-          </button>
-        )}
-        {run.state === "done" && (
-          <a href={workspace.reportAddress(run.id)} target="_blank" rel="noopener">
-            Report
-          </a>
-        )}
-      </p>
-    </li>
-  );
-}
-
 function ServerRuns({ workspace }: { workspace: Workspace }) {
   const runs = useSignal<Run[]>([]);
+  const chosen = useSignal<string[]>([]);
+  const compared = useSignal<[string, string] | null>(null);
   const refresh = () =>
     void workspace
       .listRuns()
       .then((found) => (runs.value = found))
       .catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
   useEffect(refresh, []);
-  const start = async () => {
+  const start = async (settings: Record<string, unknown>) => {
     try {
       if (isChanged()) await save();
       if (isChanged() || !file.value) return;
-      await workspace.startRun(file.value.path, {});
+      await workspace.startRun(file.value.path, settings);
       refresh();
     } catch (error) {
       state.notice.value = { text: sentence(error), bad: true };
     }
   };
+  const choose = (id: string, on: boolean) => {
+    const others = chosen.value.filter((other) => other !== id);
+    chosen.value = on ? [...others.slice(-1), id] : others;
+  };
+  const hasStudy = findNode(state.tree.value, ["study"]) !== null;
+  const word = isChanged() ? "Save and run" : "Run";
   return (
     <section>
       <h3>Runs by all methods of the case</h3>
       <p class="tools">
-        <button type="button" disabled={!file.value} onClick={() => void start()}>
-          {isChanged() ? "Save and run" : "Run"}
+        <button type="button" disabled={!file.value} onClick={() => void start({})}>
+          {word}
+        </button>
+        {hasStudy && (
+          <button type="button" disabled={!file.value} onClick={() => void start({ study: true })}>
+            {word} the study
+          </button>
+        )}
+        <button
+          type="button"
+          disabled={chosen.value.length !== 2}
+          title="Mark two runs to see the differences of their inputs and results"
+          onClick={() => (compared.value = [chosen.value[0]!, chosen.value[1]!])}
+        >
+          Compare two runs
         </button>
       </p>
       {!file.value && <p class="muted">Save the case under a name first (File, Save as).</p>}
       <ul class="runs">
         {runs.value.map((run) => (
-          <RunRow key={run.id} run={run} workspace={workspace} refresh={refresh} />
+          <RunRow
+            key={run.id}
+            run={run}
+            workspace={workspace}
+            refresh={refresh}
+            chosen={chosen.value.includes(run.id)}
+            choose={(on) => choose(run.id, on)}
+          />
         ))}
       </ul>
+      {compared.value && (
+        <ComparisonDialog workspace={workspace} ids={compared.value} runs={runs.value} close={() => (compared.value = null)} />
+      )}
     </section>
   );
 }
