@@ -86,8 +86,13 @@ TEST(SeepageWalls, CutOffFollowsHarr) {
 }
 
 TEST(SeepageWalls, PermeableWallsDoNotStopTheFlow) {
-  const nlohmann::json open = run(write_wall(9.5, 10, 3, "permeable = true", "\"seepage\"")),
-                       closed = run(write_wall(9.5, 10, 3, "permeable = false", "\"seepage\""));
+  // The lower water begins a metre behind the wall: with water on both sides of a node heads would contradict.
+  const auto write = [](const char* permeable) {
+    std::string text = write_wall(9.5, 10, 3, permeable, "\"seepage\"");
+    const std::string downstream = "points = [[0, 0], [40, 0]]";
+    return text.replace(text.find(downstream), downstream.size(), "points = [[1, 0], [40, 0]]");
+  };
+  const nlohmann::json open = run(write("permeable = true")), closed = run(write("permeable = false"));
   const auto flow = [](const nlohmann::json& summary) {
     return summary.at("flow").at("states").back().at("outflow").get<double>();
   };

@@ -71,6 +71,10 @@ TEST(SiteSupports, SpacingDividesWhatBelongsToOneBar) {
     const auto per_bar = get_forces(one[0]), per_metre = get_forces(three[0]);
     double sum = 0;
     for (std::size_t i = 0; i < per_bar.size(); ++i) {
+      if (std::isinf(per_bar[i])) {  // no such limit
+        EXPECT_TRUE(std::isinf(per_metre[i])) << kind << " " << i;
+        continue;
+      }
       sum += per_bar[i];
       EXPECT_NEAR(per_metre[i], per_bar[i] / 3, 1e-12 * per_bar[i]) << kind << " " << i;
     }
