@@ -89,8 +89,11 @@ TEST(SeepageWalls, PermeableWallsDoNotStopTheFlow) {
   // The lower water begins a metre behind the wall: with water on both sides of a node heads would contradict.
   const auto write = [](const char* permeable) {
     std::string text = write_wall(9.5, 10, 3, permeable, "\"seepage\"");
-    const std::string downstream = "points = [[0, 0], [40, 0]]";
-    return text.replace(text.find(downstream), downstream.size(), "points = [[1, 0], [40, 0]]");
+    const std::string downstream = "points = [[0, 0], [40, 0]]", condition = "head = 0 }";
+    text.replace(text.find(downstream), downstream.size(),
+                 "points = [[1, 0], [40, 0]] }, { name = \"strip\", points = [[0, 0], [1, 0]]");
+    return text.replace(text.find(condition), condition.size(),
+                        "head = 0 }, { on = \"strip\", condition = \"no_flow\" }");
   };
   const nlohmann::json open = run(write("permeable = true")), closed = run(write("permeable = false"));
   const auto flow = [](const nlohmann::json& summary) {
