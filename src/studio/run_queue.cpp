@@ -81,7 +81,7 @@ std::vector<std::string> read_overrides(const json& settings) {
     throw Refusal(400, fmt::format("'set' must be an object with at most {} keys of the case", most));
   for (const auto& [key, value] : set->items()) {
     const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-    std::string change = key + "=" + text;
+    std::string change = fmt::format("{}={}", key, text);
     if (key.empty() || key.find('=') != std::string::npos || change.size() > longest ||
         change.find('\0') != std::string::npos)
       throw Refusal(400, fmt::format("'{}' cannot be set", make_printable(key)));
@@ -248,7 +248,7 @@ void RunQueue::resume(const std::string& id) {
 
 fs::path RunQueue::find_folder(const std::string& id) const {
   read(id);
-  const fs::path folder = find_results(id);
+  fs::path folder = find_results(id);
   std::error_code failure;
   if (fs::canonical(folder, failure) != folder || failure || !fs::is_directory(folder))
     throw Refusal(404, fmt::format("run {} has no results yet", id));
@@ -257,7 +257,7 @@ fs::path RunQueue::find_folder(const std::string& id) const {
 
 fs::path RunQueue::find_report(const std::string& id) const {
   read(id);
-  const fs::path report = find_results(id) / "report.html";
+  fs::path report = find_results(id) / "report.html";
   std::error_code failure;
   if (fs::canonical(report, failure) != report || failure)
     throw Refusal(404, fmt::format("run {} has no report yet", id));
