@@ -137,6 +137,26 @@ TEST_F(ConstructionRuns, ALiftThatIsTooHighFailsInItsStage) {
   EXPECT_TRUE(summary.at("main_factor").is_null());
 }
 
+TEST_F(ConstructionRuns, AFailureAfterAStageLeavesNoFactor) {
+  // The first stage stands; its factor is not that of the construction, whose second one fails.
+  const auto summary = run(lift, {{"fem.size", "2.5"},
+                                  {"consolidation.iterations", "8"},
+                                  {"construction.0.duration", "1"},
+                                  {"construction.0.add", "[]"},
+                                  {"construction.1.duration", "0"},
+                                  {"construction.1.add", "[\"lift\"]"},
+                                  {"analysis.methods", "[\"fem\"]"},
+                                  {"materials.clay.cohesion", "1"},
+                                  {"materials.clay.friction_angle", "12"},
+                                  {"geometry.polygon.1.points", "[[0, 6], [14, 6], [12, 12], [0, 12]]"}});
+  const auto& construction = summary.at("construction");
+  ASSERT_EQ(construction.at("stages").size(), 2u);
+  EXPECT_TRUE(construction.at("stages")[0].at("converged"));
+  EXPECT_FALSE(construction.at("stages")[1].at("converged"));
+  EXPECT_TRUE(construction.at("least").is_null());
+  EXPECT_TRUE(summary.at("main_factor").is_null());
+}
+
 TEST_F(ConstructionRuns, SoilThatNothingBearsIsRefused) {
   try {
     run(lift, {{"construction.0.add", "[]"}, {"construction.1.remove", "[\"clay\"]"}, {"construction.0.remove", "[]"}});

@@ -72,6 +72,12 @@ void check_requirements(const Case& data, Findings& findings) {
   if (data.timeline)
     findings.add("timeline",
                  "not with [[construction]], whose stages are the timeline: [[hydraulic]] series go on in them");
+  if (findings.places.is_given("partial_factors"))
+    findings.add("partial_factors", "not with [[construction]]: settlements need characteristic values");
+  if (findings.places.is_given("lem.drawdown"))
+    findings.add("lem.drawdown", "not with [[construction]]: let the level of a [[hydraulic]] fall in a stage");
+  if (data.earthquake.horizontal != 0 || data.earthquake.vertical != 0)
+    findings.add("earthquake", "not with [[construction]], in whose stages it would act for good");
   if (data.initial.water.season > 0)
     findings.add("initial.season", "not with [[construction]]: let a first stage be the season");
 }

@@ -209,7 +209,7 @@ std::vector<Factor> list_stage_factors(const results::Construction& construction
     factor.value = least->factor;
     if (least->lower) factor.lower = results::show_lower(*least->lower);
     if (least->upper) factor.upper = results::show_upper(*least->upper);
-    factor.is_main = true;
+    factor.is_main = construction.least.has_value();
     factors.push_back(std::move(factor));
   }
   return factors;

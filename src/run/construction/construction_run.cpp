@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
@@ -103,6 +104,7 @@ void ConstructionRun::calculate() {
     if (data_.construction[static_cast<std::size_t>(k)].factor) add_factors(k, summary_.stages.back());
     factors += std::chrono::steady_clock::now() - before;
   }
+  find_least();
   summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start - factors).count();
   keep();
   if (options_.progress) options_.progress->clear();
@@ -272,9 +274,26 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
                                       options, fmt::format("{}-{}", hash_, number));
   for (const results::StageFactor& factor : result.factors)
     if (factor.factor) result.least = std::min(result.least.value_or(*factor.factor), *factor.factor);
-  if (!result.least || *result.least >= summary_.least.value_or(1e300)) return;
-  summary_.least = result.least;
-  summary_.least_stage = result.name;
+}
+
+/// Sets the least factor, unless a stage failed or has no factor: that of the others would be above it.
+void ConstructionRun::find_least() {
+  for (const results::ConstructionStage& stage : summary_.stages) {
+    const auto& asked = data_.construction[static_cast<std::size_t>(&stage - summary_.stages.data())];
+    if (!stage.converged || (asked.factor && !stage.least)) {
+      summary_.least.reset();
+      summary_.least_stage.reset();
+      if (stage.converged)
+        warnings_.push_back(
+            fmt::format("no method has a factor at the end of stage '{}', so that the least one is not "
+                        "known",
+                        stage.name));
+      return;
+    }
+    if (!stage.least || *stage.least >= summary_.least.value_or(std::numeric_limits<double>::infinity())) continue;
+    summary_.least = stage.least;
+    summary_.least_stage = stage.name;
+  }
 }
 
 void ConstructionRun::keep() const {

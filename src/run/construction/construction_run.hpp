@@ -37,6 +37,7 @@ class ConstructionRun {
   void add_monitors(const StageModel& stage, const fem::SolidState<2>& solid, const std::vector<double>& head);
   void add_fields(const StageModel& stage, const std::string& name);
   void add_factors(int number, results::ConstructionStage& result);
+  void find_least();
   input::Case make_later_case() const;
   void keep() const;
   void show(const std::string& what) const;
