@@ -346,4 +346,24 @@ Case read_echo(const JsonTree& echo) {
   return data;
 }
 
+JsonTree drop_absent(const JsonTree& echo, const Case& data) {
+  nlohmann::json left = echo.get();
+  const auto keep = [](nlohmann::json& list, const auto& objects) {
+    nlohmann::json kept = nlohmann::json::array();
+    for (const nlohmann::json& entry : list)
+      if (std::any_of(objects.begin(), objects.end(),
+                      [&](const auto& object) { return entry.at("name").at("value") == object.name; }))
+        kept.push_back(entry);
+    list = std::move(kept);
+  };
+  keep(left["geometry"]["polygon"], data.mesh.polygons);
+  keep(left["surcharge"], data.surcharges);
+  keep(left["vertical_drains"], data.drains);
+  nlohmann::json& supports = left["support"];
+  for (auto entry = supports.begin(); entry != supports.end();)
+    entry = data.supports.contains(entry.key()) ? std::next(entry) : supports.erase(entry);
+  left["construction"] = nlohmann::json::array();
+  return JsonTree(std::move(left));
+}
+
 }  // namespace talus::input

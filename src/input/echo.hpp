@@ -20,6 +20,10 @@ nlohmann::json echo(const Case& data, const Places& places);
 /// keys keep their defaults.
 Case read_echo(const JsonTree& echo);
 
+/// Returns an echo without the regions, surcharges, supports and vertical drains that `data` does not have, and without
+/// stages of construction: that of the case at the end of a stage.
+JsonTree drop_absent(const JsonTree& echo, const Case& data);
+
 /// Returns a hash of the input that determines the state of a run. Outputs and the Courant number are excluded: a run
 /// may be resumed with other outputs, and after an instability with a smaller Courant number. `data` of the echo: the
 /// values of its tables that the echo does not hold count as well.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "cases/methods_slope.hpp"
 
@@ -106,6 +107,28 @@ TEST_F(ConstructionRuns, FactorsGrowWithConsolidation) {
   EXPECT_NEAR(monitor.at("pressure").back().get<double>(), 3 * 9810.0, 700);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "stage_1" / "summary.json"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "construction.json"));
+}
+
+TEST_F(ConstructionRuns, AStageShowsWhatIsThere) {
+  // The lift goes in the second stage: its results have its section alone, and the run repeats their warnings.
+  const auto summary = run(
+      lift,
+      {{"analysis.methods", "[\"fem\"]"}, {"construction.1.duration", "10"}, {"construction.1.remove", "[\"lift\"]"}});
+  const auto read = [&](const char* stage) {
+    std::ifstream file(folder_ / stage / "summary.json");
+    return nlohmann::json::parse(file);
+  };
+  const auto full = read("stage_1"), rest = read("stage_2");
+  EXPECT_EQ(full.at("outlines").size(), 2u);
+  ASSERT_EQ(rest.at("outlines").size(), 1u);
+  EXPECT_EQ(rest.at("input").at("geometry").at("polygon").size(), 1u);
+  EXPECT_TRUE(rest.at("input").at("construction").empty());
+  for (const auto& warning : rest.at("warnings")) {
+    const auto& all = summary.at("warnings");
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& w) {
+      return w.template get<std::string>().find(warning.template get<std::string>()) != std::string::npos;
+    })) << warning;
+  }
 }
 
 TEST_F(ConstructionRuns, AFineStepDoesNotMoveTheResult) {

@@ -2,6 +2,7 @@
 #include "run/construction/construction_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -270,8 +271,14 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
   result.folder = fmt::format("stage_{}", number + 1);
   options.folder = join_name(options_.folder, result.folder);
   const input::Case later = make_later_case();
-  result.factors = find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name),
-                                      options, fmt::format("{}-{}", hash_, number));
+  StageFactors found =
+      find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
+                         fmt::format("{}-{}", hash_, number));
+  result.factors = std::move(found.factors);
+  for (const std::string& warning : found.warnings) {
+    std::vector<std::string>& stages = stage_warnings_[warning];
+    if (stages.empty() || stages.back() != result.name) stages.push_back(result.name);
+  }
   for (const results::StageFactor& factor : result.factors)
     if (factor.factor) result.least = std::min(result.least.value_or(*factor.factor), *factor.factor);
 }
@@ -303,6 +310,8 @@ void ConstructionRun::keep() const {
 void ConstructionRun::write_result(results::RunResult& run) const {
   run.construction = summary_;
   for (const std::string& warning : warnings_) run.warnings.push_back("construction: " + warning);
+  for (const auto& [warning, stages] : stage_warnings_)
+    run.warnings.push_back(fmt::format("end of stage '{}': {}", fmt::join(stages, "', '"), warning));
 }
 
 }  // namespace talus::run

@@ -2,6 +2,7 @@
 #pragma once
 // Stages of construction in a run: their consolidation by FEM, and the methods at their ends.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ class ConstructionRun {
   results::Construction summary_;
   results::ConstructionFile file_;
   std::vector<std::string> warnings_;
+  std::map<std::string, std::vector<std::string>> stage_warnings_;  ///< of the methods, with the stages that have them
 };
 
 }  // namespace talus::run

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/atomic_file.hpp"
+#include "input/echo.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "run/bounds/bounds_run.hpp"
@@ -57,13 +58,15 @@ results::StageFactor make_bounds_factor(const results::RunResult& run) {
 
 }  // namespace
 
-std::vector<results::StageFactor> find_stage_factors(const input::LoadedCase& loaded, const input::Case& later,
-                                                     const std::string& title, const RunOptions& options,
-                                                     const std::string& hash) {
+StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
+                                const RunOptions& options, const std::string& hash) {
   make_folder(options.folder);
   const site::Site site(later);
   results::RunResult run = begin_result(loaded, hash, options.threads);
   run.title = title;
+  run.input = input::drop_absent(run.input, later);
+  run.outlines.clear();
+  for (const mesh::Polygon& p : later.mesh.polygons) run.outlines.emplace_back(p.points.begin(), p.points.end());
   std::optional<SliceRun> slices;
   std::optional<ElementRun<2>> elements;
   std::optional<BoundsRun> bounds;
@@ -97,7 +100,7 @@ std::vector<results::StageFactor> find_stage_factors(const input::LoadedCase& lo
   run.status = results::Status::finished;
   run.results = list_results(later, run);
   results::write_file(options.folder / "summary.json", run);
-  return factors;
+  return {std::move(factors), std::move(run.warnings)};
 }
 
 }  // namespace talus::run

@@ -11,11 +11,15 @@
 
 namespace talus::run {
 
+struct StageFactors {
+  std::vector<results::StageFactor> factors;
+  std::vector<std::string> warnings;
+};
+
 /// Runs LEM, FEM and limit analysis, those that the case names, on `later`, the case at the end of a stage. Their
-/// results are written into the folder of `options` as those of a run with this title. Throws Error (interrupted);
-/// other errors are part of the factors.
-std::vector<results::StageFactor> find_stage_factors(const input::LoadedCase& loaded, const input::Case& later,
-                                                     const std::string& title, const RunOptions& options,
-                                                     const std::string& hash);
+/// results are written into the folder of `options` as those of a run of `later` with this title. Throws Error
+/// (interrupted); other errors are part of the factors.
+StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
+                                const RunOptions& options, const std::string& hash);
 
 }  // namespace talus::run
