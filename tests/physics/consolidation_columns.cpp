@@ -37,7 +37,7 @@ double find_degree(double factor) {
   return 1 - sum;
 }
 
-/// That degree under a load that grows linearly until T = `end` (Olson 1977).
+/// The degree of consolidation under a load that grows linearly until T = `end` (Olson 1977).
 double find_ramp_degree(double factor, double end) {
   double sum = 0;
   for (int m = 0; m < 400; ++m) {

@@ -11,7 +11,7 @@
 
 namespace talus::fem {
 
-/// What acts at the end of a step, or of one of its two parts (T26.4).
+/// Loads and given values at the end of a step, or of one of its two parts (T26.4).
 struct CoupledTarget {
   std::vector<double> force;       ///< external force per unknown of the solid [N]
   std::vector<double> supply;      ///< inflow that is given, per unknown of the flow [m³/s]
@@ -72,7 +72,7 @@ class CoupledSystem {
   SolidSystem<D> solid_;
   SeepageSystem<D> flow_;
   SolidAssembly<D> assembly_;
-  /// Of each element with soil and water: its number among those of the solid and of the flow, and ∫ N_A div N_i.
+  /// An element with soil and water: its numbers among those of the solid and of the flow, and ∫ N_A div N_i.
   struct Couple {
     std::size_t solid = 0, flow = 0;
     std::array<std::array<double, locals>, corners> rate{};

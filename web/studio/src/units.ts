@@ -72,7 +72,7 @@ export function showQuantity(value: string | number | boolean, unit: string): { 
 }
 
 /**
- * What a typed number in the unit of display becomes in the file: in the unit in which the value was written before; with
+ * Converts a typed number in the unit of display into the text of the file: in the unit in which the value was written before; with
  * the unit of display where there was none, or a plain number where texts are not allowed.
  */
 export function writeQuantity(typed: string, unit: string, before: string | number | boolean | null, takesText: boolean): string {
