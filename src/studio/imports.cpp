@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "studio/imports.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <thread>
 #include <vector>
 
 #include "base/atomic_file.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
 #include "base/user_file.hpp"
+#include "studio/process.hpp"
 
 namespace talus::studio {
 namespace {
@@ -30,7 +25,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t most_files = 24, largest_import = 40 * largest_file::megabyte;
-constexpr auto longest_import = std::chrono::seconds(90);
+constexpr double longest_import = 90;  ///< [s]
 
 /// A folder below the state folder that is removed with all its files at the end.
 class ScratchFolder {
@@ -133,50 +128,6 @@ std::vector<std::string> list_options(const json& options) {
   return arguments;
 }
 
-/// Waits for a child for a limited time, and kills it with its own children afterwards. Returns its exit status; -1 if
-/// it was killed or crashed.
-int wait_for(pid_t process) {
-  const auto end = std::chrono::steady_clock::now() + longest_import;
-  int status = 0;
-  for (;;) {
-    const pid_t ended = waitpid(process, &status, WNOHANG);
-    if (ended == process) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    if (ended < 0 && errno != EINTR) return -1;
-    if (std::chrono::steady_clock::now() > end) break;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  kill(-process, SIGKILL);
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  return -1;
-}
-
-/// Runs a program without input in `folder`; its output goes into the files `out` and `err` there.
-int run_child(const fs::path& program, std::vector<std::string> arguments, const fs::path& folder) {
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  const std::string out = folder / "out", err = folder / "err";
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  sigset_t all, none;
-  sigfillset(&all);
-  sigemptyset(&none);
-  posix_spawnattr_setsigdefault(&attributes, &all);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  pid_t process = 0;
-  const int fault = posix_spawn(&process, program.c_str(), &files, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (fault != 0) throw Refusal(500, fmt::format("the program cannot be started: {}", std::strerror(fault)));
-  return wait_for(process);
-}
-
 std::string read_output(const fs::path& file) {
   std::string text;
   if (try_user_file(file, largest_file::megabyte, text)) return "";
@@ -234,7 +185,10 @@ std::string import_dropped(const Workspace& workspace, const fs::path& program, 
   for (const fs::path& path : store_files(asked.value("files", json()), inputs)) arguments.push_back(path.string());
   arguments.insert(arguments.end(), {"-o", output.string()});
   arguments.insert(arguments.end(), options.begin(), options.end());
-  const int status = run_child(program, arguments, scratch.path());
+  std::string why;
+  const int process = start_process(program, arguments, {scratch.path() / "out", scratch.path() / "err"}, why);
+  if (process == 0) throw Refusal(500, why);
+  const int status = wait_for_process(process, longest_import).value_or(-1);
   const std::string said = clean_message(read_output(scratch.path() / "err"), inputs);
   if (status < 0) throw Refusal(400, "the files were not read within 90 s, or the program crashed on them");
   if (status != 0) throw Refusal(400, said.empty() ? "the files cannot be imported" : said);

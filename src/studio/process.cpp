@@ -22,16 +22,20 @@ namespace talus::studio {
 
 namespace fs = std::filesystem;
 
-int start_process(const fs::path& program, std::vector<std::string> arguments, const fs::path& log, std::string& why) {
+int start_process(const fs::path& program, std::vector<std::string> arguments, const ProcessFiles& outputs,
+                  std::string& why) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW,
-                                   0600);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  constexpr int mode = O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW;
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, outputs.out.c_str(), mode, 0600);
+  if (outputs.err.empty())
+    posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, outputs.err.c_str(), mode, 0600);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   // A group of its own: Ctrl-C ends the server, and not the run.
@@ -64,24 +68,31 @@ std::string find_process_start(int process) {
   return list.size() > start && list[state] != "Z" ? list[start] : "";
 }
 
-void run_process(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log,
-                 double seconds) {
+std::optional<int> wait_for_process(int process, double seconds) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds pause{20};
-  std::string why;
-  const pid_t process = start_process(program, arguments, log, why);
-  if (process == 0) throw Refusal(500, why);
+  constexpr std::chrono::milliseconds pause{10};
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   int status = 0;
-  while (waitpid(process, &status, WNOHANG) == 0) {
-    if (Clock::now() > end) {
-      kill(process, SIGKILL);
-      waitpid(process, &status, 0);
-      throw Refusal(504, fmt::format("it took longer than {:g} s and was ended", seconds));
-    }
+  for (;;) {
+    const pid_t ended = waitpid(process, &status, WNOHANG);
+    if (ended == process) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (ended < 0 && errno != EINTR) return -1;
+    if (Clock::now() > end) break;
     std::this_thread::sleep_for(pause);
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  kill(-process, SIGKILL);
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return std::nullopt;
+}
+
+void run_process(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log,
+                 double seconds) {
+  std::string why;
+  const int process = start_process(program, arguments, {log, {}}, why);
+  if (process == 0) throw Refusal(500, why);
+  const std::optional<int> status = wait_for_process(process, seconds);
+  if (!status) throw Refusal(504, fmt::format("it took longer than {:g} s and was ended", seconds));
+  if (*status == 0) return;
   constexpr std::streamoff most = 8192;
   const std::vector<std::string> lines = split_lines(read_tail(log, most));
   throw Refusal(400, lines.empty() ? "the program ended without a message" : lines.back());

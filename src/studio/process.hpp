@@ -9,10 +9,19 @@
 
 namespace talus::studio {
 
-/// Starts `program` with `arguments`, the first of which is its own name, in a group of processes of its own; both
-/// outputs are appended to `log`. Returns the number of the process, or 0 with the reason in `why`.
-int start_process(const std::filesystem::path& program, std::vector<std::string> arguments,
-                  const std::filesystem::path& log, std::string& why);
+/// Files to which a process appends its outputs; without `err` both go into `out`.
+struct ProcessFiles {
+  std::filesystem::path out, err;
+};
+
+/// Starts `program` with `arguments`, the first of which is its own name, in a group of processes of its own. Returns
+/// the number of the process, or 0 with the reason in `why`.
+int start_process(const std::filesystem::path& program, std::vector<std::string> arguments, const ProcessFiles& outputs,
+                  std::string& why);
+
+/// Waits for a child for at most `seconds`, and then kills it with its own children. Returns its exit status, -1 if it
+/// crashed, and nothing if it was killed.
+std::optional<int> wait_for_process(int process, double seconds);
 
 /// Returns the time at which a process started, in the words of the system; empty if there is none. It identifies a
 /// process of an earlier server.

@@ -338,7 +338,7 @@ void RunQueue::start(StudioRun& run) {
   }
   for (const std::string& change : run.overrides) arguments.push_back("--set=" + change);
   std::string why;
-  const int process = start_process(program_, std::move(arguments), log, why);
+  const int process = start_process(program_, std::move(arguments), {log, {}}, why);
   if (process == 0) {
     run.state = RunState::failed;
     run.message = why;
