@@ -161,4 +161,23 @@ std::optional<ProvenEnd> find_proven_end(const RunResult& run) {
   return end;
 }
 
+void take_motion(const RunResult& run, Release& out) {
+  if (run.stress_start) out.start_factor = run.stress_start->factor;
+  if (run.stages && run.stages->size() > 1) out.rests = run.stages->front().end == StageEnd::rest;
+  if (!run.runout) return;
+  out.largest_displacement = run.runout->largest_displacement;
+  out.moved_volume = run.runout->moved_volume;
+  out.front_advance = run.runout->front_advance;
+  out.toe_distance = run.runout->toe_distance;
+  out.front_uncertainty = RunoutUncertainty(*run.runout).front_advance;
+  out.limits = run.runout->limits;
+}
+
+RunResult::RunResult() = default;
+RunResult::RunResult(const RunResult&) = default;
+RunResult::RunResult(RunResult&&) noexcept = default;
+RunResult& RunResult::operator=(const RunResult&) = default;
+RunResult& RunResult::operator=(RunResult&&) noexcept = default;
+RunResult::~RunResult() = default;
+
 }  // namespace talus::results

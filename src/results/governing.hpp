@@ -53,4 +53,7 @@ inline bool is_main_factor_proven(const RunResult& run) {
   return find_proven_end(run).has_value();
 }
 
+/// Copies runout and start of a run of MPM that was released from a state of another method.
+void take_motion(const RunResult& run, Release& out);
+
 }  // namespace talus::results

@@ -232,6 +232,14 @@ void describe(auto& v, As<RankWork> auto& r) {
 }
 
 struct RunResult {
+  // Out of line, so that the members of their many members are not compiled in every source.
+  RunResult();
+  RunResult(const RunResult&);
+  RunResult(RunResult&&) noexcept;
+  RunResult& operator=(const RunResult&);
+  RunResult& operator=(RunResult&&) noexcept;
+  ~RunResult();
+
   int format = result_format;
   std::string title;
   Project project;

@@ -5,25 +5,11 @@
 
 #include "base/hash.hpp"
 #include "base/user_file.hpp"
+#include "results/governing.hpp"
 #include "run/common/method_run.hpp"
 #include "run/mpm/coarser_mesh.hpp"
 
 namespace talus::run {
-namespace {
-
-void make_release_result(const results::RunResult& run, results::Release& out) {
-  if (run.stress_start) out.start_factor = run.stress_start->factor;
-  if (run.stages && run.stages->size() > 1) out.rests = run.stages->front().end == results::StageEnd::rest;
-  if (!run.runout) return;
-  out.largest_displacement = run.runout->largest_displacement;
-  out.moved_volume = run.runout->moved_volume;
-  out.front_advance = run.runout->front_advance;
-  out.toe_distance = run.runout->toe_distance;
-  out.front_uncertainty = results::RunoutUncertainty(*run.runout).front_advance;
-  out.limits = run.runout->limits;
-}
-
-}  // namespace
 
 template <int D>
 void Releases<D>::prepare(results::RunResult& run) {
@@ -57,7 +43,7 @@ void Releases<D>::run_one(ReleaseCase& other) {
     run.warnings.insert(run.warnings.end(), notes.begin(), notes.end());
   };
   other.summary.error = attempt(options, false, [&] {
-    make_release_result(run_points_beside<D>(context_.loaded, options, hash, make_case, complete), other.summary);
+    results::take_motion(run_points_beside<D>(context_.loaded, options, hash, make_case, complete), other.summary);
   });
   results_beside_.push_back(other.summary);
 }
@@ -66,7 +52,7 @@ template <int D>
 void Releases<D>::add_results(const results::RunResult& run, bool is_complete) {
   if (released_) {
     results::Release out = released_->summary;
-    make_release_result(run, out);
+    results::take_motion(run, out);
     if (!is_complete) out.error = run.error;
     methods_.timeline->add_release(std::move(out));
   }

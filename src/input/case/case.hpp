@@ -37,6 +37,14 @@ namespace talus::input {
 inline constexpr int newest_format = 1;
 
 struct Case {
+  // Out of line, so that the members of their many members are not compiled in every source.
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
   int format = 1;  ///< for files without the key
   std::string title;
   std::vector<std::string> unusual;  ///< keys whose warnings are suppressed

@@ -186,4 +186,11 @@ std::vector<std::string> replace_harmful(Case& data) {
   return sentences;
 }
 
+Case::Case() = default;
+Case::Case(const Case&) = default;
+Case::Case(Case&&) noexcept = default;
+Case& Case::operator=(const Case&) = default;
+Case& Case::operator=(Case&&) noexcept = default;
+Case::~Case() = default;
+
 }  // namespace talus::input
