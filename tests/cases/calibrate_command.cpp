@@ -25,7 +25,7 @@ using support::Outcome;
 using support::run_program;
 
 // Mohr and Coulomb's strength by hand: q = (N - 1) σ₃ + 2c √N, with c = 4 kPa and N = 3.
-const std::string soil =
+const std::string tested_soil =
     support::write_slope("sand", {"title=Sand", "materials.sand.cohesion=1", "materials.sand.friction_angle=25"}) + R"(
 [[test]]
 name = "50 kPa"
@@ -73,7 +73,7 @@ x_unit = "%"
 class CalibrateCommand : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = write("sand.toml", soil);
+    file_ = write("sand.toml", tested_soil);
     write("cell_50.csv", "axial_strain [%],q [kPa]\n4,113.856\n5,113.856\n");
   }
 
@@ -148,7 +148,8 @@ TEST_F(CalibrateCommand, AParameterAtItsLimitIsReportedAtTheTerminal) {
 
 TEST_F(CalibrateCommand, MistakesAreSentencesAndNothingIsWritten) {
   const std::string out = " -o " + (folder_ / "out").string();
-  Outcome outcome = run_program("calibrate " + write("bare.toml", soil.substr(0, soil.find("[calibration]"))) + out);
+  Outcome outcome =
+      run_program("calibrate " + write("bare.toml", tested_soil.substr(0, tested_soil.find("[calibration]"))) + out);
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.text.find("there is nothing to calibrate in"), std::string::npos) << outcome.text;
   outcome = run_program("calibrate " + file_ + out +

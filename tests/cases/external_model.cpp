@@ -28,7 +28,7 @@ namespace talus {
 namespace {
 
 /// Weak soil over the soil under test, which lies in every element of the base and in some that hold both.
-std::string write_case(const std::string& soil, const std::string& integration, double duration) {
+std::string write_external_case(const std::string& soil, const std::string& integration, double duration) {
   return support::write_slope("dry",
                               {"geometry.box=[[0, 0], [30, 13]]", "geometry.line=[]",
                                "geometry.polygon=[{ name = 'base', points = [[0, 0], [30, 0], [30, 4], [0, 4]] }, "
@@ -84,15 +84,15 @@ Difference compare(const mpm::Body<2>& a, const mpm::Body<2>& b) {
 // Blocks of one law, of two laws, full elements and single points, geometry that moves: 0.5 s of a slide.
 TEST(ExternalModel, ElasticUmatGivesTheBuiltInModelsResults) {
   for (const std::string integration : {"mixed", "points"}) {
-    const mpm::Body<2> built_in = run(write_case(elastic, integration, 0.5), 2);
+    const mpm::Body<2> built_in = run(write_external_case(elastic, integration, 0.5), 2);
     const std::string umat = name_umat("elastic", "constants = [60e6, 0.25]\n");
-    const mpm::Body<2> external = run(write_case(umat, integration, 0.5), 2);
+    const mpm::Body<2> external = run(write_external_case(umat, integration, 0.5), 2);
     EXPECT_GT(mpm::find_largest_displacement(built_in).value, 0.02) << "or nothing was tested";
     const Difference d = compare(built_in, external);
     EXPECT_LT(d.stress, 1e-9) << integration;
     EXPECT_LT(d.place, 1e-9) << integration;
     // A UMAT that keeps no data between calls does not see the threads either.
-    const Difference none = compare(external, run(write_case(umat, integration, 0.5), 1));
+    const Difference none = compare(external, run(write_external_case(umat, integration, 0.5), 1));
     EXPECT_EQ(none.stress, 0) << integration;
     EXPECT_EQ(none.place, 0) << integration;
   }
@@ -103,7 +103,7 @@ TEST(ExternalModel, StateVariablesAreCarriedByThePoints) {
   for (const std::string integration : {"mixed", "points"}) {
     const std::string counting =
         name_umat("failing", "symbol = \"no_number\"\nconstants = [1e9]\nstates = 2\ninitial_states = [1000, 5]\n");
-    const mpm::Body<2> body = run(write_case(counting, integration, 0.2), 2);
+    const mpm::Body<2> body = run(write_external_case(counting, integration, 0.2), 2);
     ASSERT_GT(body.step_count, 20);
     int counted = 0;
     for (int id = 0; id < body.points.size(); ++id) {
@@ -123,7 +123,7 @@ TEST(ExternalModel, CamClayInFortranSettlesAsTheBuiltInOne) {
   TALUS_NEEDS_FORTRAN("cam_clay");
   // Small steps: the UMAT takes the stiffness of the start of the step, the built-in model that of its middle.
   const auto settle = [](const std::string& soil) {
-    return run(write_case(soil, "mixed", 0.4) + "courant = 0.2\n", 2);
+    return run(write_external_case(soil, "mixed", 0.4) + "courant = 0.2\n", 2);
   };
   const std::string clay = R"(model = "modified_cam_clay"
 poisson_ratio = 0.3
@@ -167,7 +167,7 @@ TEST(ExternalModel, RunThatFailsNamesThePointAndItsPlace) {
   const std::string failing =
       name_umat("failing", "symbol = \"smaller_step\"\nconstants = [150]\nstates = 1\ninitial_states = [0.5]\n");
   try {
-    run(write_case(failing, "points", 0.05), 2);
+    run(write_external_case(failing, "points", 0.05), 2);
     ADD_FAILURE() << "the run continued";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::unstable);
@@ -178,7 +178,7 @@ TEST(ExternalModel, RunThatFailsNamesThePointAndItsPlace) {
     // NOEL is the number of the point plus one; the lowest one of the soil from 150 on.
     const std::string text = error.what();
     const int point = std::stoi(text.substr(text.find("failed in point ") + 16));
-    const mpm::Body<2> body = run(write_case(elastic, "points", 1e-4), 1);
+    const mpm::Body<2> body = run(write_external_case(elastic, "points", 1e-4), 1);
     int lowest = 149;
     while (body.material_names[static_cast<std::size_t>(mpm::view_point(body, lowest).material)] != "rock") ++lowest;
     EXPECT_EQ(point, lowest);
@@ -190,7 +190,7 @@ TEST(ExternalModel, RunThatFailsNamesThePointAndItsPlace) {
   }
 
   const std::filesystem::path folder = make_folder();
-  std::ofstream(folder / "case.toml") << write_case(failing, "mixed", 0.05);
+  std::ofstream(folder / "case.toml") << write_external_case(failing, "mixed", 0.05);
   const Outcome outcome =
       run_program("run '" + (folder / "case.toml").string() + "' -q -o '" + (folder / "out").string() + "'");
   EXPECT_EQ(outcome.code, 4) << outcome.text;
@@ -202,7 +202,7 @@ TEST(ExternalModel, LibraryIsBesideTheCaseAndTheReportNamesIt) {
   std::filesystem::copy_file(support::find_umat("elastic"), folder / "soil.so");
   std::string soil = name_umat("elastic", "constants = [60e6, 0.25]\n");
   soil.replace(soil.find(support::find_umat("elastic")), support::find_umat("elastic").size(), "soil.so");
-  std::ofstream(folder / "case.toml") << write_case(soil, "mixed", 0.05);
+  std::ofstream(folder / "case.toml") << write_external_case(soil, "mixed", 0.05);
   const std::string out = (folder / "out").string();
   Outcome outcome = run_program("run '" + (folder / "case.toml").string() + "' -q -o '" + out + "'");
   EXPECT_EQ(outcome.code, 0) << outcome.text;

@@ -41,7 +41,7 @@ size = 1
 [regions]
 soil = "clay"
 )";
-const std::string clay = R"([materials.clay]
+const std::string soil_text = R"([materials.clay]
 model = "mohr_coulomb"
 cohesion = 5
 friction_angle = 30
@@ -70,14 +70,14 @@ confining_pressure = 100
 axial_strain = [10]
 )";
   return {
-      {"mesh", head + "[mesh]\nfile = \"FILE\"\npoints_per_element = 1\n[regions]\nsoil = \"clay\"\n" + clay,
+      {"mesh", head + "[mesh]\nfile = \"FILE\"\npoints_per_element = 1\n[regions]\nsoil = \"clay\"\n" + soil_text,
        "slope.msh"},
       {"series",
        "[[hydraulic]]\non = \"top\"\ncondition = \"rain\"\nrate = { file = \"FILE\", column = \"rain\" }\n" + head +
-           section + clay,
+           section + soil_text,
        "rain.csv"},
       {"curve",
-       head + section + clay + test +
+       head + section + soil_text + test +
            "[calibration]\n[[calibration.parameter]]\nkey = \"materials.clay.cohesion\"\nmin = 1\nmax = 10\n"
            "[[calibration.curve]]\ntest = \"t\"\nx = \"axial_strain\"\ny = \"q\"\nfile = \"FILE\"\n",
        "curve.csv"},
@@ -86,7 +86,7 @@ axial_strain = [10]
            "[materials.clay]\nmodel = \"external\"\nlibrary = \"FILE\"\nsymbol = \"umat_\"\nconstants = [0]\n"
            "constrained_modulus = \"8 MPa\"\ngrain_density = 2700\nporosity = 0.37\n",
        "soil.so"},
-      {"result", head + section + clay + "[initial]\nresult = \"before\"\n", "before/end_state.h5"},
+      {"result", head + section + soil_text + "[initial]\nresult = \"before\"\n", "before/end_state.h5"},
       {"case", "", "case.toml"},
       {"results of a run", "", "summary.json", "report"},
       {"frames", "", "results.vtkhdf", "collect"},
@@ -120,7 +120,7 @@ struct Answer {
 };
 
 /// Processor's seconds and address space are bounded as well: what never ends fails here.
-Answer run_program(const std::string& folder, const std::string& arguments) {
+Answer run_on_hostile_file(const std::string& folder, const std::string& arguments) {
   Answer answer;
   std::array<int, 2> ends{};
   EXPECT_EQ(pipe(ends.data()), 0);
@@ -168,7 +168,7 @@ TEST_F(HostileFiles, EveryKeyThatNamesAFileAnswersWithASentence) {
       if (const std::size_t at = text.find("FILE"); at != std::string::npos) text.replace(at, 4, key.name);
       if (!text.empty()) std::ofstream(folder / "case.toml") << text;
       const Answer answer =
-          run_program(folder.string(), std::string(key.command) + (is_folder_of_results ? " ." : " case.toml"));
+          run_on_hostile_file(folder.string(), std::string(key.command) + (is_folder_of_results ? " ." : " case.toml"));
       EXPECT_EQ(answer.code, 2) << answer.text;
       EXPECT_NE(answer.text, "");
       EXPECT_LT(answer.megabytes, most_megabytes);

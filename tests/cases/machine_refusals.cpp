@@ -32,7 +32,7 @@ boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { 
 stage = [{ name = "weight", duration = 0.5, damping = 0.3 }]
 output = { frame_interval = 0.1, checkpoint_interval = 0.05 }
 )";
-const char* const clay = R"([materials.clay]
+const char* const refused_soil = R"([materials.clay]
 model = "linear_elastic"
 young_modulus = "5 MPa"
 poisson_ratio = 0.3
@@ -44,7 +44,7 @@ class Machine : public testing::Test {
  protected:
   void SetUp() override {
     case_ = (folder_ / "block.toml").string();
-    std::ofstream(case_) << block << clay;
+    std::ofstream(case_) << block << refused_soil;
   }
 
   /// Runs the shell command, in which $T is the program and $F the folder; what it prints on standard error is `said_`.
@@ -160,7 +160,7 @@ TEST_F(Machine, PrintsHostileNames) {
       << "\", at = [3, 2] }] }\n"
       << "[[study.vary]]\nkey = \"gravity.acceleration\"\nvalues = [5, 6]\nnames = [\"" << hostile
       << "\", \"@SUM(A1)\"]\n"
-      << clay;
+      << refused_soil;
   for (const std::string command :
        {"check names.toml", "run names.toml -o one", "plot one", "report one", "study names.toml -o study"}) {
     EXPECT_EQ(run("\\$T " + command), 0) << command << message_;

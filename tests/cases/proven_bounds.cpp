@@ -116,7 +116,7 @@ TEST_F(BoundsTest, OfASlopeWithoutTensionAndOfDavisStrengthAreLower) {
   EXPECT_NE(find_text(davis.at("methods").at("remarks").at(0), "Davis"), "");
 }
 
-std::string write_bank(const std::string& soil, const std::string& methods = R"("bounds")") {
+std::string write_supported_bank(const std::string& soil, const std::string& methods = R"("bounds")") {
   return "analysis.methods = [" + methods + R"(]
 geometry.polygon = [{ name = "bank", points = [[0, -5], [40, -5], [40, 0], [28, 0], [12, 10], [0, 10]] }]
 regions.bank = "soil"
@@ -130,14 +130,14 @@ poisson_ratio = 0.3
 
 TEST_F(BoundsTest, OfAStraightTableAreThoseOfMohrCoulomb) {
   const std::string flow = "dilatancy_angle = 30\ntensile_strength = 0\n";
-  const auto line =
-      read_interval(run(write_bank("model = \"mohr_coulomb\"\ncohesion = 8\nfriction_angle = 30\n" + flow + rough)));
+  const auto line = read_interval(
+      run(write_supported_bank("model = \"mohr_coulomb\"\ncohesion = 8\nfriction_angle = 30\n" + flow + rough)));
   // The third pair is that of a corner of 1e-6.
   const auto table =
-      read_interval(run(write_bank("model = \"strength_table\"\nnormal_stresses = [0, 100, 1000]\n"
-                                   "shear_strengths = [8, 65.735026919, 585.3502]\n"
-                                   "dilatancy_ratio = 1\n" +
-                                   rough)));
+      read_interval(run(write_supported_bank("model = \"strength_table\"\nnormal_stresses = [0, 100, 1000]\n"
+                                             "shear_strengths = [8, 65.735026919, 585.3502]\n"
+                                             "dilatancy_ratio = 1\n" +
+                                             rough)));
   EXPECT_NEAR(table.first, line.first, 1e-3 * line.first);
   EXPECT_NEAR(table.second, line.second, 1e-3 * line.second);
 }
@@ -147,8 +147,8 @@ TEST_F(BoundsTest, ContainLimitEquilibriumWithCurvedEnvelopes) {
        {"model = \"power_curve\"\npower_factor = 2\npower_exponent = 0.75\npower_cohesion = 3\n",
         "model = \"hoek_brown\"\nintact_strength = 0.6\ngsi = 20\nintact_constant = 8\n",
         "model = \"strength_table\"\nnormal_stresses = [0, 40, 120]\nshear_strengths = [4, 40, 90]\n"}) {
-    const json summary =
-        run(write_bank(soil + std::string("dilatancy_ratio = 1\n"), R"("lem", "bounds")") + few_circles + rough);
+    const json summary = run(write_supported_bank(soil + std::string("dilatancy_ratio = 1\n"), R"("lem", "bounds")") +
+                             few_circles + rough);
     const auto [lower, upper] = read_interval(summary);
     const double spencer = find_factor(summary, "spencer");
     EXPECT_LE(lower, spencer * 1.001) << soil;
@@ -209,12 +209,12 @@ TEST_F(BoundsTest, OfSoilThatSoftensAreThoseOfItsLimitStrength) {
       "model = \"softening_mohr_coulomb\"\ncohesion = 20\nfriction_angle = 30\nresidual_cohesion = 5\n"
       "residual_friction_angle = 22\n";
   const std::string hard = "model = \"mohr_coulomb\"\ndilatancy_angle = 0\n";
-  const auto peak = read_interval(run(write_bank(soft + flow + "\"peak\"\n" + rough)));
-  const auto residual = read_interval(run(write_bank(soft + flow + "\"residual\"\n" + rough)));
-  EXPECT_EQ(peak, read_interval(
-                      run(write_bank(hard + "cohesion = 20\nfriction_angle = 30\ntensile_strength = 4\n" + rough))));
-  EXPECT_EQ(residual,
-            read_interval(run(write_bank(hard + "cohesion = 5\nfriction_angle = 22\ntensile_strength = 1\n" + rough))));
+  const auto peak = read_interval(run(write_supported_bank(soft + flow + "\"peak\"\n" + rough)));
+  const auto residual = read_interval(run(write_supported_bank(soft + flow + "\"residual\"\n" + rough)));
+  EXPECT_EQ(peak, read_interval(run(write_supported_bank(
+                      hard + "cohesion = 20\nfriction_angle = 30\ntensile_strength = 4\n" + rough))));
+  EXPECT_EQ(residual, read_interval(run(write_supported_bank(
+                          hard + "cohesion = 5\nfriction_angle = 22\ntensile_strength = 1\n" + rough))));
 }
 
 TEST_F(BoundsTest, ReportALoadThatIsNotOnTheSurface) {

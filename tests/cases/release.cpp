@@ -87,14 +87,14 @@ depths = 8
 methods = ["lem", "mpm"]
 )";
 
-std::string write_bank(const std::string& timeline) {
+std::string write_released_bank(const std::string& timeline) {
   return std::string(bank) + timeline;
 }
 
 class Release : public MethodsTest {};
 
 TEST_F(Release, NothingMovesOnAStableSlope) {
-  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"));
+  const auto summary = run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"));
   const auto& releases = summary.at("timeline").at("releases");
   ASSERT_EQ(releases.size(), 3u);
   EXPECT_EQ(releases[0].at("time"), 43200);
@@ -117,14 +117,15 @@ TEST_F(Release, NothingMovesOnAStableSlope) {
   for (const auto& release : {releases[1], releases[2]})
     EXPECT_TRUE(std::filesystem::exists(folder_ / release.at("folder").get<std::string>() / "summary.json"));
   // The rain infiltrates before MPM starts, and continues.
-  const auto start = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0\napart = 0\n"));
+  const auto start = run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0\napart = 0\n"));
   EXPECT_EQ(start.at("timeline").at("releases").size(), 1u);
   EXPECT_GT(summary.at("water").at("initial").get<double>(), 1.02 * start.at("water").at("initial").get<double>());
 }
 
 // A season is the same weather before the run, solved on the mesh of the points.
 TEST_F(Release, BeginsWithTheWaterThatASeasonLeaves) {
-  const auto released = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\napart = 0\n"));
+  const auto released =
+      run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\napart = 0\n"));
   const auto season = run(bank, {{"initial.season", "'12 h'"},
                                  {"hydraulic.0.rate", "[[\"-12 h\", \"6 mm/h\"], [\"12 h\", \"6 mm/h\"]]"},
                                  {"analysis.methods", "['mpm']"}});
@@ -173,7 +174,7 @@ TEST_F(Release, HasTheFactorOfTheSameWater) {
 // LEM and FEM on the water of the same times.
 TEST_F(Release, FiniteElementsReduceStrengthAtTimesOfTheTimeline) {
   const auto summary =
-      run(write_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5, 1]\n"),
+      run(write_released_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5, 1]\n"),
           // One mesh: on meshes as coarse as these the extrapolation would move the factor by more than the band.
           {{"analysis.methods", "['lem', 'fem']"},
            {"fem.flow", "'as_given'"},
@@ -203,7 +204,8 @@ TEST_F(Release, ATimeAtWhichAPoolJumpsIsBeforeTheJump) {
       {"hydraulic",
        "[{ on = 'ground', condition = 'total_head', head = [[0, 4], [\"0.5 day\", 4], [\"0.5 day\", 1.5], "
        "[\"1 day\", 1.5]] }, { on = 'left', condition = 'no_flow' }]"}};
-  const auto summary = run(write_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5]\n"), changes);
+  const auto summary =
+      run(write_released_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5]\n"), changes);
   const double first = summary.at("fem").at("runs")[0].at("factor");
   const auto& timeline = summary.at("timeline");
   EXPECT_NEAR(timeline.at("elements")[0].at("runs")[0].at("factor").get<double>(), first, 0.011);
@@ -216,7 +218,7 @@ TEST_F(Release, ATimeAtWhichAPoolJumpsIsBeforeTheJump) {
 
 TEST(BeginLater, ASeriesThatJumpsThereHasItsOldValueFirst) {
   const auto loaded = input::read_case_text(
-      write_bank("[timeline]\nduration = 1\n"), "bank.toml",
+      write_released_bank("[timeline]\nduration = 1\n"), "bank.toml",
       {{"hydraulic.0.rate", "[[0, \"6 mm/h\"], [\"12 h\", \"6 mm/h\"], [\"12 h\", 0], [\"1 day\", 0]]"}});
   const auto water = std::make_shared<const input::KnownWater>();
   const input::Case later = run::begin_later(loaded.data, 43200, water);
@@ -231,7 +233,7 @@ TEST(BeginLater, ASeriesThatJumpsThereHasItsOldValueFirst) {
 
 // Interrupted when several times are searched; what is found until then is not searched again.
 TEST_F(Release, AnInterruptedTimelineResumes) {
-  const std::string text = write_bank("[timeline]\nduration = 1\ntolerance = 0.001\n");
+  const std::string text = write_released_bank("[timeline]\nduration = 1\ntolerance = 0.001\n");
   const std::vector<input::Override> changes{{"analysis.methods", "['lem']"}};
   const auto whole = run(text, changes).at("timeline");
   Progress interrupting([rounds = 0](const ProgressReport& report) mutable {
@@ -264,15 +266,16 @@ TEST_F(Release, AnInterruptedTimelineResumes) {
 }
 
 TEST_F(Release, AStableSlopeIsNotReleased) {
-  const auto summary = run(write_bank("[timeline]\nduration = 0.25\n[timeline.release]\n"));
+  const auto summary = run(write_released_bank("[timeline]\nduration = 0.25\n[timeline.release]\n"));
   EXPECT_TRUE(summary.at("timeline").at("releases").empty());
   EXPECT_NE(summary.at("timeline").at("notes").dump().find("MPM does not start"), std::string::npos);
   EXPECT_FALSE(summary.contains("runout"));
 }
 
 TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
-  const auto summary = run(write_bank("[timeline]\nduration = 1\ntarget = 1.6\n[timeline.release]\napart = \"1 h\"\n"),
-                           {{"lem.entry_exit.exits", "8"}, {"lem.entry_exit.entries", "8"}});
+  const auto summary =
+      run(write_released_bank("[timeline]\nduration = 1\ntarget = 1.6\n[timeline.release]\napart = \"1 h\"\n"),
+          {{"lem.entry_exit.exits", "8"}, {"lem.entry_exit.entries", "8"}});
   const auto& timeline = summary.at("timeline");
   ASSERT_FALSE(timeline.at("failure").is_null());
   const auto& releases = timeline.at("releases");
@@ -283,7 +286,7 @@ TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
 
 // MPM starts from the stress and the water of FEM, and nothing holds the points.
 TEST_F(Release, NothingMovesFromTheStressOfFem) {
-  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
+  const auto summary = run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
                            {{"initial.stress", "'elements'"},
                             {"stage", "[{ name = 'let go', duration = 1 }, { name = 'go on', duration = 1 }]"}});
   const auto& releases = summary.at("timeline").at("releases");
@@ -297,7 +300,7 @@ TEST_F(Release, NothingMovesFromTheStressOfFem) {
 
 // Each release has the uncertainty that a coarser mesh of its own leaves, those beside the first one too.
 TEST_F(Release, EveryMovingReleaseHasTheUncertaintyOfItsFront) {
-  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
+  const auto summary = run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
                            {{"materials.silt.cohesion", "0"},
                             {"materials.silt.friction_angle", "15"},
                             {"materials.silt.tensile_strength", "0"},
@@ -319,9 +322,10 @@ TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
                                           {"fem.resolution", "0.005"},
                                           {"mesh.size", "1"},
                                           {"initial.stress", "'elements'"}};
-  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ncriterion = \"equilibrium\"\n"
-                                      "apart = 0\n"),
-                           weak);
+  const auto summary =
+      run(write_released_bank("[timeline]\nduration = 1\n[timeline.release]\ncriterion = \"equilibrium\"\n"
+                              "apart = 0\n"),
+          weak);
   const auto& timeline = summary.at("timeline");
   const auto& loss = timeline.at("equilibrium");
   ASSERT_FALSE(loss.at("from").is_null()) << loss;
@@ -334,7 +338,7 @@ TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
   std::vector<input::Override> reduced = weak;
   reduced.push_back({"analysis.methods", "['lem', 'fem']"});
   const auto elements =
-      run(write_bank(fmt::format("[timeline]\nduration = 1\nelement_times = [{}, {}]\n", from, to)), reduced)
+      run(write_released_bank(fmt::format("[timeline]\nduration = 1\nelement_times = [{}, {}]\n", from, to)), reduced)
           .at("timeline")
           .at("elements");
   ASSERT_EQ(elements.size(), 2u);
@@ -346,7 +350,7 @@ TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
 
 TEST_F(Release, ReportsWhatACaseLacks) {
   const auto has = [&](const std::string& timeline, const std::vector<input::Override>& changes, const char* sentence) {
-    const std::string fault = find_fault(write_bank("[timeline]\nduration = 1\n" + timeline), changes);
+    const std::string fault = find_fault(write_released_bank("[timeline]\nduration = 1\n" + timeline), changes);
     EXPECT_NE(fault.find(sentence), std::string::npos) << fault;
   };
   has("[timeline.release]\n", {{"analysis.methods", "['lem']"}}, "add \"mpm\" to [analysis] methods");
@@ -356,7 +360,7 @@ TEST_F(Release, ReportsWhatACaseLacks) {
   has("[timeline.release]\ntime = 0.5\ncriterion = \"equilibrium\"\n", {}, "no criterion finds it");
   EXPECT_FALSE(std::filesystem::exists(folder_));
   // Samples are calculated by LEM only: other settings of the timeline are ignored.
-  EXPECT_EQ(find_fault(write_bank("[timeline]\nduration = 1\nelement_times = [0.5]\n[timeline.release]\n"),
+  EXPECT_EQ(find_fault(write_released_bank("[timeline]\nduration = 1\nelement_times = [0.5]\n[timeline.release]\n"),
                        {{"analysis.methods", "['lem']"},
                         {"study.mode", "'sample'"},
                         {"study.random", "[{ key = 'materials.silt.friction_angle', deviation = 2 }]"}}),

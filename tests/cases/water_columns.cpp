@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr double weight = 9810;  // of water [N/m³]
+constexpr double water_weight = 9810;  // of water [N/m³]
 
 TEST(WaterColumns, UndrainedWaveHasThePublishedStepHeightAndTimes) {
   const WaterRun run("wave/case.toml", {{"output.history_interval", "2e-6"}});
@@ -55,7 +55,7 @@ TEST(WaterColumns, ExplicitDragUnderHeavyDampingNeedsNoSmallerStep) {
 
 TEST(WaterColumns, ConsolidationFollowsTerzaghiAtHundredsOfTimesThePrintedStep) {
   const double modulus = 1e7 * 0.7 / 0.52, storage = 1 / modulus + 0.4 / 2.15e9;
-  const double c_v = 1000 * 9.81 / 1.002e-3 * 1.0214e-13 / (weight * storage), start = 1e4 / modulus / storage;
+  const double c_v = 1000 * 9.81 / 1.002e-3 * 1.0214e-13 / (water_weight * storage), start = 1e4 / modulus / storage;
   const WaterRun run("terzaghi/case.toml", {{"stage.consolidation.mass_scaling", "1e6"},
                                             {"stage.consolidation.duration", "293"},
                                             {"output.frame_interval", "146.11"}});
@@ -108,7 +108,7 @@ void expect_rest_after_settling(const std::vector<input::Override>& changes) {
   const auto pressure = take(frame, "pore_pressure");
   ASSERT_FALSE(pressure.empty());
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    EXPECT_NEAR(pressure[i], weight * (3 - frame.positions[3 * i + 1]), 1500);  // still draining: 700 Pa
+    EXPECT_NEAR(pressure[i], water_weight * (3 - frame.positions[3 * i + 1]), 1500);  // still draining: 700 Pa
   EXPECT_LT(run.column("nodal_speed").back(), 1e-3);
   EXPECT_LT(run.budget_error, 1e-10);
 }

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-constexpr double weight = 9810;  // of water [N/m³]
+constexpr double gamma_w = 9810;  // of water [N/m³]
 
 /// Srivastava and Yeh (1991): suction [m] at height z [m] after t [s] of rain of 0.9 k_s, with 0.1 k_s before.
 double find_suction(double z, double t) {
@@ -34,7 +34,7 @@ TEST(WaterFlow, InfiltrationFollowsSrivastavaAndYeh) {
     const output::Frame frame = run.frame(hours * 3600);
     double largest = 0;
     for_each_element(frame, "pore_pressure", [&](double z, double p) {
-      largest = std::max(largest, std::abs(-p / weight - find_suction(z, frame.time - 1)));
+      largest = std::max(largest, std::abs(-p / gamma_w - find_suction(z, frame.time - 1)));
     });
     EXPECT_LT(largest, 0.003) << hours << " h: of 0.23 m";
   }

@@ -27,7 +27,7 @@ materials.clay = { model = "mohr_coulomb", unit_weight = 20, cohesion = 5, frict
 const std::string flow = "analysis.methods = [\"seepage\"]\n" + column;
 
 /// Expects a single fault with this part; `names` resolves files beside the case.
-void expect_fault(const std::string& text, const std::string& part, const std::string& name = "case.toml") {
+void expect_water_fault(const std::string& text, const std::string& part, const std::string& name = "case.toml") {
   const auto faults = find_faults(text, {}, name);
   ASSERT_EQ(faults.size(), 1u) << part;
   EXPECT_NE(faults[0].sentence.find(part), std::string::npos) << faults[0].sentence;
@@ -41,13 +41,14 @@ TEST(Seepage, NeedsNoStrength) {
 }
 
 TEST(Seepage, NamesItsFaults) {
-  expect_fault(bank + "seepage.times = [1]\n", "needs \"seepage\" among the 'methods'");
-  expect_fault(flow + "seepage.times = [2, 1]\n", "the times must increase");
-  expect_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 1]] }]\n",
-               "'points' has 1 point; a line needs two");
-  expect_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 1], [1, 1]] }]\n", "the same point twice");
-  expect_fault(flow + "seepage.heave = [{ name = \"a\", x = [3, 1], level = 1 }]\n", "the second must be larger");
-  expect_fault(flow + "initial = { pore_pressure = \"water_table\", water_table = [[0, 1]] }\n", "nothing flows");
+  expect_water_fault(bank + "seepage.times = [1]\n", "needs \"seepage\" among the 'methods'");
+  expect_water_fault(flow + "seepage.times = [2, 1]\n", "the times must increase");
+  expect_water_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 1]] }]\n",
+                     "'points' has 1 point; a line needs two");
+  expect_water_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 1], [1, 1]] }]\n",
+                     "the same point twice");
+  expect_water_fault(flow + "seepage.heave = [{ name = \"a\", x = [3, 1], level = 1 }]\n", "the second must be larger");
+  expect_water_fault(flow + "initial = { pore_pressure = \"water_table\", water_table = [[0, 1]] }\n", "nothing flows");
 }
 
 TEST(PiezometricLines, NameTheirFaults) {
@@ -55,23 +56,25 @@ TEST(PiezometricLines, NameTheirFaults) {
     return bank + "initial = { pore_pressure = \"water_table\", " + rest + ", piezometric_line = [" + lines + "] }\n";
   };
   EXPECT_TRUE(find_faults(with("{ materials = [\"clay\"], points = [[0, 6], [9, 3]] }")).empty());
-  expect_fault(with("{ materials = [\"sand\"], points = [[0, 6]] }"), "there is no material 'sand'");
-  expect_fault(with("{ materials = [], points = [[0, 6]] }"), "'materials' is empty");
-  expect_fault(with("{ materials = [\"clay\"], points = [[9, 6], [0, 3]] }"), "must run from left to right");
-  expect_fault(with("{ materials = [\"clay\"], points = [[0, 6]] }, { materials = [\"clay\"], points = [[0, 5]] }"),
-               "material 'clay' has a piezometric line already, number 1");
-  expect_fault(flow + "initial = { piezometric_line = [{ materials = [\"sand\"], points = [[0, 3]] }] }\n",
-               "belong to pore_pressure = \"water_table\"");
+  expect_water_fault(with("{ materials = [\"sand\"], points = [[0, 6]] }"), "there is no material 'sand'");
+  expect_water_fault(with("{ materials = [], points = [[0, 6]] }"), "'materials' is empty");
+  expect_water_fault(with("{ materials = [\"clay\"], points = [[9, 6], [0, 3]] }"), "must run from left to right");
+  expect_water_fault(
+      with("{ materials = [\"clay\"], points = [[0, 6]] }, { materials = [\"clay\"], points = [[0, 5]] }"),
+      "material 'clay' has a piezometric line already, number 1");
+  expect_water_fault(flow + "initial = { piezometric_line = [{ materials = [\"sand\"], points = [[0, 3]] }] }\n",
+                     "belong to pore_pressure = \"water_table\"");
 }
 
 class PressureGrid : public ::testing::Test {
  protected:
   void expect_table_fault(const std::string& table, const std::string& quantity, const std::string& part) {
     std::ofstream(folder_ / "grid.csv") << table;
-    expect_fault(bank + fmt::format("initial = {{ pore_pressure = \"grid\", pressure_grid = {{ file = \"grid.csv\", "
-                                    "quantity = \"{}\" }} }}\n",
-                                    quantity),
-                 part, (folder_ / "case.toml").string());
+    expect_water_fault(
+        bank + fmt::format("initial = {{ pore_pressure = \"grid\", pressure_grid = {{ file = \"grid.csv\", "
+                           "quantity = \"{}\" }} }}\n",
+                           quantity),
+        part, (folder_ / "case.toml").string());
   }
   const std::filesystem::path folder_ = support::make_scratch("pressure_grid");
 };
@@ -84,7 +87,7 @@ TEST_F(PressureGrid, NamesItsFaults) {
   expect_table_fault("x,y,r_u\n0,0,0.2\n1,0,1.5\n0,1,0.2\n", "r_u", "grid.csv:3: r_u is 1.5");
   expect_table_fault("x,y,head [m]\n0,0,1\n1,0,high\n0,1,1\n", "head", "high");
   expect_table_fault("x,y,level\n0,0,1\n1,0,1\n0,1,1\n", "head", "head");
-  expect_fault(bank + "initial.pore_pressure = \"grid\"\n", "needs the block [initial.pressure_grid]");
+  expect_water_fault(bank + "initial.pore_pressure = \"grid\"\n", "needs the block [initial.pressure_grid]");
 }
 
 TEST_F(PressureGrid, WarnsOfSoilOutsideItsPoints) {
@@ -106,9 +109,9 @@ TEST_F(PressureGrid, WarnsOfSoilOutsideItsPoints) {
 TEST(Slurry, NamesItsFaults) {
   const auto with = [](const std::string& keys) { return bank + "slurry = [{ name = \"mud\", " + keys + " }]\n"; };
   EXPECT_TRUE(find_faults(with("x = [10, 16], level = 5, unit_weight = 11")).empty());
-  expect_fault(with("x = [12, 10], level = 5, unit_weight = 11"), "the second must be larger");
-  expect_fault(with("x = [10, 30], level = 5, unit_weight = 11"), "reaches beyond the ground");
-  expect_fault(with("x = [10, 16], level = 5, unit_weight = 0"), "must be above 0");
+  expect_water_fault(with("x = [12, 10], level = 5, unit_weight = 11"), "the second must be larger");
+  expect_water_fault(with("x = [10, 30], level = 5, unit_weight = 11"), "reaches beyond the ground");
+  expect_water_fault(with("x = [10, 16], level = 5, unit_weight = 0"), "must be above 0");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace talus::input {
 namespace {
 
-const std::string triaxial = R"(
+const std::string two_tests = R"(
 [[test]]
 name = "cell 100"
 material = "sand"
@@ -36,7 +36,7 @@ std::string find_test_faults(const std::string& text) {
 }
 
 TEST(PointTestInput, AWholeCaseMayHoldTestsAndIsTheSameCase) {
-  const LoadedCase with = read_case_text(slope + triaxial, "case.toml"), without = read_case_text(slope, "case.toml");
+  const LoadedCase with = read_case_text(slope + two_tests, "case.toml"), without = read_case_text(slope, "case.toml");
   EXPECT_TRUE(with.is_whole);
   ASSERT_EQ(with.data.tests.size(), 1u);
   EXPECT_DOUBLE_EQ(with.data.tests[0].confining_pressure.value(), 100e3);
@@ -48,20 +48,20 @@ TEST(PointTestInput, AWholeCaseMayHoldTestsAndIsTheSameCase) {
 }
 
 TEST(PointTestInput, TestsAloneNeedNoSlopeButARunDoes) {
-  const LoadedCase loaded = read_tests(soil_alone + triaxial);
+  const LoadedCase loaded = read_tests(soil_alone + two_tests);
   EXPECT_FALSE(loaded.is_whole);
   EXPECT_FALSE(loaded.echo.get().contains("geometry"));
   EXPECT_TRUE(loaded.echo.get().contains("materials"));
-  EXPECT_THROW(read_case_text(soil_alone + triaxial, "case.toml"), InputError) << "a run needs the slope";
+  EXPECT_THROW(read_case_text(soil_alone + two_tests, "case.toml"), InputError) << "a run needs the slope";
   // Any key of a slope makes the file one of a slope.
-  EXPECT_NE(find_test_faults(soil_alone + "[mesh]\nsize = 1\n" + triaxial).find("missing key 'box'"),
+  EXPECT_NE(find_test_faults(soil_alone + "[mesh]\nsize = 1\n" + two_tests).find("missing key 'box'"),
             std::string::npos);
   EXPECT_NE(find_test_faults(soil_alone).find("missing key 'box'"), std::string::npos) << "no slope and no tests";
 }
 
 TEST(PointTestInput, ATestHasItsMaterialWithWhatItSets) {
   const LoadedCase loaded = read_tests(
-      soil_alone + triaxial + "set = { cohesion = \"7 kPa\", friction_angle = 25 }\n" +
+      soil_alone + two_tests + "set = { cohesion = \"7 kPa\", friction_angle = 25 }\n" +
       "[[test]]\nname = \"bare\"\nmaterial = \"sand\"\nkind = \"oedometer\"\nvertical_stress = 20\nk0 = 0.5\n" +
       "control = \"stress\"\naxial_stress = [400, \"0.1 MPa\"]\n");
   ASSERT_EQ(loaded.data.test_soils.size(), 2u);
@@ -70,14 +70,14 @@ TEST(PointTestInput, ATestHasItsMaterialWithWhatItSets) {
   EXPECT_DOUBLE_EQ(loaded.data.test_soils[1].cohesion, 2e3);
   EXPECT_EQ(loaded.data.tests[1].axial_stress, (std::vector<double>{400e3, 100e3}));
   // --set changes the material of all tests, and what a test sets comes last.
-  const LoadedCase changed = read_tests(soil_alone + triaxial + "set = { cohesion = 7 }\n",
+  const LoadedCase changed = read_tests(soil_alone + two_tests + "set = { cohesion = 7 }\n",
                                         {{"materials.sand.cohesion", "3"}, {"materials.sand.friction_angle", "20"}});
   EXPECT_DOUBLE_EQ(changed.data.test_soils[0].cohesion, 7e3);
   EXPECT_NEAR(changed.data.test_soils[0].friction_angle, 20 * M_PI / 180, 1e-12);
 }
 
 TEST(PointTestInput, FaultsAreReportedWithTheirPlace) {
-  const auto with = [](const std::string& from, const std::string& to) { return slope + change(triaxial, from, to); };
+  const auto with = [](const std::string& from, const std::string& to) { return slope + change(two_tests, from, to); };
   expect_fault(with("\"sand\"", "@@\"snad\""), "there is no material 'snad'; did you mean 'sand'?");
   expect_fault(with("\"cell 100\"", "@@\"cell [100]\""), "must not hold any of [ ] /");
   expect_fault(with("axial_strain = 0.2", "axial_strain = 0.2\nshear_strain = @@0.3"),
@@ -89,15 +89,15 @@ TEST(PointTestInput, FaultsAreReportedWithTheirPlace) {
                "the test 'cell 100' cannot change material 'sand' so: unknown key 'cohesoin'");
   expect_fault(with("axial_strain = 0.2", "axial_strain = 0.2\nset = @@{ cohesion = -3 }"), "'cohesion' is -3 kPa");
   expect_fault(with("axial_strain = 0.2", "axial_strain = 0.2\nsuction = @@50"), "add [materials.sand.water]");
-  expect_fault(slope + triaxial + change(triaxial, "\"cell 100\"", "@@\"cell 100\""),
+  expect_fault(slope + two_tests + change(two_tests, "\"cell 100\"", "@@\"cell 100\""),
                "there are two tests named 'cell 100'");
 }
 
 TEST(PointTestInput, WhatIsMissingIsNamedWithItsReason) {
-  EXPECT_NE(find_test_faults(soil_alone + change(triaxial, "axial_strain = 0.2", "control = \"stress\""))
+  EXPECT_NE(find_test_faults(soil_alone + change(two_tests, "axial_strain = 0.2", "control = \"stress\""))
                 .find("missing key 'axial_stress' in [[test]]; control = \"stress\" needs it"),
             std::string::npos);
-  EXPECT_NE(find_test_faults(soil_alone + change(triaxial, "confining_pressure = 100", ""))
+  EXPECT_NE(find_test_faults(soil_alone + change(two_tests, "confining_pressure = 100", ""))
                 .find("missing key 'confining_pressure' in [[test]]"),
             std::string::npos);
   EXPECT_NE(find_test_faults(soil_alone + "[[test]]\nname = \"ring\"\nmaterial = \"sand\"\nkind = \"oedometer\"\n"
@@ -112,7 +112,7 @@ TEST(PointTestInput, WhatIsMissingIsNamedWithItsReason) {
 
 TEST(PointTestInput, ResultsOfTestsMayBeCompared) {
   const auto compare = [](const std::string& name, const std::string& value) {
-    return slope + triaxial + "[[compare]]\nname = " + name + "\nvalue = " + value +
+    return slope + two_tests + "[[compare]]\nname = " + name + "\nvalue = " + value +
            "\ntolerance = \"1 %\"\nsource = \"a laboratory\"\n";
   };
   EXPECT_TRUE(find_faults(compare("\"test[cell 100].q[0.1]\"", "\"200 kPa\"")).empty());

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double year = 31556925.9747;  // the tropical year of UDUNITS [s]
 
-Case read(const std::string& text) {
+Case read_rooted(const std::string& text) {
   const auto faults = find_faults(text);
   EXPECT_TRUE(faults.empty()) << InputError(faults).what();
   return faults.empty() ? read_case_text(text, "slope.toml").data : Case();
 }
 
 TEST(RootedSlope, IsReadAsTable42HasIt) {
-  const Case data = read(rooted_slope);
+  const Case data = read_rooted(rooted_slope);
   const Material& loess = data.materials.at("loess");
   EXPECT_EQ(loess.model, material::model_of<material::RootedCamClay>);
   EXPECT_NEAR(loess.porosity, 0.375, 1e-15) << "e/(1+e)";
@@ -43,10 +43,11 @@ TEST(RootedSlope, IsReadAsTable42HasIt) {
 
 TEST(RootContent, IsPerCentHoweverItIsWritten) {
   for (const char* text : {"0.88", "\"0.88 %\"", "\"8.8 g/kg\"", "\"0.0088 kg/kg\""}) {
-    EXPECT_EQ(read(change(rooted_slope, "content = 0.94", "content = " + std::string(text))).roots[0].content, 0.88)
+    EXPECT_EQ(read_rooted(change(rooted_slope, "content = 0.94", "content = " + std::string(text))).roots[0].content,
+              0.88)
         << text;
     const std::string soil = "root_strength = 0.18\nroot_content = " + std::string(text);
-    EXPECT_EQ(read(change(rooted_slope, "root_strength = 0.18", soil)).materials.at("loess").root_content, 0.88);
+    EXPECT_EQ(read_rooted(change(rooted_slope, "root_strength = 0.18", soil)).materials.at("loess").root_content, 0.88);
   }
   const LoadedCase loaded = read_case_text(rooted_slope, "slope.toml");
   EXPECT_EQ(loaded.echo.get()["roots"][0]["content"],
@@ -54,7 +55,7 @@ TEST(RootContent, IsPerCentHoweverItIsWritten) {
 }
 
 TEST(RootsKeys, HaveTheirUnits) {
-  const Case data = read(with_roots(R"(profile = "table"
+  const Case data = read_rooted(with_roots(R"(profile = "table"
 depth_table = [[0, 1], ["30 cm", 0.6], [0.5, 0]]
 along = [["300 cm", 0], [4, 1]]
 age = "18 months"
@@ -84,7 +85,7 @@ suctions = [1, 2, 30, "1.5 MPa"]
 }
 
 TEST(RootBundle, IsReadWithItsClasses) {
-  const Case data = read(with_cohesion(R"(
+  const Case data = read_rooted(with_cohesion(R"(
 [roots.bundle]
 model = "fibre_bundle"
 diameters = [0.5, "2 mm"]
@@ -98,11 +99,11 @@ strengths = [40, "15000 kPa"]
   EXPECT_EQ(bundle.strengths, (std::vector<double>{40e6, 15e6}));
   EXPECT_EQ(bundle.orientation, 1.2);
   EXPECT_FALSE(data.roots[0].cohesion);
-  EXPECT_EQ(*read(with_cohesion("cohesion = 5\n")).roots[0].cohesion, 5000);
+  EXPECT_EQ(*read_rooted(with_cohesion("cohesion = 5\n")).roots[0].cohesion, 5000);
 }
 
 TEST(RootBundle, OfWuAndWaldronDoesWithoutDiameters) {
-  read(with_cohesion("[roots.bundle]\nmodel = \"wu_waldron\"\narea_ratios = [1e-3]\nstrengths = [20]\n"));
+  read_rooted(with_cohesion("[roots.bundle]\nmodel = \"wu_waldron\"\narea_ratios = [1e-3]\nstrengths = [20]\n"));
 }
 
 TEST(Roots, ThatOnlyTranspireNeedNoStrength) {
@@ -111,8 +112,8 @@ TEST(Roots, ThatOnlyTranspireNeedNoStrength) {
                               "[materials.loess]\nmodel = \"linear_elastic\"\ngrain_density = 2710\nporosity = "
                               "0.3\nyoung_modulus = 1e4\npoisson_ratio = 0.3\n\n" +
                               rooted_slope.substr(to);
-  const Case data = read(change(change(elastic, "content = 0.94\n", "[roots.transpiration]\nrate = 4\n"),
-                                "equilibrium = \"gravity\"\n", ""));
+  const Case data = read_rooted(change(change(elastic, "content = 0.94\n", "[roots.transpiration]\nrate = 4\n"),
+                                       "equilibrium = \"gravity\"\n", ""));
   EXPECT_NEAR(data.roots[0].transpiration->rate.value[0], 4e-3 / 86400, 1e-15);
 }
 
@@ -120,7 +121,7 @@ TEST(Roots, OfTwoKindsAreInTwoBlocks) {
   const std::string two = change(with_cohesion("cohesion = 5\n"), "[initial]",
                                  "[[roots]]\nground = \"crest\"\ndepth = 1\nprofile = \"exponential\"\ndecay_depth = "
                                  "\"20 cm\"\ncohesion = 2\n\n[initial]");
-  const Case data = read(two);
+  const Case data = read_rooted(two);
   ASSERT_EQ(data.roots.size(), 2u);
   EXPECT_EQ(data.roots[1].profile, RootProfile::exponential);
   EXPECT_NEAR(data.roots[1].decay_depth, 0.2, 1e-15);
@@ -133,7 +134,7 @@ TEST(Roots, AreNamedByTheirGroundInOverrides) {
 }
 
 TEST(Season, IsCountedInDays) {
-  const Case data = read(change(rooted_slope, "equilibrium =", "season = 30\nequilibrium ="));
+  const Case data = read_rooted(change(rooted_slope, "equilibrium =", "season = 30\nequilibrium ="));
   EXPECT_EQ(data.initial.water.season, 30 * 86400.0);
 }
 

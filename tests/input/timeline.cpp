@@ -6,7 +6,7 @@
 namespace talus::input {
 namespace {
 
-constexpr double day = 86400;
+constexpr double one_day = 86400;
 
 /// The wet slope from 2023-03-01 on, with LEM; `timeline` holds the keys of [timeline].
 std::string write_case(const std::string& timeline, const std::string& date = "date = 2023-03-01\n") {
@@ -21,10 +21,10 @@ TEST(TimelineDates, AreTimesSinceTheDateOfTimeZero) {
                                  "element_dates = [2023-03-11]\n[timeline.release]\ndate = \"2023-03-04 12:00\"\n"),
                       "slope.toml")
            .data.timeline;
-  EXPECT_EQ(timeline.duration, 10 * day);
-  EXPECT_EQ(timeline.times, (std::vector<double>{day, 3.5 * day, 10 * day}));
-  EXPECT_EQ(timeline.element_times, std::vector<double>{10 * day});
-  EXPECT_EQ(timeline.release->time, 3.5 * day);
+  EXPECT_EQ(timeline.duration, 10 * one_day);
+  EXPECT_EQ(timeline.times, (std::vector<double>{one_day, 3.5 * one_day, 10 * one_day}));
+  EXPECT_EQ(timeline.element_times, std::vector<double>{10 * one_day});
+  EXPECT_EQ(timeline.release->time, 3.5 * one_day);
   EXPECT_TRUE(timeline.dates.empty());
 }
 

@@ -13,7 +13,8 @@
 namespace talus::results {
 namespace {
 
-CriticalSurface make_surface(SliceMethod method, std::optional<double> factor, const std::string& refusal = "") {
+CriticalSurface make_governing_surface(SliceMethod method, std::optional<double> factor,
+                                       const std::string& refusal = "") {
   CriticalSurface c;
   c.surface.method = method;
   c.surface.factor = factor;
@@ -32,20 +33,21 @@ TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) 
   EXPECT_EQ(name_governing(run), "");
   run.slices.emplace().error = "no circle";
   EXPECT_EQ(name_governing(run), "");
-  run.slices.emplace().critical = {make_surface(SliceMethod::fellenius, 1.1), make_surface(SliceMethod::bishop, {})};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::fellenius, 1.1),
+                                   make_governing_surface(SliceMethod::bishop, {})};
   EXPECT_EQ(name_governing(run), "lem.fellenius") << "no other method has one";
   run.slices->critical[1].surface.factor = 1.4;
   EXPECT_EQ(name_governing(run), "lem.bishop") << "Fellenius leaves more out";
-  run.slices->critical.push_back(make_surface(SliceMethod::spencer, 1.45));
+  run.slices->critical.push_back(make_governing_surface(SliceMethod::spencer, 1.45));
   EXPECT_EQ(name_governing(run), "lem.spencer");
-  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.3),
-                             make_surface(SliceMethod::morgenstern_price, 1.25),
-                             make_surface(SliceMethod::janbu_corrected, 1.0)};
+  run.slices->noncircular = {make_governing_surface(SliceMethod::spencer, 1.3),
+                             make_governing_surface(SliceMethod::morgenstern_price, 1.25),
+                             make_governing_surface(SliceMethod::janbu_corrected, 1.0)};
   EXPECT_EQ(name_governing(run), "lem.noncircular.morgenstern_price");
-  run.slices->given = {make_surface(SliceMethod::spencer, 1.2)};
+  run.slices->given = {make_governing_surface(SliceMethod::spencer, 1.2)};
   run.slices->given[0].surface.name = "bed";
   EXPECT_EQ(name_governing(run), "lem.surface[bed].spencer");
-  run.methods.emplace().optimised = {make_surface(SliceMethod::spencer, 1.15)};
+  run.methods.emplace().optimised = {make_governing_surface(SliceMethod::spencer, 1.15)};
   run.methods->optimised[0].surface.name = "lem.handed[fem.band].spencer_optimised";
   EXPECT_EQ(name_governing(run), "lem.handed[fem.band].spencer_optimised");
 }
@@ -53,8 +55,9 @@ TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) 
 TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
   RunResult run;
   run.slices.emplace().search.emplace();
-  run.slices->critical = {make_surface(SliceMethod::bishop, 1.21), make_surface(SliceMethod::spencer, 1.33)};
-  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.08)};
+  run.slices->critical = {make_governing_surface(SliceMethod::bishop, 1.21),
+                          make_governing_surface(SliceMethod::spencer, 1.33)};
+  run.slices->noncircular = {make_governing_surface(SliceMethod::spencer, 1.08)};
   Referee referee;
   referee.lower = 1.18, referee.upper = 1.25;
   take_referee(referee, *run.slices);
@@ -69,14 +72,14 @@ TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
   EXPECT_EQ(find_main_factor(run), 1.25) << "a mechanism has less than every factor";
   EXPECT_EQ(find_proven_end(run), ProvenEnd::upper);
   // A surface from another method is a candidate as well.
-  run.methods.emplace().optimised = {make_surface(SliceMethod::spencer, 1.1)};
+  run.methods.emplace().optimised = {make_governing_surface(SliceMethod::spencer, 1.1)};
   run.methods->optimised[0].verdict = referee.judge(1.1);
   EXPECT_EQ(name_governing(run), "");
   // Factors of given surfaces are no factors of the slope: none is refused from above.
   run.methods.reset();
   run.slices->search.reset();
   run.slices->critical.clear();
-  run.slices->given = {make_surface(SliceMethod::spencer, 1.33)};
+  run.slices->given = {make_governing_surface(SliceMethod::spencer, 1.33)};
   take_referee(referee, *run.slices);
   EXPECT_EQ(find_main_factor(run), 1.33);
 }
@@ -86,7 +89,7 @@ TEST(MainFactor, IsNotAboveTheUpperBound) {
   run.bounds.emplace().lower = 1.3;
   run.bounds->upper = 1.4;
   EXPECT_EQ(find_main_factor(run), 1.3) << "bounds alone";
-  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.5)};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 1.5)};
   EXPECT_EQ(find_main_factor(run), 1.4);
   run.slices->critical[0].surface.factor = 1.35;
   EXPECT_EQ(find_main_factor(run), 1.35);
@@ -112,7 +115,7 @@ TEST(MainFactor, IsNotTheUpperBoundWhereSupportsActInAnotherMethod) {
   EXPECT_EQ(find_main_factor(fem), 1.2) << "without supports it limits the factor";
   RunResult lem;
   lem.bounds = fem.bounds;
-  lem.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.5)};
+  lem.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 1.5)};
   lem.slices->critical[0].supports.emplace();
   EXPECT_EQ(find_main_factor(lem), 1.5);
   RunResult mpm;
@@ -126,7 +129,7 @@ TEST(MainFactor, IsNotTheUpperBoundWhereSupportsActInAnotherMethod) {
 
 TEST(MainFactor, IsNoFactorByFemOutsideTheBounds) {
   RunResult run;
-  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 1.3)};
   run.bounds.emplace().lower = 1.25, run.bounds->upper = 1.32;
   auto& elements = run.elements.emplace().runs.emplace_back();
   elements.factor = 1.2;
@@ -148,8 +151,8 @@ TEST(ProvenBounds, AreShownAwayFromTheirMiddle) {
 
 TEST(GoverningSurface, IsNotOneThatASearchWouldRefuseWhereThereIsAnother) {
   RunResult run;
-  run.slices.emplace().critical = {make_surface(SliceMethod::bishop, 1.4)};
-  run.slices->noncircular = {make_surface(SliceMethod::spencer, 0.2, "tension")};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::bishop, 1.4)};
+  run.slices->noncircular = {make_governing_surface(SliceMethod::spencer, 0.2, "tension")};
   EXPECT_EQ(name_governing(run), "lem.bishop");
   run.slices->critical.clear();
   EXPECT_EQ(name_governing(run), "lem.noncircular.spencer");
@@ -157,8 +160,8 @@ TEST(GoverningSurface, IsNotOneThatASearchWouldRefuseWhereThereIsAnother) {
 
 TEST(GoverningSurface, NamesTheFactorAndTheYieldAcceleration) {
   RunResult run;
-  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.4)};
-  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.1)};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 1.4)};
+  run.slices->noncircular = {make_governing_surface(SliceMethod::spencer, 1.1)};
   EXPECT_EQ(find_value(run, "lem.factor"), 1.1);
   EXPECT_EQ(find_value(run, "main_factor"), 1.1);
   EXPECT_NEAR(find_value(run, "lem.yield_acceleration").value_or(0), 0.1, 1e-12);
@@ -168,7 +171,7 @@ TEST(GoverningSurface, NamesTheFactorAndTheYieldAcceleration) {
 TEST(MainFactor, IsTheSmallestOfTheMethods) {
   RunResult run;
   EXPECT_EQ(find_main_factor(run), std::nullopt);
-  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 1.3)};
   EXPECT_EQ(find_main_factor(run), 1.3);
   run.elements.emplace().runs.emplace_back().factor = 1.2;
   EXPECT_EQ(find_main_factor(run), 1.2);

@@ -66,10 +66,10 @@ double find_number(const std::string& script, const std::string& key) {
   return at == std::string::npos ? 0 : std::stod(script.substr(at + key.size()));
 }
 
-struct Frame {
+struct DrawnFrame {
   double left, right, bottom, top, x0, x1, y0, y1, width, height;
 };
-Frame read_frame(const std::string& s) {
+DrawnFrame read_frame(const std::string& s) {
   const double size_at = find_number(s, "size ");
   const std::size_t comma = s.find(',', s.find("size "));
   const auto range_end = [&s](const char* key) { return std::stod(s.substr(s.find(':', s.find(key)) + 1)); };
@@ -88,7 +88,7 @@ Frame read_frame(const std::string& s) {
 TEST_F(Pictures, OfACurveHaveLabelsThatDoNotCoverEachOtherOrALine) {
   output::draw(make_curve(), folder_ / "curve.svg");
   const std::string script = read("curve.gp");
-  const Frame frame = read_frame(script);
+  const DrawnFrame frame = read_frame(script);
   struct Label {
     double from, to, y, line;
   };
@@ -143,7 +143,7 @@ TEST_F(Pictures, OfAFieldShowTrueLengths) {
       }
     plot.values[7] = std::nan("");
     output::draw(plot, folder_ / "field.svg");
-    const Frame f = read_frame(read("field.gp"));
+    const DrawnFrame f = read_frame(read("field.gp"));
     const double per_x = f.width * (f.right - f.left) / (f.x1 - f.x0);
     const double per_y = f.height * (f.top - f.bottom) / (f.y1 - f.y0);
     EXPECT_NEAR(per_x / per_y, 1, 0.01) << height;  // pixels are whole
@@ -206,7 +206,7 @@ TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
                            "$outlines << END\n0 0\n2000 0\n", "$surface0 << END\n200 1000\n600 600\n"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
   EXPECT_LT(script.find("$surface1 using"), script.find("$surface0 using")) << "lines lie on bands";
-  const Frame frame = read_frame(script);
+  const DrawnFrame frame = read_frame(script);
   const double wide = frame.width * (frame.right - frame.left), high = frame.height * (frame.top - frame.bottom);
   EXPECT_NEAR(wide / high, (frame.x1 - frame.x0) / (frame.y1 - frame.y0), 0.01) << "lengths are true";
   EXPECT_EQ(script.find("$ponds"), std::string::npos);
@@ -233,11 +233,11 @@ TEST_F(Pictures, OfASectionInMapCoordinatesHaveAllDigits) {
   for (const char* part :
        {"441871.25 6329700.5\n", "441881.125 6329710.0625\n", "$surface0 << END\n441873.3333 6329707\n"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
-  const Frame map = read_frame(script);
+  const DrawnFrame map = read_frame(script);
   plot.outlines = {{{0, 0}, {20, 0}, {9.875, 9.5625}}};
   plot.surfaces[0].points = {{2.0833, 6.5}, {8.75, 0.5}};
   output::draw(plot, folder_ / "local.svg");
-  const Frame local = read_frame(read("local.gp"));
+  const DrawnFrame local = read_frame(read("local.gp"));
   EXPECT_NEAR(map.x1 - map.x0, local.x1 - local.x0, 1e-6);
   // The heights of a map need three digits more than the margin had space for.
   EXPECT_NEAR(map.width * map.left - local.width * local.left, 3 * 7, 1);

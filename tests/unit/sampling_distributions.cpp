@@ -13,7 +13,7 @@ namespace {
 using input::Distribution;
 using Words = std::array<std::uint32_t, 4>;
 
-Marginal make(Distribution kind, double mean, double deviation) {
+Marginal make_marginal(Distribution kind, double mean, double deviation) {
   Marginal m;
   m.kind = kind;
   m.mean = mean;
@@ -67,7 +67,7 @@ TEST(NormalLaw, ScoreAndProbabilityAreInverse) {
 }
 
 TEST(Distribution, LognormalHasItsClosedFormQuantiles) {
-  const Marginal m = make(Distribution::lognormal, 18, 3.6);
+  const Marginal m = make_marginal(Distribution::lognormal, 18, 3.6);
   const double zeta = std::sqrt(std::log(1.04));
   EXPECT_NEAR(m.find_value(0), 18 / std::sqrt(1.04), 1e-12);  // the median
   EXPECT_NEAR(m.find_value(1.5), 18 / std::sqrt(1.04) * std::exp(1.5 * zeta), 1e-11);
@@ -76,15 +76,15 @@ TEST(Distribution, LognormalHasItsClosedFormQuantiles) {
 }
 
 TEST(Distribution, ProbabilityIsTheInverseOfValue) {
-  Marginal cut = make(Distribution::normal, 5, 2);
+  Marginal cut = make_marginal(Distribution::normal, 5, 2);
   cut.lowest = 0;
-  Marginal narrow = make(Distribution::lognormal, 5, 2);
+  Marginal narrow = make_marginal(Distribution::lognormal, 5, 2);
   narrow.lowest = 6;
   narrow.highest = 7;
   Marginal triangle{Distribution::triangular, 0, 0, 10, 25, 14};
   Marginal flat{Distribution::uniform, 0, 0, -1, 3, 0};
-  for (const Marginal& m :
-       {make(Distribution::normal, -3, 2), make(Distribution::lognormal, 3, 2), cut, narrow, triangle, flat})
+  for (const Marginal& m : {make_marginal(Distribution::normal, -3, 2), make_marginal(Distribution::lognormal, 3, 2),
+                            cut, narrow, triangle, flat})
     for (const double z : {-5.0, -2.0, -0.5, 0.0, 0.1, 1.0, 3.0}) {
       const double x = m.find_value(z);
       EXPECT_GE(x, m.lowest);
@@ -94,9 +94,9 @@ TEST(Distribution, ProbabilityIsTheInverseOfValue) {
 }
 
 TEST(Distribution, MomentsOfACutOneAreThoseOfItsValues) {
-  Marginal low = make(Distribution::normal, 5, 3);
+  Marginal low = make_marginal(Distribution::normal, 5, 3);
   low.lowest = 1;
-  Marginal both = make(Distribution::lognormal, 5, 3);
+  Marginal both = make_marginal(Distribution::lognormal, 5, 3);
   both.lowest = 2;
   both.highest = 9;
   const Marginal triangle{Distribution::triangular, 0, 0, 10, 25, 14};
@@ -113,18 +113,18 @@ TEST(Distribution, MomentsOfACutOneAreThoseOfItsValues) {
 
 /// Far in a tail the quantiles of a cut distribution keep their digits: P(X > x | X > 8) of a standard normal X.
 TEST(Distribution, CutFarInTheTailKeepsItsDigits) {
-  Marginal m = make(Distribution::normal, 0, 1);
+  Marginal m = make_marginal(Distribution::normal, 0, 1);
   m.lowest = 8;
   const double x = m.find_value(1);
   EXPECT_NEAR(find_normal_probability(-x) / find_normal_probability(-8), find_normal_probability(-1), 1e-10);
 }
 
 TEST(Distribution, LognormalsHaveTheCorrelationOfTheClosedForm) {
-  const Marginal a = make(Distribution::lognormal, 10, 4), b = make(Distribution::lognormal, 3, 0.6);
+  const Marginal a = make_marginal(Distribution::lognormal, 10, 4), b = make_marginal(Distribution::lognormal, 3, 0.6);
   const double za = std::sqrt(std::log(1.16)), zb = std::sqrt(std::log(1.04));
   for (const double r : {-0.7, 0.3, 0.9})
     EXPECT_NEAR(correlate_values(a, b, r), std::expm1(r * za * zb) / (0.4 * 0.2), 1e-9);
-  const Marginal c = make(Distribution::normal, 1, 2);
+  const Marginal c = make_marginal(Distribution::normal, 1, 2);
   EXPECT_NEAR(correlate_values(c, c, -0.5), -0.5, 1e-12);
 }
 
