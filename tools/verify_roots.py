@@ -3,11 +3,11 @@
 """Runs the vegetated slope (examples/vegetated_slope) and compares it with section 4.4 of the source, statement by
 statement.
 
-Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches|sizes] [--runs FOLDER] [--threads N]
+Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches|sizes] [--runs FOLDER [--finished]] [--threads N]
 Writes vegetated_slope.csv and .md and pictures to FOLDER, or vegetated_sizes.csv and .md (Darcy formulation, elements of
 four sizes, an hour and a half), and prints the tables. Differences from the source are
 reported, and do not make the program fail. --runs keeps the results of the runs there and takes finished ones as they
-are. Needs python3 with numpy, h5py and matplotlib.
+are; with --finished it leaves out the choices that are not there. Needs python3 with numpy, h5py and matplotlib.
 """
 import argparse
 import os
@@ -51,6 +51,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--only", default="slope,choices,crutches")
     parser.add_argument("--runs", type=pathlib.Path)
+    parser.add_argument("--finished", action="store_true", help="leave out what --runs does not have")
     parser.add_argument("--threads", type=int, default=1)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
@@ -62,7 +63,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         runs = (options.runs or pathlib.Path(scratch)).resolve()
         runs.mkdir(parents=True, exist_ok=True)
-        runner = Runner(os.path.abspath(options.program), runs, options.threads, options.runs is not None)
+        runner = Runner(os.path.abspath(options.program), runs, options.threads, options.runs is not None, options.finished)
         if "sizes" in parts:
             compare_sizes(runner, options.folder)
             return 0
@@ -70,6 +71,8 @@ def main():
         if None in slopes.values():
             return 1
         choices = {v.name: run(runner, v) for v in CHOICES} if "choices" in parts else {}
+        if options.finished:
+            choices = {name: {c: r for c, r in found.items() if r} for name, found in choices.items() if any(found.values())}
         crutches = {"5 MPa, β = 80 (the source)": {name: slopes[name] for name in PAIR}}
         crutches |= {v.name: run(runner, v) for v in CRUTCHES} if "crutches" in parts else {}
         longer = choices.get("rain for 1,200 s", {})
