@@ -362,6 +362,8 @@ JsonTree drop_absent(const JsonTree& echo, const Case& data) {
   nlohmann::json& supports = left["support"];
   for (auto entry = supports.begin(); entry != supports.end();)
     entry = data.supports.contains(entry.key()) ? std::next(entry) : supports.erase(entry);
+  for (const auto& [region, soil] : data.regions)
+    if (left["regions"].contains(region)) left["regions"][region]["value"] = soil;
   left["construction"] = nlohmann::json::array();
   return JsonTree(std::move(left));
 }

@@ -9,6 +9,7 @@
 #include "base/methods.hpp"
 #include "results/about.hpp"
 #include "results/comparison.hpp"
+#include "results/timeline.hpp"
 
 namespace talus::results {
 
@@ -36,6 +37,18 @@ void describe(auto& v, As<ConstructionStep> auto& r) {
   v.key("excess", r.excess, {"Pa", "largest pore pressure above that at the start of the stages"});
 }
 
+/// A measured quantity of a monitor, in SI, and how far the computed one is from it.
+struct MeasuredCurve {
+  std::vector<double> time;   ///< [s]
+  std::vector<double> value;  ///< in SI
+  std::optional<double> rms;  ///< root mean square difference at its times within the stages; nullopt: none is there
+};
+void describe(auto& v, As<MeasuredCurve> auto& r) {
+  v.key("time", r.time, {"s", "times of the measurements"});
+  v.key("value", r.value, {"", "measured values, in SI"});
+  v.key("rms", r.rms, {"", "root mean square difference of the computed curve at these times, in SI"});
+}
+
 /// A monitored place, at the times of the steps.
 struct ConstructionMonitor {
   std::string name;
@@ -43,6 +56,9 @@ struct ConstructionMonitor {
   std::vector<double> displacement_x, displacement_y;  ///< [m]
   std::vector<double> pressure;                        ///< pore pressure, compression positive [Pa]
   std::vector<double> mean, deviator;                  ///< effective mean stress, compression positive, and q [Pa]
+  std::optional<MeasuredCurve> measured_settlement;    ///< downwards [m]
+  std::optional<MeasuredCurve> measured_lateral;       ///< along x [m]
+  std::optional<MeasuredCurve> measured_pressure;      ///< pore pressure, compression positive [Pa]
 };
 void describe(auto& v, As<ConstructionMonitor> auto& r) {
   v.key("name", r.name, {"", "name of the monitor"});
@@ -52,6 +68,60 @@ void describe(auto& v, As<ConstructionMonitor> auto& r) {
   v.key("pressure", r.pressure, {"Pa", "pore pressure, compression positive", can_be_nan});
   v.key("mean", r.mean, {"Pa", "effective mean stress p', compression positive", can_be_nan});
   v.key("deviator", r.deviator, {"Pa", "deviatoric stress q", can_be_nan});
+  v.maybe("measured_settlement", r.measured_settlement, {"m", "measured settlement"});
+  v.maybe("measured_lateral", r.measured_lateral, {"m", "measured displacement along x"});
+  v.maybe("measured_pressure", r.measured_pressure, {"Pa", "measured pore pressure"});
+}
+
+/// Values along a section line at the end of a stage; NaN where no soil is.
+struct ConstructionProfile {
+  std::string stage;
+  std::vector<double> displacement_x, displacement_y;  ///< [m]
+  std::vector<double> pressure, excess;                ///< compression positive [Pa]
+};
+void describe(auto& v, As<ConstructionProfile> auto& r) {
+  v.key("stage", r.stage, {"", "name of the stage"});
+  v.key("displacement_x", r.displacement_x, {"m", "displacement along x", can_be_nan});
+  v.key("displacement_y", r.displacement_y, {"m", "displacement along y", can_be_nan});
+  v.key("pressure", r.pressure, {"Pa", "pore pressure, compression positive", can_be_nan});
+  v.key("excess", r.excess, {"Pa", "pore pressure above that at the start of the stages", can_be_nan});
+}
+
+/// A line of [[output.section]].
+struct ConstructionLine {
+  std::string name;
+  std::vector<double> from, to;  ///< [m]
+  std::vector<double> distance;  ///< of its places from `from` [m]
+  std::vector<ConstructionProfile> profiles;
+};
+void describe(auto& v, As<ConstructionLine> auto& r) {
+  v.key("name", r.name, {"", "name of the section line"});
+  v.key("from", r.from, {"m", "where it begins"});
+  v.key("to", r.to, {"m", "where it ends"});
+  v.key("distance", r.distance, {"m", "distances of its places from there"});
+  v.key("profiles", r.profiles, {"", "values at the ends of the stages"});
+}
+
+/// Forces of a support at the end of a stage, per metre of slope; tension is positive.
+struct ConstructionSupport {
+  std::string support;                       ///< name in the case
+  std::vector<double> place;                 ///< distance from the head [m]
+  std::vector<double> force, moment, shear;  ///< there [N/m], [N m/m], [N/m]; the latter two empty without bending
+  double largest_force = 0;                  ///< [N/m]; of the largest absolute value, with its sign
+  double largest_moment = 0;                 ///< [N m/m]; largest absolute value
+  double largest_shear = 0;                  ///< [N/m]; largest absolute value
+  double head_force = 0;                     ///< of plate, facing or connection [N/m]
+};
+void describe(auto& v, As<ConstructionSupport> auto& r) {
+  v.key("support", r.support, {"", "name of the support"});
+  v.key("place", r.place, {"m", "distances from the head"});
+  v.key("force", r.force, {"N/m", "axial force there, per metre of slope"});
+  v.key("moment", r.moment, {"N.m/m", "bending moment there; empty for bars without bending stiffness"});
+  v.key("shear", r.shear, {"N/m", "shear force there, likewise"});
+  v.key("largest_force", r.largest_force, {"N/m", "axial force of the largest absolute value"});
+  v.key("largest_moment", r.largest_moment, {"N.m/m", "largest absolute bending moment"});
+  v.key("largest_shear", r.largest_shear, {"N/m", "largest absolute shear force"});
+  v.key("head_force", r.head_force, {"N/m", "force of plate, facing or connection"});
 }
 
 /// The factor of safety by one method at the end of a stage.
@@ -81,8 +151,10 @@ struct ConstructionStage {
   int rejected = 0;            ///< steps
   std::vector<ConstructionStep> steps;
   std::vector<StageFactor> factors;
-  std::optional<double> least;  ///< least of its factors
-  std::string folder;           ///< of the methods at its end, within that of the run; empty: none
+  std::optional<double> least;                ///< least of its factors
+  std::vector<ConstructionSupport> supports;  ///< forces at its end
+  std::optional<Release> release;             ///< MPM from its end; nullopt: none
+  std::string folder;                         ///< of the methods at its end, within that of the run; empty: none
   std::optional<std::string> error;
 };
 void describe(auto& v, As<ConstructionStage> auto& r) {
@@ -98,6 +170,8 @@ void describe(auto& v, As<ConstructionStage> auto& r) {
   v.key("steps", r.steps, {"", "time steps"});
   v.key("factors", r.factors, {"", "factors of safety at its end"});
   v.key("least", r.least, {"", "least factor of safety at its end"});
+  v.key("supports", r.supports, {"", "forces of the supports at its end"});
+  v.maybe("release", r.release, {"", "motion by MPM from its end"});
   v.key("folder", r.folder, {"", "folder of the methods at its end"});
   v.key("error", r.error, {"", "why it did not end"});
 }
@@ -137,6 +211,7 @@ void describe(auto& v, As<ConstructionFile> auto& r) {
 struct Construction {
   std::vector<ConstructionStage> stages;
   std::vector<ConstructionMonitor> monitors;
+  std::vector<ConstructionLine> lines;
   std::optional<double> least;  ///< least factor of safety at the end of a stage
   std::optional<std::string> least_stage;
   int elements = 0, unknowns = 0;
@@ -145,6 +220,7 @@ struct Construction {
 void describe(auto& v, As<Construction> auto& r) {
   v.key("stages", r.stages, {"", "stages in order of time"});
   v.key("monitors", r.monitors, {"", "monitored places at the times of the steps"});
+  v.key("lines", r.lines, {"", "values along section lines at the ends of the stages"});
   v.key("least", r.least, {"", "least factor of safety at the end of a stage"});
   v.key("least_stage", r.least_stage, {"", "stage at whose end it is least"});
   v.key("elements", r.elements, {"", "six-node triangles of the section, with all its regions"});

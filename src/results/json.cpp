@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/user_file.hpp"
+#include "results/construction_restart.hpp"
 #include "results/json_visitors.hpp"
 #include "results/laboratory.hpp"
 #include "results/run.hpp"
@@ -70,6 +71,7 @@ TALUS_JSON(RunResult)
 TALUS_JSON(SliceFile)
 TALUS_JSON(TimelineFile)
 TALUS_JSON(ConstructionFile)
+TALUS_JSON(ConstructionRestart)
 TALUS_JSON(ElementFile)
 TALUS_JSON(BoundsFile)
 TALUS_JSON(FlowFile)

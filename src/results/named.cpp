@@ -123,6 +123,29 @@ class Values {
     add_factor("bounds.upper", "upper bound of the factor of safety", bounds.upper);
   }
 
+  template <class Name>
+  void add_release(const ConstructionStage& stage, const Name& name, const std::string& at) {
+    if (!stage.release || stage.release->error) return;
+    add(ResultKind::motion, name("moved_volume"), "moved volume, released" + at, "m3", "moved_volume",
+        stage.release->moved_volume);
+    add(ResultKind::motion, name("toe_distance"), "runout beyond the toe, released" + at, "m", "toe_distance",
+        stage.release->toe_distance);
+  }
+
+  /// Root mean square differences from measurements.
+  void add_misfits(const ConstructionMonitor& monitor) {
+    const auto add_one = [&](const char* quantity, const char* title, const char* unit, ResultKind kind,
+                             const std::optional<MeasuredCurve>& curve) {
+      if (curve)
+        add(kind, fmt::format("construction.monitor[{}].{}_misfit", monitor.name, quantity),
+            fmt::format("root mean square difference from the measured {} of monitor '{}'", title, monitor.name), unit,
+            "misfit", curve->rms);
+    };
+    add_one("settlement", "settlement", "m", ResultKind::motion, monitor.measured_settlement);
+    add_one("lateral", "horizontal displacement", "m", ResultKind::motion, monitor.measured_lateral);
+    add_one("pressure", "pore pressure", "Pa", ResultKind::water, monitor.measured_pressure);
+  }
+
   void add_construction(const Construction& construction) {
     add_factor("construction.least", "least factor of safety at the ends of the stages", construction.least);
     for (const ConstructionStage& stage : construction.stages) {
@@ -137,7 +160,9 @@ class Values {
       add(ResultKind::motion, name("heave"), "largest heave" + at, "m", "heave", last.heave);
       add(ResultKind::motion, name("lateral"), "largest horizontal displacement" + at, "m", "lateral", last.lateral);
       add(ResultKind::water, name("excess"), "largest excess pore pressure" + at, "Pa", "excess", last.excess);
+      add_release(stage, name, at);
     }
+    for (const ConstructionMonitor& monitor : construction.monitors) add_misfits(monitor);
   }
 
   void add_timeline(const Timeline& timeline) {

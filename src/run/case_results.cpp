@@ -100,6 +100,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   if (run.status != results::Status::finished) return;
   if (m.points) m.points->forget();
   if (m.timeline) m.timeline->forget();
+  if (m.construction) m.construction->forget();
 }
 
 template void write_case_results<2>(const CaseContext&, CaseMethods<2>&, Releases<2>&, const RunStart&, bool,

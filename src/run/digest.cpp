@@ -282,6 +282,22 @@ std::string write_construction(const results::Construction& c, const Units& in) 
       text += factor.factor ? fmt::format("{:.3f} ({}) ", *factor.factor, factor.title)
                             : fmt::format("none ({}) ", factor.title);
     text += stage.error ? "fails\n" : "\n";
+    if (stage.release)
+      text += stage.release->error ? fmt::format("    MPM: {}\n", *stage.release->error)
+                                   : fmt::format("    MPM from its end: {} moves by at most {}\n",
+                                                 in.write_volume(stage.release->moved_volume, std::nullopt),
+                                                 in.write_displacement(stage.release->largest_displacement));
+  }
+  for (const results::ConstructionMonitor& m : c.monitors) {
+    if (m.measured_settlement && m.measured_settlement->rms)
+      text += fmt::format("  Settlement of '{}' differs from the measured one by {} (root mean square)\n", m.name,
+                          in.write_displacement(*m.measured_settlement->rms));
+    if (m.measured_lateral && m.measured_lateral->rms)
+      text += fmt::format("  Horizontal displacement of '{}' differs from the measured one by {}\n", m.name,
+                          in.write_displacement(*m.measured_lateral->rms));
+    if (m.measured_pressure && m.measured_pressure->rms)
+      text += fmt::format("  Pore pressure of '{}' differs from the measured one by {}\n", m.name,
+                          in.write_stress(*m.measured_pressure->rms));
   }
   if (c.least)
     text += fmt::format("The factor of safety is least at the end of stage '{}', {:.3f}.\n", *c.least_stage, *c.least);

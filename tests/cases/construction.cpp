@@ -2,10 +2,13 @@
 // Stages of construction in a run: excess pressures that rise and fall, factors at the ends of stages with the pore
 // pressures and stresses of the stage, excavation without water, and a lift that is too high.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 
+#include "base/progress.hpp"
 #include "cases/methods_slope.hpp"
 
 namespace talus {
@@ -188,6 +191,173 @@ TEST_F(ConstructionRuns, SoilThatNothingBearsIsRefused) {
     EXPECT_NE(std::string(error.what()).find("nothing bears region 'lift' in stage 'rest'"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(ConstructionRuns, ASoilOfTheSameNumbersChangesNothing) {
+  const std::string text = lift;
+  const std::size_t from = text.find("[materials.clay]"), to = text.find("[materials.fill]");
+  std::string twin = text.substr(from, to - from);
+  for (std::size_t at = twin.find("clay"); at != std::string::npos; at = twin.find("clay", at + 4))
+    twin.replace(at, 4, "twin");
+  std::string both = text;
+  both.insert(from, twin);
+  const std::vector<input::Override> alone{{"analysis.methods", "[\"fem\"]"}, {"construction.1.factor", "false"}};
+  auto changed = alone;
+  changed.push_back({"construction.1.soils.clay", "\"twin\""});
+  auto stronger = changed;
+  stronger.push_back({"construction.1.factor", "true"});
+  stronger.push_back({"materials.twin.cohesion", "20"});
+  const auto one = run(lift, alone), other = run(both, changed), strong = run(both, stronger);
+  const auto find_last = [](const nlohmann::json& summary) {
+    return summary.at("construction").at("stages")[1].at("steps").back();
+  };
+  EXPECT_EQ(find_last(one).at("settlement"), find_last(other).at("settlement"));
+  EXPECT_EQ(find_last(one).at("excess"), find_last(other).at("excess"));
+  EXPECT_GT(strong.at("construction").at("stages")[1].at("least").get<double>(),
+            1.2 * one.at("construction").at("stages")[0].at("least").get<double>());
+}
+
+TEST_F(ConstructionRuns, MonitorsAndLinesHaveTheirNumbers) {
+  const std::vector<input::Override> alone{
+      {"analysis.methods", "[\"fem\"]"}, {"construction.0.factor", "false"}, {"construction.1.factor", "false"}};
+  const auto before = run(lift, alone);
+  const auto& monitor = before.at("construction").at("monitors")[0];
+  const double first = -monitor.at("displacement_y").back().get<double>();
+  // Measurements that are the computed value at the end, and 2 mm more: the root mean square difference is 2 mm/√2. One
+  // after the end does not count.
+  const double end = before.at("construction").at("stages")[1].at("to");
+  const std::string measured = fmt::format(
+      "\n[[output.section]]\nname = \"ground\"\nfrom = [0, 6]\nto = [30, 6]\n"
+      "[[output.section]]\nname = \"deep\"\nfrom = [2, 0]\nto = [2, 6]\n");
+  std::string text = std::string(lift) + measured;
+  const std::string at = "at = [2, 3]\n";
+  text.insert(text.find(at) + at.size(),
+              fmt::format("measured_settlement = [[\"{:.17g} s\", \"{:.17g} m\"], [\"{:.17g} s\", \"{:.17g} m\"], "
+                          "[\"{:.17g} s\", 0]]\n",
+                          end, first, end, first + 2e-3, 2 * end));
+  const auto summary = run(text, alone);
+  const auto& construction = summary.at("construction");
+  EXPECT_NEAR(construction.at("monitors")[0].at("measured_settlement").at("rms").get<double>(), 2e-3 / std::sqrt(2.0),
+              1e-9);
+  const auto& results = summary.at("results");
+  EXPECT_TRUE(std::any_of(results.begin(), results.end(), [](const auto& r) {
+    return r.at("name") == "construction.monitor[middle].settlement_misfit";
+  }));
+  // The ground under the lift settles most at its middle; the settled line meets the largest settlement of the fields.
+  const auto& lines = construction.at("lines");
+  ASSERT_EQ(lines.size(), 2u);
+  const auto& trough = lines[0].at("profiles")[1];
+  EXPECT_EQ(trough.at("stage"), "rest");
+  EXPECT_LT(trough.at("displacement_y")[0].get<double>(), 4 * trough.at("displacement_y").back().get<double>());
+  // At rest the pressure is that of the water table.
+  const auto& deep = lines[1].at("profiles")[1].at("pressure");
+  const auto& distance = lines[1].at("distance");
+  for (std::size_t i = 0; i < deep.size(); ++i)
+    EXPECT_NEAR(deep[i].get<double>(), 9810 * (6 - distance[i].get<double>()), 1200);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "construction_2.vtu"));
+  std::ifstream table(folder_ / "monitors.csv");
+  std::string header;
+  std::getline(table, header);
+  EXPECT_NE(header.find("middle.pore_pressure [Pa]"), std::string::npos) << header;
+}
+
+TEST_F(ConstructionRuns, AResumedRunGoesOnAfterTheStagesThatAreComputed) {
+  const std::vector<input::Override> alone{{"analysis.methods", "[\"fem\"]"}, {"construction.1.factor", "false"}};
+  auto whole = run(lift, alone);
+  Progress interrupting([](const ProgressReport& report) {
+    if (report.line.find("stage 'rest'") != std::string::npos) request_interrupt();
+  });
+  progress_ = &interrupting;
+  EXPECT_THROW(run(lift, alone), Error);
+  request_interrupt(false);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "construction_state.json"));
+  bool repeats = false;
+  Progress watching([&](const ProgressReport& report) {
+    repeats = repeats || report.line.find("stage 'lift'") != std::string::npos;
+  });
+  progress_ = &watching;
+  auto resumed = run(lift, alone, true);
+  progress_ = nullptr;
+  EXPECT_FALSE(repeats);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "construction_state.json"));
+  for (auto* summary : {&whole, &resumed}) {
+    summary->at("construction").erase("seconds");
+    EXPECT_EQ(summary->at("status"), "finished");
+  }
+  EXPECT_EQ(whole.at("construction"), resumed.at("construction"));
+  EXPECT_EQ(whole.at("warnings"), resumed.at("warnings"));
+}
+
+/// A block of dry clay that stands, and a cut in front of it that is too steep.
+const char* const cut = R"(
+title = "Cut"
+[geometry]
+box = [[0, 0], [30, 9]]
+[[geometry.polygon]]
+name = "ground"
+points = [[0, 0], [30, 0], [30, 2], [14, 2], [12, 8], [0, 8]]
+[[geometry.polygon]]
+name = "cut"
+points = [[14, 2], [30, 2], [30, 8], [12, 8]]
+[mesh]
+size = 1
+[materials.clay]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+cohesion = 6
+friction_angle = 15
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = "10 MPa"
+poisson_ratio = 0.3
+[regions]
+ground = "clay"
+cut = "clay"
+[initial]
+stress = "k0"
+k0 = 0.6
+[[boundary]]
+on = "bottom"
+fix = "full"
+[[boundary]]
+on = "left"
+fix = "normal"
+[[boundary]]
+on = "right"
+fix = "normal"
+[analysis]
+kind = "run"
+methods = ["fem", "mpm"]
+[fem]
+size = 1.5
+[output]
+runout_meshes = 1
+[[stage]]
+name = "motion"
+duration = 1.5
+[[construction]]
+name = "excavate"
+duration = 1
+remove = ["cut"]
+release = true
+)";
+
+TEST_F(ConstructionRuns, SoilThatFailsInAStageMovesByMpm) {
+  const auto summary = run(cut);
+  const auto& stage = summary.at("construction").at("stages")[0];
+  EXPECT_FALSE(stage.at("converged"));
+  const auto& release = stage.at("release");
+  EXPECT_FALSE(release.contains("error")) << release.dump();
+  EXPECT_EQ(release.at("folder"), "released_1");
+  EXPECT_GT(release.at("largest_displacement").get<double>(), 0.3);
+  EXPECT_GT(release.at("moved_volume").get<double>(), 5);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "released_1" / "summary.json"));
+  // Soil that stands after the stage stays where it is.
+  const auto stands = run(cut, {{"materials.clay.cohesion", "40"}});
+  const auto& calm = stands.at("construction").at("stages")[0];
+  EXPECT_TRUE(calm.at("converged"));
+  EXPECT_LT(calm.at("release").at("largest_displacement").get<double>(), 0.02);
 }
 
 }  // namespace

@@ -135,5 +135,67 @@ TEST(Construction, DrainsThatDoNotFitAreFaults) {
   expect_fault(change(text, "regions = [\"clay\"]", "regions = [@@\"peat\"]"), "there is no region 'peat'");
 }
 
+/// The section with a second clay, a strong fill and a stage that changes soils.
+std::string write_soils(const std::string& soils, const std::string& more = "") {
+  const std::string others = R"([materials.stiff]
+model = "mohr_coulomb"
+unit_weight = 17
+porosity = 0.5
+cohesion = 20
+friction_angle = 24
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = "8 MPa"
+poisson_ratio = 0.3
+[materials.stiff.water]
+retention = "saturated"
+conductivity = "1e-9 m/s"
+[regions]
+)";
+  return change(section, "[regions]\n", others) + "[[construction]]\nname = \"one\"\nduration = 1\n" + more +
+         "soils = { " + soils + " }\n";
+}
+
+TEST(Construction, SoilsChangeFromAStageOn) {
+  const Case data = read_case_text(write_soils("clay = \"stiff\"") + two_stages, "soils.toml").data;
+  EXPECT_EQ(data.regions.at("clay"), "clay");
+  EXPECT_EQ(data.construction[0].soils.at("clay"), "stiff");
+  expect_fault(write_soils("@@peat = \"stiff\""), "there is no region 'peat'");
+  expect_fault(write_soils("@@clay = \"peat\""), "there is no material 'peat'");
+  expect_fault(write_soils("@@clay = \"fill\""), "'clay' and 'fill' must both have [materials.NAME.water] or neither");
+  expect_fault(write_soils("@@lift = \"stiff\"") + "[[construction]]\nname = \"two\"\nduration = 1\nadd = [\"lift\"]\n",
+               "region 'lift' is not there in stage 'one'");
+  // Soil that a stage places may have water or not.
+  EXPECT_NO_THROW(read_case_text(write_soils("lift = \"stiff\"", "add = [\"lift\"]\n"), "soils.toml"));
+}
+
+TEST(Construction, MpmNeedsAStageThatReleasesIt) {
+  const std::string stage = "[[construction]]\nname = \"one\"\nduration = 1\n";
+  const auto find = [](const std::string& text) {
+    std::string all;
+    for (const Diagnostic& fault : find_faults(text)) all += fault.sentence + "\n";
+    return all;
+  };
+  const std::string with_mpm = change(section, "methods = [\"lem\", \"fem\"]", "methods = [\"fem\", \"mpm\"]");
+  EXPECT_NE(find(with_mpm + stage).find("give one of [[construction]] release = true"), std::string::npos);
+  expect_fault(write_stages(stage + "release = @@true\n"), "add \"mpm\" to [analysis] methods");
+}
+
+TEST(Construction, MeasurementsNeedStages) {
+  const std::string monitor = "[[output.monitor]]\nname = \"plate\"\nat = [2, 8]\nmeasured_settlement = ";
+  const Case data =
+      read_case_text(write_stages(two_stages) + monitor + "[[\"0 day\", 0], [\"10 day\", 25]]\n", "lift.toml").data;
+  ASSERT_EQ(data.output.monitors.size(), 1u);
+  EXPECT_EQ(data.output.monitors[0].settlement.time, (std::vector<double>{0, 10 * 86400.0}));
+  EXPECT_NEAR(data.output.monitors[0].settlement.value[1], 0.025, 1e-15);
+  EXPECT_TRUE(data.output.monitors[0].pressure.time.empty());
+  const std::string without = change(section,
+                                     "[[vertical_drains]]\nname = \"wicks\"\nregions = [\"clay\"]\nspacing = 1.5\n"
+                                     "diameter = 0.0656\nhead = 8\n",
+                                     "");
+  expect_fault(without + change(monitor, "measured_settlement = ", "measured_settlement = @@") + "[[0, 0]]\n",
+               "measurements are compared with the stages of [[construction]]");
+}
+
 }  // namespace
 }  // namespace talus::input

@@ -149,11 +149,10 @@ TEST(Supports, NeedResistance) {
   expect_fault(write_nails(where, length, bar + "tensile_strength = 90\nbond = 20\nconnection = @@4\n"), "kind");
 }
 
-TEST(Supports, StageIsReserved) {
-  expect_one_fault(
-      write_nails() + "stage = 2\n",
-      "'stage' in [support.nails]: stages of construction are not computed yet, so that every support acts "
-      "from the beginning");
+TEST(Supports, StagesNameTheirSupports) {
+  expect_one_fault(write_nails() + "stage = 2\n",
+                   "'stage' in [support.nails]: supports come and go by their names in 'add' and 'remove' of "
+                   "[[construction]]");
 }
 
 TEST(Supports, AnchorHasABondedPart) {

@@ -101,7 +101,8 @@ ConsolidationState<D> carry_state(const ConsolidationModel<D>& old_model, const 
                                   const ConsolidationModel<D>& model, const std::vector<double>& placed_head) {
   constexpr std::size_t points = Quadratic<D>::points;
   const SolidSystem<D> old_system(*old_model.solid), system(*model.solid);
-  ConsolidationState<D> out{SolidAssembly<D>(system, make_laws(*model.solid, 1.0), 1).make_start(), placed_head};
+  const std::vector<material::Law> old_laws = make_laws(*old_model.solid, 1.0), laws = make_laws(*model.solid, 1.0);
+  ConsolidationState<D> out{SolidAssembly<D>(system, laws, 1).make_start(), placed_head};
   std::fill(out.solid.stress.begin(), out.solid.stress.end(), std::array<double, 6>{});
   std::vector<int> old_element(old_model.solid->mesh->elements.size(), -1);
   for (std::size_t k = 0; k < old_system.mesh.elements.size(); ++k)
@@ -112,6 +113,11 @@ ConsolidationState<D> carry_state(const ConsolidationModel<D>& old_model, const 
     const int o = old_element[static_cast<std::size_t>(system.mesh.linear_element[k])];
     if (o < 0) continue;
     const auto old_k = static_cast<std::size_t>(o);
+    const auto region = static_cast<std::size_t>(
+        model.solid->mesh->element_region[static_cast<std::size_t>(system.mesh.linear_element[k])]);
+    // Soil that another law describes from now on keeps its plastic strain alone.
+    const std::size_t kept = laws[region].index() == old_laws[region].index() ? std::min(size, old_size)
+                                                                              : std::min<std::size_t>(1, old_size);
     for (std::size_t i = 0; i < Quadratic<D>::nodes; ++i)
       out.solid.displacement[static_cast<std::size_t>(system.mesh.elements[k][i])] =
           state.solid.displacement[static_cast<std::size_t>(old_system.mesh.elements[old_k][i])];
@@ -120,7 +126,7 @@ ConsolidationState<D> carry_state(const ConsolidationModel<D>& old_model, const 
       out.solid.stress[p] = state.solid.stress[old_p];
       out.solid.strain[p] = state.solid.strain[old_p];
       out.solid.yields[p] = state.solid.yields[old_p];
-      std::copy_n(&state.solid.state[old_p * old_size], std::min(size, old_size), &out.solid.state[p * size]);
+      std::copy_n(&state.solid.state[old_p * old_size], kept, &out.solid.state[p * size]);
     }
   }
   carry_bars(old_system, state.solid, system, out.solid);

@@ -286,7 +286,17 @@ results::Construction outline_construction(const Case& data) {
     stage.converged = true;
     stage.steps.emplace_back();
     if (asked.factor)
-      for (const Method method : data.methods) stage.factors.push_back({method, "", 1, {}, {}, {}});
+      for (const Method method : data.methods)
+        if (method != Method::mpm) stage.factors.push_back({method, "", 1, {}, {}, {}});
+    if (asked.release) stage.release.emplace();
+  }
+  for (const Monitor& asked : data.output.monitors) {
+    results::ConstructionMonitor& monitor = construction.monitors.emplace_back();
+    monitor.name = asked.name;
+    for (const auto& [table, curve] :
+         {std::pair{&asked.settlement, &monitor.measured_settlement},
+          std::pair{&asked.lateral, &monitor.measured_lateral}, std::pair{&asked.pressure, &monitor.measured_pressure}})
+      if (!table->time.empty()) *curve = results::MeasuredCurve{{}, {}, 1};
   }
   return construction;
 }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <ranges>
 #include <set>
 
 #include "input/case/checks.hpp"
@@ -63,10 +65,18 @@ void check_requirements(const Case& data, Findings& findings) {
   const std::string path = "construction.0";
   if (!uses(data, Method::fem))
     findings.add(path, "stages of construction are computed by FEM: add \"fem\" to [analysis] methods");
-  for (const Method method : {Method::mpm, Method::seepage})
-    if (uses(data, method))
-      findings.add("analysis.methods", "\"{}\" cannot follow [[construction]]; \"lem\", \"fem\" and \"bounds\" can",
-                   get_word(method));
+  if (uses(data, Method::seepage))
+    findings.add("analysis.methods",
+                 "\"seepage\" cannot follow [[construction]]; \"lem\", \"fem\", \"bounds\" and \"mpm\" can");
+  const auto released = std::find_if(data.construction.begin(), data.construction.end(),
+                                     [](const ConstructionStage& stage) { return stage.release; });
+  if (uses(data, Method::mpm) && released == data.construction.end())
+    findings.add("analysis.methods", "\"mpm\" starts from a stage: give one of [[construction]] release = true");
+  if (!uses(data, Method::mpm) && released != data.construction.end())
+    findings.add(fmt::format("construction.{}.release", released - data.construction.begin()),
+                 "MPM starts from this stage: add \"mpm\" to [analysis] methods");
+  if (uses(data, Method::mpm) && data.analysis != AnalysisKind::run)
+    findings.add("analysis.kind", "MPM computes the motion from a stage of construction: kind = \"run\"");
   if (data.mesh.dimension != 2 || !data.mesh.file.empty())
     findings.add(path, "stages need a plane section of polygons or layers");
   if (data.timeline)
@@ -114,6 +124,34 @@ void check_changes(const Case& data, Findings& findings) {
   }
 }
 
+/// Checks that soils change in regions that are there, and that no water appears in soil that stays.
+void check_stage_soils(const Case& data, Findings& findings) {
+  std::map<std::string, std::string> soils = data.regions;
+  for (std::size_t k = 0; k < data.construction.size(); ++k) {
+    const ConstructionStage& stage = data.construction[k];
+    for (const auto& [region, name] : stage.soils) {
+      const std::string path = fmt::format("construction.{}.soils.{}", k, region);
+      const auto soil = data.materials.find(name), before = data.materials.find(soils[region]);
+      if (!data.regions.contains(region)) {
+        findings.add(path, "there is no region '{}'; there are '{}'", region,
+                     fmt::join(std::views::keys(data.regions), "', '"));
+      } else if (soil == data.materials.end()) {
+        findings.add(path, "there is no material '{}'; there are '{}'", name,
+                     fmt::join(std::views::keys(data.materials), "', '"));
+      } else if (!is_there(data, region, k)) {
+        findings.add(path, "region '{}' is not there in stage '{}'", region, stage.name);
+      } else if (const bool stays = k == 0 ? is_there_at_start(data, region) : is_there(data, region, k - 1);
+                 stays && before != data.materials.end() &&
+                 before->second.water.is_wet() != soil->second.water.is_wet()) {
+        findings.add(path,
+                     "'{}' and '{}' must both have [materials.NAME.water] or neither: region '{}' keeps its stress",
+                     before->first, name, region);
+      }
+      soils[region] = name;
+    }
+  }
+}
+
 /// Checks that no region that comes or goes lies inside another one: LEM would put the outer soil in its place.
 void check_nesting(const Case& data, Findings& findings) {
   const double tolerance = mesh::get_section_tolerance(data.mesh);
@@ -158,10 +196,20 @@ void check_drains(const Case& data, Findings& findings) {
 
 void check_construction(const Case& data, Findings& findings) {
   check_drains(data, findings);
-  if (data.construction.empty()) return;
+  if (data.construction.empty()) {
+    for (std::size_t i = 0; i < data.output.monitors.size(); ++i)
+      for (const auto& [key, table] : {std::pair{"settlement", &data.output.monitors[i].settlement},
+                                       std::pair{"lateral", &data.output.monitors[i].lateral},
+                                       std::pair{"pressure", &data.output.monitors[i].pressure}})
+        if (!table->time.empty())
+          findings.add(fmt::format("output.monitor.{}.measured_{}", i, key),
+                       "measurements are compared with the stages of [[construction]], which the case does not have");
+    return;
+  }
   check_requirements(data, findings);
   check_names(data.construction, "construction", "stages", findings);
   check_changes(data, findings);
+  check_stage_soils(data, findings);
   if (findings.is_sound("geometry")) check_nesting(data, findings);
 }
 

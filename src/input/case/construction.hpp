@@ -3,6 +3,7 @@
 // [[construction]], [consolidation] and [[vertical_drains]]: stages of construction by FEM with consolidation.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,12 +27,14 @@ inline constexpr auto choices<StageDrainage> = std::array{
 
 struct ConstructionStage {
   std::string name;
-  double duration = 0;              ///< [s]; 0: the change acts at once, without flow
-  std::vector<std::string> add;     ///< regions, surcharges, supports and vertical drains
-  std::vector<std::string> remove;  ///< the same
+  double duration = 0;                       ///< [s]; 0: the change acts at once, without flow
+  std::vector<std::string> add;              ///< regions, surcharges, supports and vertical drains
+  std::vector<std::string> remove;           ///< the same
+  std::map<std::string, std::string> soils;  ///< material of regions from now on
   StageDrainage drainage = StageDrainage::consolidation;
   bool factor = true;               ///< the other methods run on its end
   bool reset_displacement = false;  ///< displacements are counted from its start
+  bool release = false;             ///< MPM starts from its end
 };
 
 /// Settings of the time steps.
@@ -77,11 +80,17 @@ void describe(auto& v, ConstructionStage& s) {
         "Regions, surcharges, supports and vertical drains that are there from now on. What no stage adds is there at "
         "the start. Placed soil is free of stress.");
   v.key("remove", s.remove, plain().example(R"(["cut_1"])"), "Regions, surcharges and supports that are taken away.");
+  v.entries(
+      "soils", s.soils, "soil", 0, plain().example(R"("clay_undrained")"),
+      "Material of a region from this stage on: another strength or drainage of the same soil, whose stress stays, "
+      "or the soil that fills a region which the stage adds.");
   v.key("drainage", s.drainage, plain(), "What the pore water does.");
   v.key("factor", s.factor, plain(),
         "The methods of [analysis] find the factor of safety at its end, with the pore pressures and stresses of the "
         "stage.");
   v.key("reset_displacement", s.reset_displacement, plain(), "Count displacements from the start of this stage.");
+  v.key("release", s.release, plain(),
+        "MPM starts from its end, with its pore pressures and stresses, or from the place where it fails: the runout.");
 }
 
 void describe(auto& v, Consolidation& c) {

@@ -45,6 +45,8 @@ void check_materials(const Case& data, Findings& findings) {
                    talus::suggest(material, {materials.begin(), materials.end()}));
   }
   for (const PointTest& test : data.tests) used.insert(test.material);
+  for (const ConstructionStage& stage : data.construction)
+    for (const auto& [region, material] : stage.soils) used.insert(material);
   // Regions of an external mesh are known only after it is read: check_against_mesh().
   if (data.mesh.file.empty() && findings.is_sound("geometry.polygon") && !data.mesh.polygons.empty()) {
     std::set<std::string> regions;

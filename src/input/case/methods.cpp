@@ -381,6 +381,14 @@ void check_walls(const Case& data, Findings& findings) {
   }
 }
 
+/// Returns the path of the key by which MPM starts from a state of another method; empty if it does not.
+std::string find_release_path(const Case& data) {
+  if (data.timeline && data.timeline->release) return "timeline.release";
+  for (std::size_t k = 0; k < data.construction.size(); ++k)
+    if (data.construction[k].release) return fmt::format("construction.{}.release", k);
+  return "";
+}
+
 }  // namespace
 
 void check_support_methods(const Case& data, Findings& findings) {
@@ -403,9 +411,9 @@ void check_support_methods(const Case& data, Findings& findings) {
                      "give the wall as a region of strong soil",
                      name);
     }
-  const bool is_released = data.timeline && data.timeline->release;
-  if ((is_released || data.initial.stress == InitialStress::elements) && uses(data, Method::mpm))
-    findings.add(is_released ? "timeline.release" : "initial.stress",
+  const std::string release = find_release_path(data);
+  if ((!release.empty() || data.initial.stress == InitialStress::elements) && uses(data, Method::mpm))
+    findings.add(release.empty() ? "initial.stress" : release,
                  "not with [support.{}]: in the stresses of FEM its bars carry a part, and in MPM they would begin "
                  "without force; start from K0 stresses or with a stage that brings the weight",
                  data.supports.begin()->first);

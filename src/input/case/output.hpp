@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
@@ -30,6 +31,10 @@ void describe(auto& v, Project& p) {
 struct Monitor {
   std::string name;
   std::array<double, 3> at{};  ///< initial position; the nearest material point is followed [m]
+  // Measured in the stages of construction; empty: not measured.
+  TimeTable settlement{};  ///< downwards [m]
+  TimeTable lateral{};     ///< along x [m]
+  TimeTable pressure{};    ///< pore pressure, compression positive [Pa]
 };
 
 /// A section line along which fields of the stored frames are extracted.
@@ -59,6 +64,14 @@ void describe(auto& v, Monitor& m) {
   v.key("name", m.name, plain().required().example(R"("crest")"), "Name of the monitor in the histories.");
   v.key("at", m.at, quantity("m").required().example("[12, 15]"),
         "The nearest material point at the start is followed.");
+  Series settlement{m.settlement}, lateral{m.lateral}, pressure{m.pressure};
+  v.key("measured_settlement", settlement, quantity("mm").example(R"([["0 day", 0], ["30 day", 42], ["90 day", 61]])"),
+        "Measured settlement, rows of time and value or a column of a file: drawn over the computed one of the stages "
+        "of construction, with the difference of both.");
+  v.key("measured_lateral", lateral, quantity("mm").example(R"({ file = "inclinometer.csv", column = "top" })"),
+        "Measured displacement along x, likewise.");
+  v.key("measured_pressure", pressure, quantity("kPa").example(R"({ file = "piezometers.csv", column = "P1" })"),
+        "Measured pore pressure, likewise.");
 }
 
 void describe(auto& v, SectionLine& s) {

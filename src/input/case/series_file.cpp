@@ -121,26 +121,33 @@ namespace {
 struct Wanted {
   std::string path;  ///< "hydraulic.0.rate"
   TimeTable& table;
-  SeriesShape& shape;
+  SeriesShape* shape;  ///< null: measurements, which have none
   const char* unit;    ///< SI: "m", "Pa", "m/s"
   bool positive_only;  ///< negative values are invalid
 };
 
 std::vector<Wanted> list_series(Case& data) {
   std::vector<Wanted> all;
-  const auto add = [&](const std::string& path, TimeTable& table, SeriesShape& shape, const char* unit, bool positive) {
+  const auto add = [&](const std::string& path, TimeTable& table, SeriesShape* shape, const char* unit, bool positive) {
     if (table.source) all.push_back({path, table, shape, unit, positive});
   };
   for (std::size_t i = 0; i < data.hydraulics.size(); ++i) {
     Hydraulic& h = data.hydraulics[i];
     const std::string path = fmt::format("hydraulic.{}", i);
-    add(path + ".head", h.head, h.series, "m", false);
-    add(path + ".pressure", h.pressure, h.series, "Pa", false);
-    add(path + ".rate", h.rate, h.series, "m/s", false);
+    add(path + ".head", h.head, &h.series, "m", false);
+    add(path + ".pressure", h.pressure, &h.series, "Pa", false);
+    add(path + ".rate", h.rate, &h.series, "m/s", false);
   }
   for (std::size_t i = 0; i < data.roots.size(); ++i)
     if (auto& t = data.roots[i].transpiration)
-      add(fmt::format("roots.{}.transpiration.rate", i), t->rate, t->series, "m/s", true);
+      add(fmt::format("roots.{}.transpiration.rate", i), t->rate, &t->series, "m/s", true);
+  for (std::size_t i = 0; i < data.output.monitors.size(); ++i) {
+    Monitor& m = data.output.monitors[i];
+    const std::string path = fmt::format("output.monitor.{}.measured_", i);
+    add(path + "settlement", m.settlement, nullptr, "m", false);
+    add(path + "lateral", m.lateral, nullptr, "m", false);
+    add(path + "pressure", m.pressure, nullptr, "Pa", false);
+  }
   return all;
 }
 
@@ -229,7 +236,7 @@ void load(const Wanted& wanted, const std::filesystem::path& folder, const std::
       if (values[i] < 0) fail_input("{}: '{}' is below zero", table.place(column.rows[i]), source.column);
   if (is_amount) {
     spread_amounts(table, times, values);
-    wanted.shape = SeriesShape::steps;
+    *wanted.shape = SeriesShape::steps;
   }
   wanted.table = {std::move(times), std::move(values)};
 }
@@ -293,7 +300,7 @@ void load_series(Case& data, const std::string& file, Findings& findings) {
     const std::string table = wanted.table.source->file;
     try {
       load(wanted, folder, data.initial.date, findings);
-      if (findings.is_sound("timeline")) check_span(data, wanted, table, findings);
+      if (wanted.shape && findings.is_sound("timeline")) check_span(data, wanted, table, findings);
     } catch (const Error& error) {
       findings.add(wanted.path, error.what());
       wanted.table = {{0}, {0}};

@@ -187,15 +187,13 @@ void Reader::report_missing(const Scope& scope) {
 
 namespace {
 
-/// Returns why a key that is reserved for a later version is refused; nullptr for any other key.
+/// Returns why a key that users expect here is refused; nullptr for any other key.
 const char* find_reserved(const std::string& path, const std::string& name) {
   struct Reserved {
     const char *block, *key, *why;
   };
   constexpr Reserved list[] = {
-      {"support.", "stage",
-       "stages of construction are not computed yet, so that every support acts from the beginning; compare cases with "
-       "and without it"}};
+      {"support.", "stage", "supports come and go by their names in 'add' and 'remove' of [[construction]]"}};
   for (const Reserved& r : list)
     if (name == r.key && path.starts_with(r.block)) return r.why;
   return nullptr;

@@ -22,12 +22,20 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Names of files in the folders of runs and of their trials.
-const char* const run_files[] = {
-    "results.vtkhdf", "results.xdmf",        "mesh.vtkhdf",      "mesh.xdmf",  "history.csv", "monitors.csv",
-    "summary.json",   "checkpoint.h5",       "stages.json",      "curve.csv",  "profile.csv", "mesh.h5",
-    "report.html",    "season.csv",          end_state_file,     "lem.json",   "fem.json",    "fem.vtu",
-    "water.json",     "bounds.json",         "timeline.json",    "trial.json", "trials.json", "outcome.json",
-    slip_line_file,   "timeline_water.json", "construction.json"};
+const char* const run_files[] = {"results.vtkhdf",    "results.xdmf",
+                                 "mesh.vtkhdf",       "mesh.xdmf",
+                                 "history.csv",       "monitors.csv",
+                                 "summary.json",      "checkpoint.h5",
+                                 "stages.json",       "curve.csv",
+                                 "profile.csv",       "mesh.h5",
+                                 "report.html",       "season.csv",
+                                 end_state_file,      "lem.json",
+                                 "fem.json",          "fem.vtu",
+                                 "water.json",        "bounds.json",
+                                 "timeline.json",     "trial.json",
+                                 "trials.json",       "outcome.json",
+                                 slip_line_file,      "timeline_water.json",
+                                 "construction.json", "construction_state.json"};
 /// Folders in the folder of a run.
 const char* const run_folders[] = {"frames",           "trials",         "frozen",      "sections",
                                    "released_earlier", "released_later", "coarser_mesh"};
@@ -37,14 +45,16 @@ bool has(const Names& names, const std::string& name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Returns true for folders of FEM in time, elements_1 and so on, and of stages of construction, stage_1 and so on.
+/// Returns true for folders of FEM in time, elements_1 and so on, of stages of construction, stage_1 and released_1,
+/// and for their fields, construction_1.vtu.
 bool is_numbered(const std::string& name) {
-  const auto continues = [&](const std::string& begin) {
-    return name.size() > begin.size() && name.starts_with(begin) &&
-           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()), name.end(),
+  const auto continues = [&](const std::string& begin, const std::string& ending = "") {
+    return name.size() > begin.size() + ending.size() && name.starts_with(begin) && name.ends_with(ending) &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()),
+                       name.end() - static_cast<std::ptrdiff_t>(ending.size()),
                        [](unsigned char c) { return std::isdigit(c) != 0; });
   };
-  return continues("elements_") || continues("stage_");
+  return continues("elements_") || continues("stage_") || continues("released_") || continues("construction_", ".vtu");
 }
 
 /// Resolves symbolic links.

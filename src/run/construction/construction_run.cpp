@@ -9,38 +9,52 @@
 #include <cmath>
 #include <limits>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/progress.hpp"
+#include "base/ranks.hpp"
 #include "base/units.hpp"
 #include "base/user_file.hpp"
-#include "mesh/locate.hpp"
+#include "input/echo.hpp"
+#include "output/files/history.hpp"
+#include "results/governing.hpp"
 #include "results/json.hpp"
+#include "run/common/method_run.hpp"
 #include "run/construction/stage_factors.hpp"
 #include "run/fem/start_stress.hpp"
+#include "run/mpm/point_run.hpp"
 
 namespace talus::run {
 namespace {
 
 constexpr std::size_t points = input::KnownStress::points;
 
-/// Returns the elements of the quadratic mesh by those of the linear one; -1: no soil.
-std::vector<int> list_elements(const fem::QuadraticMesh<2>& mesh, std::size_t count) {
-  std::vector<int> list(count, -1);
-  for (std::size_t k = 0; k < mesh.linear_element.size(); ++k)
-    list[static_cast<std::size_t>(mesh.linear_element[k])] = static_cast<int>(k);
-  return list;
-}
-
 fem::QuadraticMesh<2> make_quadratic(const StageModel& stage) {
   return fem::make_quadratic<2>(*stage.solid.mesh, fem::list_cuts(stage.solid.model));
 }
 
-/// Effective mean stress, compression positive, and q.
-std::array<double, 2> find_invariants(const std::array<double, 6>& s) {
-  const double p = -(s[0] + s[1] + s[2]) / 3;
-  double q = 0;
-  for (std::size_t i = 0; i < 3; ++i) q += (s[i] + p) * (s[i] + p) + 2 * s[i + 3] * s[i + 3];
-  return {p, std::sqrt(1.5 * q)};
+std::shared_ptr<const input::KnownWater> make_known_water(const mesh::Mesh<2>& mesh, std::vector<double> pressure) {
+  return std::make_shared<const input::KnownWater>(
+      input::KnownWater{mesh, std::move(pressure), std::vector<std::array<double, 2>>(mesh.elements.size())});
+}
+
+/// Lists the components of all entries one after the other.
+template <class Entry>
+std::vector<double> flatten(const std::vector<Entry>& entries) {
+  std::vector<double> numbers;
+  for (const Entry& entry : entries) numbers.insert(numbers.end(), entry.begin(), entry.end());
+  return numbers;
+}
+
+/// The reverse of flatten(); false if the numbers do not fill the entries.
+template <class Entry>
+bool unflatten(const std::vector<double>& numbers, std::vector<Entry>& entries) {
+  const std::size_t size = std::tuple_size_v<Entry>;
+  if (numbers.size() % size != 0) return false;
+  entries.resize(numbers.size() / size);
+  for (std::size_t i = 0; i < numbers.size(); ++i) entries[i / size][i % size] = numbers[i];
+  return true;
 }
 
 }  // namespace
@@ -54,23 +68,13 @@ void ConstructionRun::show(const std::string& what) const {
 }
 
 void ConstructionRun::prepare() {
+  if (get_ranks().size() > 1) fail_input("stages of construction run on one rank; start the program without MPI");
   show("mesh");
   mesh_ = make_whole_mesh(data_, warnings_);
   for (int k = before_stages; k < static_cast<int>(data_.construction.size()); ++k)
     make_stage_model(data_, k, mesh_, nullptr);
   summary_.elements = mesh_->element_count();
-  for (const input::Monitor& monitor : data_.output.monitors) {
-    const Vec<2> x{monitor.at[0], monitor.at[1]};
-    Place place;
-    place.element = mesh::find_element(*mesh_, x, 0);
-    if (place.element < 0)
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("monitor '{}' at ({:g}, {:g}) lies outside the section", monitor.name, x[0], x[1]));
-    const auto xi = mesh::to_local(*mesh_, place.element, x);
-    place.share = {1 - xi[0] - xi[1], xi[0], xi[1]};
-    places_.push_back(place);
-    summary_.monitors.push_back({monitor.name, {x[0], x[1]}, {}, {}, {}, {}, {}});
-  }
+  record_.emplace(data_, mesh_);
   if (options_.progress) options_.progress->clear();
 }
 
@@ -87,23 +91,80 @@ void ConstructionRun::find_start() {
                 "the section has no equilibrium at the start of its stages of construction: check strengths, pore "
                 "pressures and [[boundary]]");
   state_ = {found.at, first_head_};
+  record_->set_start(first_head_);
   std::fill(state_.solid.displacement.begin(), state_.solid.displacement.end(), Vec<2>{});
   std::fill(state_.solid.strain.begin(), state_.solid.strain.end(), std::array<double, 6>{});
   std::fill(state_.solid.yields.begin(), state_.solid.yields.end(), 0);
 }
 
+/// Takes the stages that an interrupted run has computed; false if there are none.
+bool ConstructionRun::restore() {
+  if (!options_.resume) return false;
+  auto known = results::find_file<results::ConstructionRestart>(options_.folder / restart_file);
+  if (!known || known->input_hash != hash_ || known->summary.stages.empty() ||
+      known->head.size() != mesh_->nodes.size() || known->start_pressure.size() != mesh_->nodes.size())
+    return false;
+  const int last = static_cast<int>(known->summary.stages.size()) - 1;
+  // The mesh of the stage before, which the water of its start is read on.
+  const auto before = make_stage_model(data_, last - 1, mesh_, nullptr);
+  auto stage = make_stage_model(data_, last, mesh_, make_known_water(*before->solid.mesh, known->start_pressure));
+  fem::SolidState<2> solid;
+  if (!unflatten(known->displacement, solid.displacement) || !unflatten(known->stress, solid.stress) ||
+      !unflatten(known->strain, solid.strain))
+    return false;
+  solid.state = std::move(known->state);
+  solid.bars = std::move(known->bars);
+  solid.yields.assign(known->yields.begin(), known->yields.end());
+  stage_ = std::move(stage);
+  state_ = {std::move(solid), std::move(known->head)};
+  first_head_ = known->first_head;
+  start_pressure_ = std::move(known->start_pressure);
+  summary_ = std::move(known->summary);
+  warnings_ = std::move(known->warnings);
+  for (std::vector<std::string>& entry : known->stage_warnings)
+    if (!entry.empty()) stage_warnings_[entry.front()] = {entry.begin() + 1, entry.end()};
+  record_->restore(*known);
+  return true;
+}
+
+void ConstructionRun::keep_state() const {
+  results::ConstructionRestart restart;
+  restart.input_hash = hash_;
+  restart.summary = summary_;
+  restart.start_pressure = start_pressure_;
+  restart.head = state_.head;
+  restart.displacement = flatten(state_.solid.displacement);
+  restart.stress = flatten(state_.solid.stress);
+  restart.strain = flatten(state_.solid.strain);
+  restart.state = state_.solid.state;
+  restart.bars = state_.solid.bars;
+  restart.yields.assign(state_.solid.yields.begin(), state_.solid.yields.end());
+  restart.warnings = warnings_;
+  for (const auto& [warning, stages] : stage_warnings_) {
+    std::vector<std::string>& entry = restart.stage_warnings.emplace_back(std::vector{warning});
+    entry.insert(entry.end(), stages.begin(), stages.end());
+  }
+  record_->keep(restart);
+  results::write_file(options_.folder / restart_file, restart, -1);
+}
+
+void ConstructionRun::forget() const {
+  remove_file(options_.folder / restart_file);
+}
+
 void ConstructionRun::calculate() {
   const auto start = std::chrono::steady_clock::now();
   std::chrono::duration<double> factors{0};
-  file_.input_hash = hash_;
-  file_.nodes.assign(mesh_->nodes.begin(), mesh_->nodes.end());
-  file_.elements.assign(mesh_->elements.begin(), mesh_->elements.end());
-  find_start();
-  for (int k = 0; k < static_cast<int>(data_.construction.size()); ++k) {
-    if (!run_stage(k)) break;
+  if (!restore()) find_start();
+  for (int k = static_cast<int>(summary_.stages.size()); k < static_cast<int>(data_.construction.size()); ++k) {
+    const bool ended = run_stage(k);
+    const input::ConstructionStage& asked = data_.construction[static_cast<std::size_t>(k)];
     const auto before = std::chrono::steady_clock::now();
-    if (data_.construction[static_cast<std::size_t>(k)].factor) add_factors(k, summary_.stages.back());
+    if (ended && asked.factor) add_factors(k, summary_.stages.back());
+    if (asked.release) release(k, summary_.stages.back());
     factors += std::chrono::steady_clock::now() - before;
+    if (!ended) break;
+    keep_state();
   }
   find_least();
   summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start - factors).count();
@@ -133,10 +194,9 @@ bool ConstructionRun::run_stage(int number) {
   result.added = asked.add;
   result.removed = asked.remove;
   show(fmt::format("stage '{}'", asked.name));
-  const auto water = std::make_shared<const input::KnownWater>(
-      input::KnownWater{*stage_->solid.mesh, find_pressures(*stage_, state_.head),
-                        std::vector<std::array<double, 2>>(mesh_->elements.size())});
-  std::unique_ptr<StageModel> next = make_stage_model(data_, number, mesh_, water);
+  start_pressure_ = find_pressures(*stage_, state_.head);
+  std::unique_ptr<StageModel> next =
+      make_stage_model(data_, number, mesh_, make_known_water(*stage_->solid.mesh, start_pressure_));
   if (next->is_wet && asked.drainage == input::StageDrainage::undrained)
     next->model.drainage = fem::StageDrainage::undrained;
   if (next->is_wet && asked.drainage == input::StageDrainage::drained) {
@@ -158,7 +218,8 @@ bool ConstructionRun::run_stage(int number) {
   summary_.unknowns = std::max(summary_.unknowns, found.unknowns);
   stage_ = std::move(next);
   state_ = found.outputs.back().at;
-  add_fields(*stage_, asked.name);
+  record_->add_stage(asked.name, *stage_, state_);
+  add_supports(result);
   if (!found.converged) {
     result.error = fmt::format(
         "no equilibrium beyond {:.3g} % of the change of stage '{}', at {}: the soil fails there, or the time steps "
@@ -185,58 +246,30 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
     out.lateral = std::max(out.lateral, std::abs(u[0]));
   }
   if (stage.is_wet) out.excess = fem::find_largest_excess<2>(stage.model, head, first_head_);
-  add_monitors(stage, solid, head);
+  record_->add_step(step.time, stage, solid, head);
 }
 
-void ConstructionRun::add_monitors(const StageModel& stage, const fem::SolidState<2>& solid,
-                                   const std::vector<double>& head) {
-  if (places_.empty()) return;
-  const fem::QuadraticMesh<2> mesh = make_quadratic(stage);
-  const std::vector<int> elements = list_elements(mesh, mesh_->elements.size());
-  const std::vector<double> pressure = find_pressures(stage, head);
-  for (std::size_t m = 0; m < places_.size(); ++m) {
-    results::ConstructionMonitor& monitor = summary_.monitors[m];
-    const int k = elements[static_cast<std::size_t>(places_[m].element)];
-    std::array<double, 5> values;
-    values.fill(std::nan(""));
-    if (k >= 0) {
-      const auto& l = places_[m].share;
-      const auto& nodes = mesh.elements[static_cast<std::size_t>(k)];
-      values = {};
-      // Quadratic: corners l (2 l − 1), middles of the edges 0-1, 1-2, 2-0.
-      const std::array<double, 6> shape{l[0] * (2 * l[0] - 1), l[1] * (2 * l[1] - 1), l[2] * (2 * l[2] - 1),
-                                        4 * l[0] * l[1],       4 * l[1] * l[2],       4 * l[2] * l[0]};
-      for (std::size_t i = 0; i < shape.size(); ++i)
-        for (std::size_t d = 0; d < 2; ++d)
-          values[d] += shape[i] * solid.displacement[static_cast<std::size_t>(nodes[i])][d];
-      const auto& corners = mesh_->elements[static_cast<std::size_t>(places_[m].element)];
-      for (std::size_t i = 0; i < 3; ++i) values[2] -= l[i] * pressure[static_cast<std::size_t>(corners[i])];
-      const auto nearest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
-      const auto [p, q] = find_invariants(solid.stress[static_cast<std::size_t>(k) * points + nearest]);
-      values[3] = p, values[4] = q;
-    }
-    const std::array<std::vector<double>*, 5> lists{&monitor.displacement_x, &monitor.displacement_y, &monitor.pressure,
-                                                    &monitor.mean, &monitor.deviator};
-    for (std::size_t i = 0; i < lists.size(); ++i) lists[i]->push_back(values[i]);
-  }
-}
-
-void ConstructionRun::add_fields(const StageModel& stage, const std::string& name) {
-  results::ConstructionFields& fields = file_.stages.emplace_back();
-  fields.stage = name;
-  const fem::QuadraticMesh<2> mesh = make_quadratic(stage);
-  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
-    fields.elements.push_back(mesh.linear_element[k]);
-    int yields = 0;
-    for (std::size_t q = 0; q < points; ++q) yields += state_.solid.yields[k * points + q] != 0;
-    fields.yields.push_back(yields / static_cast<double>(points));
-  }
-  const std::vector<double> pressure = find_pressures(stage, state_.head);
-  for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
-    fields.displacement_x.push_back(state_.solid.displacement[i][0]);
-    fields.displacement_y.push_back(state_.solid.displacement[i][1]);
-    fields.pressure.push_back(stage.is_wet ? -pressure[i] : 0);
-    fields.excess.push_back(stage.is_wet ? stage.flow.unit_weight * (state_.head[i] - first_head_[i]) : 0);
+void ConstructionRun::add_supports(results::ConstructionStage& result) const {
+  const fem::SolidModel<2>& model = stage_->solid.model;
+  if (model.bars.empty() && model.walls.empty()) return;
+  const std::vector<fem::BarForces> forces = fem::compute_bar_forces(model, state_.solid);
+  const auto find_largest = [](const std::vector<double>& values) {
+    double largest = 0;
+    for (const double v : values)
+      if (std::abs(v) > std::abs(largest)) largest = v;
+    return largest;
+  };
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    results::ConstructionSupport& out = result.supports.emplace_back();
+    out.support = i < model.bars.size() ? model.bars[i].name : model.walls[i - model.bars.size()].name;
+    out.place = forces[i].axial.place;
+    out.force = forces[i].axial.value;
+    out.moment = forces[i].moment.value;
+    out.shear = forces[i].shear.value;
+    out.largest_force = find_largest(out.force);
+    out.largest_moment = std::abs(find_largest(out.moment));
+    out.largest_shear = std::abs(find_largest(out.shear));
+    out.head_force = forces[i].plate;
   }
 }
 
@@ -245,9 +278,7 @@ input::Case ConstructionRun::make_later_case() const {
   input::Case later = stage_->data;
   if (stage_->is_wet) {
     later.initial.water.pressure = input::InitialPressure::zero;
-    later.initial.water.known = std::make_shared<const input::KnownWater>(
-        input::KnownWater{*stage_->solid.mesh, find_pressures(*stage_, state_.head),
-                          std::vector<std::array<double, 2>>(mesh_->elements.size())});
+    later.initial.water.known = make_known_water(*stage_->solid.mesh, find_pressures(*stage_, state_.head));
   }
   auto stress = std::make_shared<input::KnownStress>();
   stress->mesh = *stage_->solid.mesh;
@@ -270,7 +301,8 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
   RunOptions options = options_;
   result.folder = fmt::format("stage_{}", number + 1);
   options.folder = join_name(options_.folder, result.folder);
-  const input::Case later = make_later_case();
+  input::Case later = make_later_case();
+  std::erase(later.methods, Method::mpm);
   StageFactors found =
       find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
                          fmt::format("{}-{}", hash_, number));
@@ -281,6 +313,30 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
   }
   for (const results::StageFactor& factor : result.factors)
     if (factor.factor) result.least = std::min(result.least.value_or(*factor.factor), *factor.factor);
+}
+
+/// Runs MPM from the end of the last stage, or from its last equilibrium under the loads of its end.
+void ConstructionRun::release(int number, results::ConstructionStage& result) {
+  results::Release& out = result.release.emplace();
+  out.time = result.steps.empty() ? result.from : result.steps.back().time;
+  out.factor = result.least;
+  out.folder = fmt::format("released_{}", number + 1);
+  RunOptions options = options_;
+  options.folder = join_name(options_.folder, out.folder);
+  input::Case later = make_later_case();
+  later.methods = {Method::mpm};
+  show(fmt::format("MPM from the end of stage '{}'", result.name));
+  const auto complete = [&](results::RunResult& run) {
+    run.title = fmt::format("{}, released from stage '{}'", data_.title, result.name);
+    run.input = input::drop_absent(run.input, later);
+  };
+  out.error = attempt(options, false, [&] {
+    results::take_motion(run_points_beside<2>(
+                             loaded_, options, hash_text(fmt::format("{}-mpm-{}", hash_, number)),
+                             [&](results::RunResult&) -> const input::Case& { return later; }, complete),
+                         out);
+  });
+  if (out.error) warnings_.push_back(fmt::format("MPM from stage '{}': {}", result.name, *out.error));
 }
 
 /// Sets the least factor, unless a stage failed or has no factor: that of the others would be above it.
@@ -303,8 +359,29 @@ void ConstructionRun::find_least() {
   }
 }
 
-void ConstructionRun::keep() const {
-  results::write_file(options_.folder / construction_file, file_, -1);
+/// Writes fields, those for ParaView stage by stage, and the monitors as a table.
+void ConstructionRun::keep() {
+  results::ConstructionFile file = record_->fields();
+  file.input_hash = hash_;
+  results::write_file(options_.folder / construction_file, file, -1);
+  for (std::size_t k = 0; k < file.stages.size(); ++k)
+    write_atomically(options_.folder / fmt::format("construction_{}.vtu", k + 1), write_stage_vtu(file, k));
+  summary_.monitors = record_->make_monitors();
+  summary_.lines = record_->lines();
+  if (summary_.monitors.empty()) return;
+  std::vector<output::Column> columns{{"time", "s"}};
+  for (const results::ConstructionMonitor& m : summary_.monitors)
+    for (const auto& [name, unit] : {std::pair{"displacement_x", "m"}, std::pair{"displacement_y", "m"},
+                                     std::pair{"pore_pressure", "Pa"}, std::pair{"p", "Pa"}, std::pair{"q", "Pa"}})
+      columns.push_back({m.name + "." + name, unit});
+  output::History table = output::History::start(options_.folder / "monitors.csv", columns);
+  for (std::size_t i = 0; i < record_->times().size(); ++i) {
+    std::vector<double> row{record_->times()[i]};
+    for (const results::ConstructionMonitor& m : summary_.monitors)
+      for (const auto* list : {&m.displacement_x, &m.displacement_y, &m.pressure, &m.mean, &m.deviator})
+        row.push_back((*list)[i]);
+    table.append(row);
+  }
 }
 
 void ConstructionRun::write_result(results::RunResult& run) const {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@
 #include "results/run.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/construction/stage_model.hpp"
+#include "run/construction/stage_record.hpp"
 
 namespace talus::run {
 
-inline constexpr const char* construction_file = "construction.json";
+inline constexpr const char *construction_file = "construction.json", *restart_file = "construction_state.json";
 
 class ConstructionRun {
  public:
@@ -28,38 +30,36 @@ class ConstructionRun {
   /// sequence, and its reason is part of the result. Throws Error (interrupted).
   void calculate();
   void write_result(results::RunResult& run) const;
+  /// Removes the file that only a resumed run needs.
+  void forget() const;
 
  private:
   void find_start();
+  bool restore();
+  void keep_state() const;
   bool run_stage(int number);
   fem::ConsolidationSchedule make_schedule(int number) const;
   void add_step(const StageModel& stage, const fem::ConsolidationStep& step, const fem::SolidState<2>& solid,
                 const std::vector<double>& head, results::ConstructionStage& result);
-  void add_monitors(const StageModel& stage, const fem::SolidState<2>& solid, const std::vector<double>& head);
-  void add_fields(const StageModel& stage, const std::string& name);
+  void add_supports(results::ConstructionStage& result) const;
   void add_factors(int number, results::ConstructionStage& result);
+  void release(int number, results::ConstructionStage& result);
   void find_least();
   input::Case make_later_case() const;
-  void keep() const;
+  void keep();
   void show(const std::string& what) const;
-
-  /// A monitored place in an element.
-  struct Place {
-    int element = -1;
-    std::array<double, 3> share{};  ///< barycentric
-  };
 
   const input::LoadedCase& loaded_;
   const input::Case& data_;
   const RunOptions& options_;
   const std::string hash_;
   std::shared_ptr<const mesh::Mesh<2>> mesh_;
-  std::unique_ptr<StageModel> stage_;  ///< the last one
-  fem::ConsolidationState<2> state_;   ///< at its end
-  std::vector<double> first_head_;     ///< at the start of the stages [m]
-  std::vector<Place> places_;
+  std::unique_ptr<StageModel> stage_;   ///< the last one
+  fem::ConsolidationState<2> state_;    ///< at its end
+  std::vector<double> start_pressure_;  ///< nodal, at its start [Pa]; empty before the first stage
+  std::vector<double> first_head_;      ///< at the start of the stages [m]
+  std::optional<StageRecord> record_;   ///< from prepare() on
   results::Construction summary_;
-  results::ConstructionFile file_;
   std::vector<std::string> warnings_;
   std::map<std::string, std::vector<std::string>> stage_warnings_;  ///< of the methods, with the stages that have them
 };

@@ -141,6 +141,9 @@ input::Case make_stage_case(const input::Case& data, int number) {
   std::erase_if(stage.surcharges, is_gone);
   std::erase_if(stage.drains, is_gone);
   std::erase_if(stage.supports, [&](const auto& entry) { return !is_there(data, entry.first, number); });
+  for (int k = 0; k <= number; ++k)
+    for (const auto& [region, soil] : data.construction[static_cast<std::size_t>(k)].soils)
+      stage.regions[region] = soil;
   stage.construction.clear();
   return stage;
 }
