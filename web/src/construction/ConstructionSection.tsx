@@ -7,76 +7,13 @@ import { Chart } from "../charts/base/Chart";
 import { Legend } from "../charts/base/Legend";
 import { styleOf } from "../charts/base/styles";
 import type { Unit } from "../contract";
-import type { Construction, ConstructionMonitor } from "../contract/results";
+import type { Construction } from "../contract/results";
 import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatNumber, formatQuantity } from "../page/format";
 import { report } from "../state";
+import { LinesOfStages, MonitorsInTime, SupportsOfStages } from "./ConstructionPlaces";
 import { chooseTimeUnit, listFactors, listSteps } from "./construction";
-
-interface Curve {
-  title: string;
-  values: (number | null)[];
-}
-
-interface CurvesProps {
-  title: string;
-  unit: Unit;
-  times: number[];
-  time: Unit;
-  curves: Curve[];
-  /** Ends of the stages, in the unit of time. */
-  ends: number[];
-}
-
-/** Curves on the axis of time, with a line at the end of each stage. */
-function Curves({ title, unit, times, time, curves, ends }: CurvesProps) {
-  const t = times.map((x) => x / time.si);
-  const shown = curves.map(({ title: name, values }, k) => ({
-    name,
-    style: styleOf(k),
-    points: values.flatMap((v, i) => (v === null || Number.isNaN(v) ? [] : [{ t: t[i]!, value: v / unit.si }])),
-  }));
-  const all = shown.flatMap(({ points }) => points.map(({ value }) => value));
-  const [low, high] = [Math.min(0, ...all), Math.max(0, ...all)];
-  const pad = 0.06 * Math.max(high - low, 1e-12);
-  const draw = (width: number) =>
-    layOut({
-      height: 220,
-      margins: [22, 20, 46, 62],
-      x: { domain: [0, t.at(-1) ?? 1], label: `Time [${time.name}]`, ticks: Math.max(4, width / 90) },
-      y: makeAxis({ title, unit: unit.name, domain: [low - pad, high + pad], count: 4 }),
-      marks: [
-        Plot.ruleX(ends, { stroke: "var(--line)", strokeDasharray: "3 3" }),
-        ...shown.map(({ points, style }) =>
-          Plot.line(points, { x: "t", y: "value", stroke: style.colour, strokeWidth: 1.8 }),
-        ),
-      ],
-    });
-  return (
-    <>
-      {shown.length > 1 && <Legend items={shown.map(({ name, style }) => ({ id: name, title: name, style }))} />}
-      <Chart
-        quiet
-        label={`${title} over time`}
-        draw={draw}
-        depends={[times]}
-        stops={t}
-        read={(i) => ({
-          text: `${formatNumber(t[i])} ${time.name}: ${shown
-            .map(({ name, points }) => {
-              const at = points.find((p) => p.t === t[i]);
-              return `${name} ${at ? `${formatNumber(at.value)} ${unit.name}` : "–"}`;
-            })
-            .join(", ")}`,
-          marks: shown.flatMap(({ points, style }) => {
-            const at = points.find((p) => p.t === t[i]);
-            return at ? [{ value: at.value, at: at.t, colour: style.colour }] : [];
-          }),
-        })}
-      />
-    </>
-  );
-}
+import { Curves } from "./Curves";
 
 /** The factors of all methods at the ends of the stages. */
 function Factors({ construction, time, ends }: { construction: Construction; time: Unit; ends: number[] }) {
@@ -128,24 +65,23 @@ export function ConstructionSection() {
   const construction = report.value.result.construction;
   if (!construction) return null;
   const { units } = report.value;
-  const { stages, monitors } = construction;
+  const { stages } = construction;
   const steps = listSteps(construction);
   const time = chooseTimeUnit(stages.at(-1)?.to ?? 0);
   const ends = stages.map(({ to }) => to / time.si);
   const times = steps.map((s) => s.time);
   const isWet = steps.some(({ excess }) => excess > 0);
   const monitorTimes = times.slice(1);
-  const monitorCurves = (values: (m: ConstructionMonitor) => (number | null)[], sign = 1) =>
-    monitors.map((m) => ({ title: m.name, values: values(m).map((v) => (v === null ? null : sign * v)) }));
   return (
     <>
       <Factors construction={construction} time={time} ends={ends} />
       <Curves
         title="Largest displacement"
         unit={units.displacement}
-        times={times}
-        time={time}
-        ends={ends}
+        along="Time"
+        at={times}
+        atUnit={time}
+        marks={ends}
         curves={[
           { title: "settlement", values: steps.map((s) => s.settlement) },
           { title: "heave", values: steps.map((s) => s.heave) },
@@ -156,34 +92,16 @@ export function ConstructionSection() {
         <Curves
           title="Largest excess pressure"
           unit={units.stress}
-          times={times}
-          time={time}
-          ends={ends}
+          along="Time"
+          at={times}
+          atUnit={time}
+          marks={ends}
           curves={[{ title: "excess pressure", values: steps.map((s) => s.excess) }]}
         />
       )}
-      {monitors.length > 0 && (
-        <>
-          <Curves
-            title="Settlement of monitors"
-            unit={units.displacement}
-            times={monitorTimes}
-            time={time}
-            ends={ends}
-            curves={monitorCurves((m) => m.displacement_y, -1)}
-          />
-          {isWet && (
-            <Curves
-              title="Pore pressure of monitors"
-              unit={units.stress}
-              times={monitorTimes}
-              time={time}
-              ends={ends}
-              curves={monitorCurves((m) => m.pressure)}
-            />
-          )}
-        </>
-      )}
+      <MonitorsInTime construction={construction} time={time} times={monitorTimes} ends={ends} isWet={isWet} />
+      <LinesOfStages construction={construction} isWet={isWet} />
+      <SupportsOfStages construction={construction} />
       <ChartTable
         label="Stages of construction"
         rows={stages}
