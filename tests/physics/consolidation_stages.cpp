@@ -50,8 +50,8 @@ TEST(ConstructionStages, UndrainedColumnCompressesWithTheModulusOfWaterAndSkelet
 TEST(ConstructionStages, ExcavationHeavesTheRest) {
   // 4 of 10 m are removed from a confined elastic column: heave γ h_exc h_rest/E_oed, and the stress of the rest alone
   // remains at the base.
-  const double weight = 17e3;
-  HalfBox boxes({{6, young, conductivity, 0, weight}, {4, young, conductivity, 0, weight}}, 2, 1);
+  const double weight = 17e3, lower_weight = 18e3;
+  HalfBox boxes({{6, young, conductivity, 0, lower_weight}, {4, young, conductivity, 0, weight}}, 2, 1);
   boxes.whole.solid.point_stress.clear();
   boxes.half.solid.point_stress.clear();
   boxes.whole.model.drainage = boxes.half.model.drainage = fem::StageDrainage::drained;
@@ -69,6 +69,9 @@ TEST(ConstructionStages, ExcavationHeavesTheRest) {
   const auto& end = result.outputs.back().at;
   const double heave = end.solid.displacement[boxes.whole.find_node(0, 6)][1], expected = weight * 4 * 6 / young;
   EXPECT_NEAR(heave, expected, 1e-6 * expected);
+  const auto mesh = fem::make_quadratic<2>(boxes.lower);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    EXPECT_NEAR(end.solid.stress[p][1], -lower_weight * (6 - mesh.points[p][1]), 1e-6 * lower_weight * 6);
   EXPECT_GT(result.start_imbalance, 0.1);
 }
 

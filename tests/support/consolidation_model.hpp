@@ -31,8 +31,9 @@ struct WetBox {
   std::vector<WetLayer> layers;
   double width = 1, height = 0;  ///< [m]
 
-  WetBox(std::vector<WetLayer> given, double box_width, double size) : layers(std::move(given)), width(box_width) {
-    mesh::Plan plan;
+  /// `plan` has further lines and refinements of the mesh.
+  WetBox(std::vector<WetLayer> given, double box_width, double size, mesh::Plan plan = {})
+      : layers(std::move(given)), width(box_width) {
     for (const WetLayer& layer : layers) {
       const double low = height, high = height + layer.thickness;
       plan.polygons.push_back(
