@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rigid strips whose numbers other programs publish, on elastic soil and on clay whose strength grows with depth.
-// Definitions and numbers after the verification of katai2d, which quotes the PLAXIS 2D validation manual, version 8.
+// Strips whose numbers other programs publish, on elastic soil and on soil whose stiffness or strength grows with
+// depth. Definitions and numbers after the verification of katai2d, which quotes the PLAXIS 2D validation manual,
+// version 8.
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,40 @@ TEST(ConsolidationPeers, SmoothRigidStripOnClayThatStrengthensWithDepth) {
   EXPECT_FALSE(result.converged);
   EXPECT_GT(result.reached * load, 7.80e3);
   EXPECT_LT(result.reached * load, 1.045 * 7.80e3);
+}
+
+TEST(ConsolidationPeers, FlexibleStripOnUndrainedSoilThatStiffensWithDepth) {
+  // G = 100 kPa/m z, incompressible: q/(2 dG/dz) = 50 mm under the load and nothing beside it (Gibson 1967). The soil
+  // is a half-space there; the ground of this box heaves by the volume that the load displaces.
+  constexpr double depth = 60, rise = 100e3, load = 10e3, poisson = 0.3, settlement = load / (2 * rise);
+  mesh::Plan plan;
+  plan.lines = {{"strip", {{0, depth}, {1, depth}}}};
+  plan.refinements.push_back({{{0, depth}, {3, depth}}, 0.05, 10});
+  plan.refinements.push_back({{{0, depth}, {depth, depth}}, 0.2, 20});
+  WetBox box({{depth, 1e6, 1e-9, poisson}}, depth, 2, plan);
+  // Each element is a region with the stiffness at its middle.
+  std::vector<double> young;
+  for (std::size_t e = 0; e < box.mesh.elements.size(); ++e) {
+    double z = 0;
+    for (const int n : box.mesh.elements[e]) z += (depth - box.mesh.nodes[static_cast<std::size_t>(n)][1]) / 3;
+    young.push_back(2 * (1 + poisson) * rise * z);
+    box.mesh.element_region[e] = static_cast<int>(e);
+  }
+  box.mesh.region_names.assign(young.size(), "layer 0");
+  box.flow.soils.assign(young.size(), fem::HydraulicSoil<2>{box.flow.soils[0]});
+  box.solid.make_law = [&young](int region, double) -> material::Law {
+    return material::LinearElastic::from_young(young[static_cast<std::size_t>(region)], poisson);
+  };
+  support::add_load<2>(
+      box.solid,
+      support::find_sides<2>(box.mesh, [](const Vec<2>& x) { return x[1] > depth - 1e-9 && x[0] < 1 + 1e-9; }),
+      {0, -load});
+  const auto state = box.press_undrained(box.make_start());
+  const auto find_settlement = [&](double x) { return -state.solid.displacement[box.find_node(x, depth)][1]; };
+  const double far = find_settlement(10);
+  EXPECT_NEAR(far, -settlement / depth, 0.03 * settlement / depth);
+  for (const double x : {0.0, 0.3, 0.6, 0.8}) EXPECT_NEAR(find_settlement(x) - far, settlement, 0.015 * settlement);
+  for (const double x : {1.5, 2.0, 3.0}) EXPECT_NEAR(find_settlement(x), far, 0.01 * settlement);
 }
 
 }  // namespace
