@@ -131,6 +131,8 @@ struct StageFactor {
   std::optional<double> factor;        ///< nullopt: none, see `error`
   std::optional<double> lower, upper;  ///< interval of FEM or limit analysis
   std::optional<std::string> error;
+  std::optional<bool>
+      undrained{};  ///< true: of a failure without drainage; nullopt: at the pore pressures of that time
 };
 void describe(auto& v, As<StageFactor> auto& r) {
   v.key("method", r.method, {"", "method"});
@@ -139,6 +141,8 @@ void describe(auto& v, As<StageFactor> auto& r) {
   v.maybe("lower", r.lower, {"", "lower end of its interval"});
   v.maybe("upper", r.upper, {"", "upper end of its interval"});
   v.maybe("error", r.error, {"", "why there is none"});
+  v.maybe("undrained", r.undrained,
+          {"", "true: failure without drainage; otherwise at the pore pressures of that time"});
 }
 
 struct ConstructionStage {

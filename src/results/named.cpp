@@ -152,7 +152,9 @@ class Values {
       const auto name = [&](const char* quantity) { return fmt::format("construction[{}].{}", stage.name, quantity); };
       const std::string at = fmt::format(" at the end of stage '{}'", stage.name);
       for (const StageFactor& factor : stage.factors)
-        add_factor(name(to_word(factor.method)), fmt::format("factor of safety{}, {}", at, get_title(factor.method)),
+        add_factor(name(to_word(factor.method)) + (factor.undrained ? ".undrained" : ""),
+                   fmt::format("factor of safety{}, {}{}", at, get_title(factor.method),
+                               factor.undrained ? ", without drainage" : ""),
                    factor.factor);
       if (stage.steps.empty() || !stage.converged) continue;
       const ConstructionStep& last = stage.steps.back();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A strip on clay with effective strength: loaded at once it fails at Prandtl's load with the undrained strength that
-// follows from the effective one, loaded slowly at that with the effective strength.
+// follows from the effective one, loaded slowly at that with the effective strength; its factor without drainage.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "fem/consolidation/undrained_factor.hpp"
 #include "support/consolidation_model.hpp"
 
 namespace talus {
@@ -62,6 +63,42 @@ TEST(ConsolidationCollapse, UndrainedStripFailsAtPrandtlsLoad) {
   const double found = strip.find_collapse(load, fem::StageDrainage::undrained, 0);
   EXPECT_GT(found, 0.99 * expected);
   EXPECT_LT(found, 1.05 * expected);
+}
+
+TEST(ConsolidationCollapse, FactorWithoutDrainageIsThatOfPrandtlsLoad) {
+  // F divides c and tan φ of the undrained strength: (2 + π)(c/F cos φ_F + p_0 sin φ_F) = load, tan φ_F = tan φ/F.
+  const auto find_load = [](double factor) {
+    const double reduced = std::atan(std::tan(friction) / factor);
+    return (2 + std::numbers::pi) * (cohesion / factor * std::cos(reduced) + confinement * std::sin(reduced));
+  };
+  const double load = 0.7 * find_load(1);
+  double low = 1, high = 2;
+  while (high - low > 1e-6) (find_load(0.5 * (low + high)) > load ? low : high) = 0.5 * (low + high);
+  Strip strip(load, 0);
+  strip.box.model.drainage = fem::StageDrainage::undrained;
+  fem::ConsolidationSchedule schedule;
+  schedule.load_steps = 8;
+  schedule.threads = 1;
+  const auto loaded =
+      fem::run_stage(strip.box.model, fem::make_first_state(strip.box.model, strip.make_level()), schedule);
+  ASSERT_TRUE(loaded.converged);
+  fem::UndrainedOptions options;
+  options.resolution = 0.01;
+  options.most_displacement = 1.25;
+  options.most_iterations = 40;
+  options.threads = 1;
+  const auto found = fem::reduce_undrained(strip.box.model, loaded.outputs.back().at, options);
+  EXPECT_GT(found.failed, 0.99 * low);
+  EXPECT_LT(found.stable, 1.06 * low);
+  EXPECT_LE(found.failed - found.stable, 0.01 + 1e-12);
+  // At the fixed pore pressures of the loaded strip the soil would bear more.
+  fem::SolidModel<2> fixed = strip.box.solid;
+  const auto& state = loaded.outputs.back().at;
+  fixed.point_stress = state.solid.stress;
+  fixed.pore_stress = fem::find_corner_stress<2>(strip.box.model, state.head);
+  fem::SolidOptions solid;
+  solid.threads = 1;
+  EXPECT_TRUE(fem::find_equilibrium<2>(fixed, solid, 1.03 * found.failed).converged);
 }
 
 TEST(ConsolidationCollapse, DrainedStripFailsAtPrandtlsLoad) {

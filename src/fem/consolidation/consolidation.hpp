@@ -39,6 +39,7 @@ struct ConsolidationModel {
   std::vector<DrainSink> drains{};  ///< by element of the flow; empty: none
   StageDrainage drainage = StageDrainage::consolidating;
   std::vector<double> steady_head{};  ///< per node [m], for drained stages
+  double strength_factor = 1;         ///< strength reduction factor of the soils
 };
 
 template <int D>
@@ -59,6 +60,9 @@ struct ConsolidationSchedule {
   int most_iterations = 25;                                       ///< of a step
   double force_tolerance = 1e-6;                                  ///< out-of-balance force over the loads [-]
   int threads = 0;                                                ///< 0: all of the machine
+  /// Largest displacement of a node since the start of the stage [m]; a step beyond it does not count as equilibrium:
+  /// the equations are those of small displacements.
+  double most_displacement = std::numeric_limits<double>::infinity();
 };
 
 /// One accepted step.

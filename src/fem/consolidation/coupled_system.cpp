@@ -20,7 +20,7 @@ CoupledSystem<D>::CoupledSystem(const ConsolidationModel<D>& model, int threads)
     : model_(model),
       solid_(*model.solid),
       flow_(*model.flow),
-      assembly_(solid_, make_laws(*model.solid, 1.0), threads) {
+      assembly_(solid_, make_laws(*model.solid, model.strength_factor), threads) {
   if (model.flow->mesh->elements.size() != model.solid->mesh->elements.size())
     throw Error(ExitCode::internal_error, "consolidation needs the same elements for soil and water");
   couple();

@@ -37,6 +37,7 @@ class StageRun {
            const ConsolidationSchedule& schedule, const StepReport<D>& report)
       : model_(model), schedule_(schedule), report_(report), system_(model, schedule.threads) {
     now_.solid = start.solid;
+    first_displacement_ = start.solid.displacement;
     now_.head = to_unknowns(system_.flow(), start.head);
     first_head_ = now_.head;
     face_.assign(now_.head.size(), FaceState::none);
@@ -119,7 +120,7 @@ class StageRun {
       CoupledPlace<D> place = now_;
       auto face = face_;
       const CoupledOutcome out = newton_->solve(now_, conditions, face, q, place);
-      if (!out.converged) {
+      if (!out.converged || has_gone(place)) {
         ++result_.rejected;
         if (++halvings > schedule_.most_halvings) return false;
         length /= 2;
@@ -208,9 +209,23 @@ class StageRun {
     tried.place = halfway;
     const CoupledOutcome out = newton_->solve(now_, last, tried.face, q, tried.place);
     tried.out = {out.converged, tried.out.iterations + out.iterations, out.residual};
-    tried.converged = out.converged;
+    tried.converged = out.converged && !has_gone(tried.place);
     if (tried.converged && flows) find_error(step, halfway.head, tried);
     return tried;
+  }
+
+  /// Returns true if a node has moved too far in this stage.
+  bool has_gone(const CoupledPlace<D>& place) const {
+    if (!std::isfinite(schedule_.most_displacement)) return false;
+    for (std::size_t n = 0; n < first_displacement_.size(); ++n) {
+      double square = 0;
+      for (std::size_t d = 0; d < D; ++d) {
+        const double moved = place.solid.displacement[n][d] - first_displacement_[n][d];
+        square += moved * moved;
+      }
+      if (square > schedule_.most_displacement * schedule_.most_displacement) return true;
+    }
+    return false;
   }
 
   void predict(double dt, std::vector<double>& head) const {
@@ -296,6 +311,7 @@ class StageRun {
   std::optional<CoupledNewton<D>> newton_;
   CoupledPlace<D> now_;
   std::vector<FaceState> face_;
+  std::vector<Vec<D>> first_displacement_;   ///< at the start [m]
   std::vector<double> imbalance_;            ///< at the start [N]
   std::vector<double> first_head_, steady_;  ///< at the start, and at the end of a drained stage [m]
   std::vector<double> rate_;                 ///< of the heads at the end of the last step [m/s]; empty: unknown

@@ -288,6 +288,7 @@ results::Construction outline_construction(const Case& data) {
     if (asked.factor)
       for (const Method method : data.methods)
         if (method != Method::mpm) stage.factors.push_back({method, "", 1, {}, {}, {}});
+    if (asked.factor) stage.factors.push_back({Method::fem, "", 1, {}, {}, {}, true});
     if (asked.release) stage.release.emplace();
   }
   for (const Monitor& asked : data.output.monitors) {

@@ -16,6 +16,7 @@
 #include "base/ranks.hpp"
 #include "base/units.hpp"
 #include "base/user_file.hpp"
+#include "fem/consolidation/undrained_factor.hpp"
 #include "input/echo.hpp"
 #include "output/files/history.hpp"
 #include "results/governing.hpp"
@@ -182,6 +183,7 @@ fem::ConsolidationSchedule ConstructionRun::make_schedule(int number) const {
   schedule.most_iterations = data_.consolidation.most_iterations;
   schedule.load_steps = data_.fem.load_steps;
   schedule.threads = options_.threads;
+  schedule.most_displacement = find_most_displacement();
   return schedule;
 }
 
@@ -222,9 +224,8 @@ bool ConstructionRun::run_stage(int number) {
   add_supports(result);
   if (!found.converged) {
     result.error = fmt::format(
-        "no equilibrium beyond {:.3g} % of the change of stage '{}', at {}: the soil fails there, or the time steps "
-        "are "
-        "too long for it ([consolidation] first_step)",
+        "no equilibrium beyond {:.3g} % of the change of stage '{}', at {}: the soil fails there or moves by more than "
+        "a quarter of the height of the section, or the time steps are too long for it ([consolidation] first_step)",
         100 * found.reached, asked.name, units::format_time(found.outputs.back().time));
     warnings_.push_back(*result.error);
   }
@@ -297,6 +298,43 @@ input::Case ConstructionRun::make_later_case() const {
   return later;
 }
 
+/// Returns true if pore pressures of the construction are left at the end of a stage.
+bool ConstructionRun::keeps_excess(const results::ConstructionStage& result) const {
+  constexpr double left_share = 0.1;
+  double largest = 0;
+  for (const results::ConstructionStage& stage : summary_.stages)
+    for (const results::ConstructionStep& step : stage.steps) largest = std::max(largest, step.excess);
+  return stage_->is_wet && !result.steps.empty() && result.steps.back().excess > left_share * largest;
+}
+
+/// Soil that contracts as it fails takes up pore pressure unless it drains: at the fixed pore pressures of the other
+/// factors it would be too strong.
+void ConstructionRun::add_undrained_factor(results::ConstructionStage& result) const {
+  show(fmt::format("stage '{}', failure without drainage", result.name));
+  fem::UndrainedOptions options;
+  options.resolution = data_.fem.resolution;
+  options.most_iterations = data_.consolidation.most_iterations;
+  options.most_displacement = find_most_displacement();
+  options.threads = options_.threads;
+  results::StageFactor factor{Method::fem, "FEM, failure without drainage", {}, {}, {}, {}, true};
+  const fem::UndrainedReduction found = fem::reduce_undrained<2>(stage_->model, state_, options);
+  if (found.stable > 0 && found.failed > 0) {
+    factor.factor = found.stable;
+    factor.lower = found.stable, factor.upper = found.failed;
+  } else {
+    factor.error = found.stable > 0 ? fmt::format("no failure up to a factor of {:g}", found.stable)
+                                    : "no equilibrium at full strength without drainage";
+  }
+  result.factors.push_back(std::move(factor));
+}
+
+/// Small displacements end at a quarter of the height of the section.
+double ConstructionRun::find_most_displacement() const {
+  const auto [low, high] = std::minmax_element(mesh_->nodes.begin(), mesh_->nodes.end(),
+                                               [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  return 0.25 * ((*high)[1] - (*low)[1]);
+}
+
 void ConstructionRun::add_factors(int number, results::ConstructionStage& result) {
   RunOptions options = options_;
   result.folder = fmt::format("stage_{}", number + 1);
@@ -307,6 +345,7 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
       find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
                          fmt::format("{}-{}", hash_, number));
   result.factors = std::move(found.factors);
+  if (input::uses(data_, Method::fem) && keeps_excess(result)) add_undrained_factor(result);
   for (const std::string& warning : found.warnings) {
     std::vector<std::string>& stages = stage_warnings_[warning];
     if (stages.empty() || stages.back() != result.name) stages.push_back(result.name);

@@ -42,6 +42,9 @@ class ConstructionRun {
   void add_step(const StageModel& stage, const fem::ConsolidationStep& step, const fem::SolidState<2>& solid,
                 const std::vector<double>& head, results::ConstructionStage& result);
   void add_supports(results::ConstructionStage& result) const;
+  bool keeps_excess(const results::ConstructionStage& result) const;
+  void add_undrained_factor(results::ConstructionStage& result) const;
+  double find_most_displacement() const;
   void add_factors(int number, results::ConstructionStage& result);
   void release(int number, results::ConstructionStage& result);
   void find_least();

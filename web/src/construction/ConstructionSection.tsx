@@ -20,7 +20,12 @@ function Factors({ construction, time, ends }: { construction: Construction; tim
   const factors = listFactors(construction);
   if (factors.length === 0) return null;
   const methods = [...new Set(factors.map(({ method }) => method))];
-  const titles: Record<string, string> = { lem: "LEM", fem: "FEM", bounds: "Limit analysis, lower bound" };
+  const titles: Record<string, string> = {
+    lem: "LEM",
+    fem: "FEM",
+    fem_undrained: "FEM, failure without drainage",
+    bounds: "Limit analysis, lower bound",
+  };
   const points = factors.map((f) => ({ ...f, t: f.time / time.si, style: styleOf(methods.indexOf(f.method)) }));
   const values = points.map(({ factor }) => factor);
   const [low, high] = [Math.min(1, ...values), Math.max(1, ...values)];
@@ -119,7 +124,7 @@ export function ConstructionSection() {
                 <span class="chart-reason">{s.error}</span>
               ) : (
                 s.factors.map((f) => (
-                  <div key={f.method}>
+                  <div key={f.title}>
                     {f.factor === null ? `${f.title}: none, ${f.error ?? "no surface"}` : `${formatFactor(f.factor)} ${f.title}`}
                   </div>
                 ))

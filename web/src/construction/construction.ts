@@ -26,6 +26,7 @@ export function listSteps({ stages }: Construction): StepPoint[] {
 export interface FactorPoint {
   time: number;
   stage: string;
+  /** With "_undrained" for a failure without drainage. */
   method: string;
   title: string;
   factor: number;
@@ -34,7 +35,7 @@ export interface FactorPoint {
 /** The factors at the ends of the stages. */
 export const listFactors = ({ stages }: Construction): FactorPoint[] =>
   stages.flatMap(({ name, to, factors }) =>
-    factors.flatMap(({ method, title, factor }) =>
-      factor === null ? [] : [{ time: to, stage: name, method, title, factor }],
+    factors.flatMap(({ method, title, factor, undrained }) =>
+      factor === null ? [] : [{ time: to, stage: name, method: undrained ? `${method}_undrained` : method, title, factor }],
     ),
   );
