@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string bank = support::write_slope(
+const std::string rooted_slope_text = support::write_slope(
     "bank", {"geometry.box=[[0, 0], [16, 8]]",
              "geometry.polygon.soil.points=[[0, 0], [16, 0], [16, 2], [11, 2], [6, 7], [0, 7]]",
              "geometry.line=[{ name = 'ground', points = [[0, 7], [6, 7], [11, 2], [16, 2]] }]", "mesh.size=1.25",
@@ -35,7 +35,7 @@ class RootedBank : public testing::Test {
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    const json summary = support::run_case(input::read_case_text(bank, "bank.toml", soil), options);
+    const json summary = support::run_case(input::read_case_text(rooted_slope_text, "bank.toml", soil), options);
     EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
     return summary.at("factor_of_safety").at("frozen").at("factor");
   }

@@ -57,13 +57,13 @@ json read_timeless(const fs::path& folder) {
   return study;
 }
 
-struct Outcome {
+struct ProgramEnd {
   int code = -1;
   std::string text;  ///< both output streams
 };
 
-Outcome run_program(const std::string& arguments) {
-  Outcome outcome;
+ProgramEnd run_study_program(const std::string& arguments) {
+  ProgramEnd outcome;
   FILE* pipe = popen(("'" TALUS_PROGRAM "' study " + arguments + " 2>&1").c_str(), "r");
   std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
@@ -347,14 +347,14 @@ TEST(StudyJobsProgram, MistakesAreASentenceEach) {
   std::ofstream(file) << slice_samples;
   std::ofstream(plain) << coarse_slope;
   const auto refuse = [&](const std::string& arguments, int code, const std::string& sentence) {
-    const Outcome outcome = run_program(arguments);
+    const ProgramEnd outcome = run_study_program(arguments);
     EXPECT_EQ(outcome.code, code) << outcome.text;
     EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 1) << outcome.text;
     EXPECT_NE(outcome.text.find(sentence), std::string::npos) << outcome.text;
   };
   refuse(plain + " --prepare " + jobs, 2, "there is nothing to vary");
   EXPECT_FALSE(fs::exists(jobs));
-  ASSERT_EQ(run_program(file + " --prepare " + jobs + " --jobs 4").code, 0);
+  ASSERT_EQ(run_study_program(file + " --prepare " + jobs + " --jobs 4").code, 0);
   refuse(file + " --prepare " + jobs, 3, "is not empty");
   refuse(jobs + " --job 4", 2, "there is no job 4");
   refuse(jobs + " --job -1", 2, "its jobs are 0 to 3");
@@ -385,14 +385,14 @@ TEST(StudyJobsProgram, TheScriptCalculatesTheJobOfItsTask) {
   fs::create_directories(folder);
   std::ofstream(folder / "slope.toml") << slice_samples;
   const std::string jobs = (folder / "jobs").string();
-  ASSERT_EQ(run_program((folder / "slope.toml").string() + " --prepare " + jobs + " --jobs 3").code, 0);
+  ASSERT_EQ(run_study_program((folder / "slope.toml").string() + " --prepare " + jobs + " --jobs 3").code, 0);
   EXPECT_NE(read_text(folder / "jobs/jobs.slurm").find("#SBATCH --array=0-2%100"), std::string::npos);
   for (const char* task : {"0", "1", "2"})
     EXPECT_EQ(std::system(("cd '" + jobs + "' && TALUS='" TALUS_PROGRAM "' SLURM_ARRAY_TASK_ID=" + task +
                            " bash jobs.slurm > log")
                               .c_str()),
               0);
-  const Outcome outcome = run_program(jobs + " --collect");
+  const ProgramEnd outcome = run_study_program(jobs + " --collect");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("probability"), std::string::npos) << outcome.text;
   EXPECT_TRUE(fs::exists(folder / "jobs/report.html"));

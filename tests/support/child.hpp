@@ -31,7 +31,7 @@ inline bool wait_for_file(const std::filesystem::path& path, pid_t process) {
   while (end >= 0 && !std::filesystem::exists(path) && events[1].revents == 0) {
     poll(events.data(), events.size(), -1);
     std::array<char, 4096> summary;
-    if (events[0].revents != 0 && read(changes, summary.data(), summary.size()) < 0) break;
+    if (events[0].revents != 0 && ::read(changes, summary.data(), summary.size()) < 0) break;
   }
   close(changes);
   close(end);
