@@ -354,7 +354,7 @@ TEST_F(ConstructionRuns, SoilThatFailsInAStageMovesByMpm) {
   const auto& stage = summary.at("construction").at("stages")[0];
   EXPECT_FALSE(stage.at("converged"));
   const auto& release = stage.at("release");
-  EXPECT_FALSE(release.contains("error")) << release.dump();
+  EXPECT_TRUE(release.at("error").is_null()) << release.dump();
   EXPECT_EQ(release.at("folder"), "released_1");
   EXPECT_GT(release.at("largest_displacement").get<double>(), 0.3);
   EXPECT_GT(release.at("moved_volume").get<double>(), 5);

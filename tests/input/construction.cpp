@@ -160,10 +160,10 @@ TEST(Construction, SoilsChangeFromAStageOn) {
   const Case data = read_case_text(write_soils("clay = \"stiff\"") + two_stages, "soils.toml").data;
   EXPECT_EQ(data.regions.at("clay"), "clay");
   EXPECT_EQ(data.construction[0].soils.at("clay"), "stiff");
-  expect_fault(write_soils("@@peat = \"stiff\""), "there is no region 'peat'");
-  expect_fault(write_soils("@@clay = \"peat\""), "there is no material 'peat'");
-  expect_fault(write_soils("@@clay = \"fill\""), "'clay' and 'fill' must both have [materials.NAME.water] or neither");
-  expect_fault(write_soils("@@lift = \"stiff\"") + "[[construction]]\nname = \"two\"\nduration = 1\nadd = [\"lift\"]\n",
+  expect_fault(write_soils("peat = @@\"stiff\""), "there is no region 'peat'");
+  expect_fault(write_soils("clay = @@\"peat\""), "there is no material 'peat'");
+  expect_fault(write_soils("clay = @@\"fill\""), "'clay' and 'fill' must both have [materials.NAME.water] or neither");
+  expect_fault(write_soils("lift = @@\"stiff\"") + "[[construction]]\nname = \"two\"\nduration = 1\nadd = [\"lift\"]\n",
                "region 'lift' is not there in stage 'one'");
   // Soil that a stage places may have water or not.
   EXPECT_NO_THROW(read_case_text(write_soils("lift = \"stiff\"", "add = [\"lift\"]\n"), "soils.toml"));

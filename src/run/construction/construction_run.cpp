@@ -362,17 +362,23 @@ void ConstructionRun::release(int number, results::ConstructionStage& result) {
   out.folder = fmt::format("released_{}", number + 1);
   RunOptions options = options_;
   options.folder = join_name(options_.folder, out.folder);
-  input::Case later = make_later_case();
-  later.methods = {Method::mpm};
+  // A case of its own, which knows nothing of regions that are gone.
+  input::LoadedCase later = loaded_;
+  later.data = make_later_case();
+  later.data.methods = {Method::mpm};
+  std::erase_if(later.data.regions, [&](const auto& entry) {
+    const auto& polygons = later.data.mesh.polygons;
+    return std::none_of(polygons.begin(), polygons.end(), [&](const auto& p) { return p.name == entry.first; });
+  });
+  later.echo = input::drop_absent(later.echo, later.data);
   show(fmt::format("MPM from the end of stage '{}'", result.name));
   const auto complete = [&](results::RunResult& run) {
     run.title = fmt::format("{}, released from stage '{}'", data_.title, result.name);
-    run.input = input::drop_absent(run.input, later);
   };
   out.error = attempt(options, false, [&] {
     results::take_motion(run_points_beside<2>(
-                             loaded_, options, hash_text(fmt::format("{}-mpm-{}", hash_, number)),
-                             [&](results::RunResult&) -> const input::Case& { return later; }, complete),
+                             later, options, hash_text(fmt::format("{}-mpm-{}", hash_, number)),
+                             [&](results::RunResult&) -> const input::Case& { return later.data; }, complete),
                          out);
   });
   if (out.error) warnings_.push_back(fmt::format("MPM from stage '{}': {}", result.name, *out.error));
