@@ -21,7 +21,7 @@ PROGRAM = str(Path(sys.argv[1]).resolve())
 MANUAL = ROOT / "docs/manual"
 COARSE = ["--set", "mesh.size=1.5"]
 # Pages whose materials, lines and files are not the tutorial's: of their blocks the keys must be known, no more.
-OTHER_CASES = {"calibrate.md", "compare-plantings.md", "element-tests.md", "eurocode-7.md", "external-model.md",
+OTHER_CASES = {"calibrate.md", "compare-plantings.md", "construction-stages.md", "element-tests.md", "eurocode-7.md", "external-model.md",
                "factor-in-time.md", "layers-and-boreholes.md", "lower-a-reservoir.md", "probability.md", "rapid-drawdown.md", "required-force.md", "rock-slope.md", "roots.md", "supports.md", "three-methods.md", "undrained-clay.md",
                "water-by-layer.md"}
 NOT_KNOWN = re.compile(r"unknown (key|table)|is not TOML|is a list of tables|must be")
