@@ -111,7 +111,10 @@ function ServerRuns({ workspace }: { workspace: Workspace }) {
           type="button"
           disabled={chosen.value.length !== 2}
           title="Mark two runs to see the differences of their inputs and results"
-          onClick={() => (compared.value = [chosen.value[0]!, chosen.value[1]!])}
+          onClick={() => {
+            const [earlier, later] = chosen.value.toSorted();
+            compared.value = [earlier!, later!];
+          }}
         >
           Compare two runs
         </button>
