@@ -87,7 +87,7 @@ void CoupledSystem<D>::make_pattern() {
     for (const int node : c.node)
       for (const int u : c.unknown) {
         if (u < 0) continue;
-        columns[static_cast<std::size_t>(first + node)].push_back(u);
+        columns[static_cast<std::size_t>(first) + static_cast<std::size_t>(node)].push_back(u);
         columns[static_cast<std::size_t>(u)].push_back(first + node);
       }
   column_start_.assign(1, 0);

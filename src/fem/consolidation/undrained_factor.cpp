@@ -21,13 +21,11 @@ UndrainedReduction reduce_undrained(ConsolidationModel<D> model, const Consolida
     return run_stage<D>(model, state, schedule).converged;
   };
   double factor = 1;
-  for (; factor < options.largest_factor; factor *= growth) {
-    if (!holds(factor)) {
-      found.failed = factor;
-      break;
-    }
+  while (factor < options.largest_factor && holds(factor)) {
     found.stable = factor;
+    factor *= growth;
   }
+  if (factor < options.largest_factor) found.failed = factor;
   if (found.stable == 0 || found.failed == 0) return found;
   while (found.failed - found.stable > options.resolution) {
     const double middle = 0.5 * (found.stable + found.failed);
