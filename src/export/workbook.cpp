@@ -174,7 +174,8 @@ Table make_history_table(const fs::path& file, const fs::path& folder) {
 /// Returns the histories of a folder that a run wrote, in the order of their names.
 std::vector<fs::path> list_histories(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const char* name : {"history.csv", "monitors.csv", "profile.csv", "season.csv", "curve.csv"})
+  for (const char* name :
+       {"history.csv", "monitors.csv", "profile.csv", "season.csv", "curve.csv", "construction_monitors.csv"})
     if (fs::is_regular_file(folder / name)) files.push_back(folder / name);
   if (fs::is_directory(folder / "sections")) {
     const std::size_t first = files.size();

@@ -261,7 +261,7 @@ TEST_F(ConstructionRuns, MonitorsAndLinesHaveTheirNumbers) {
   for (std::size_t i = 0; i < deep.size(); ++i)
     EXPECT_NEAR(deep[i].get<double>(), 9810 * (6 - distance[i].get<double>()), 1200);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "construction_2.vtu"));
-  std::ifstream table(folder_ / "monitors.csv");
+  std::ifstream table(folder_ / "construction_monitors.csv");
   std::string header;
   std::getline(table, header);
   EXPECT_NE(header.find("middle.pore_pressure [Pa]"), std::string::npos) << header;

@@ -419,7 +419,7 @@ void ConstructionRun::keep() {
     for (const auto& [name, unit] : {std::pair{"displacement_x", "m"}, std::pair{"displacement_y", "m"},
                                      std::pair{"pore_pressure", "Pa"}, std::pair{"p", "Pa"}, std::pair{"q", "Pa"}})
       columns.push_back({m.name + "." + name, unit});
-  output::History table = output::History::start(options_.folder / "monitors.csv", columns);
+  output::History table = output::History::start(options_.folder / "construction_monitors.csv", columns);
   for (std::size_t i = 0; i < record_->times().size(); ++i) {
     std::vector<double> row{record_->times()[i]};
     for (const results::ConstructionMonitor& m : summary_.monitors)
