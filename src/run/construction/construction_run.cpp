@@ -309,7 +309,8 @@ bool ConstructionRun::keeps_excess(const results::ConstructionStage& result) con
 
 /// Soil that contracts as it fails takes up pore pressure unless it drains: at the fixed pore pressures of the other
 /// factors it would be too strong.
-void ConstructionRun::add_undrained_factor(results::ConstructionStage& result) const {
+/// Returns false if there is no equilibrium at full strength.
+bool ConstructionRun::add_undrained_factor(results::ConstructionStage& result) const {
   show(fmt::format("stage '{}', failure without drainage", result.name));
   fem::UndrainedOptions options;
   options.resolution = data_.fem.resolution;
@@ -319,13 +320,13 @@ void ConstructionRun::add_undrained_factor(results::ConstructionStage& result) c
   results::StageFactor factor{Method::fem, "FEM, failure without drainage", {}, {}, {}, {}, true};
   const fem::UndrainedReduction found = fem::reduce_undrained<2>(stage_->model, state_, options);
   if (found.stable > 0 && found.failed > 0) {
-    factor.factor = found.stable;
-    factor.lower = found.stable, factor.upper = found.failed;
+    factor.factor = found.stable;  // no interval: what one mesh leaves open is not known
   } else {
     factor.error = found.stable > 0 ? fmt::format("no failure up to a factor of {:g}", found.stable)
                                     : "no equilibrium at full strength without drainage";
   }
   result.factors.push_back(std::move(factor));
+  return found.stable > 0;
 }
 
 /// Small displacements end at a quarter of the height of the section.
@@ -345,13 +346,16 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
       find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
                          fmt::format("{}-{}", hash_, number));
   result.factors = std::move(found.factors);
-  if (input::uses(data_, Method::fem) && keeps_excess(result)) add_undrained_factor(result);
+  const bool holds_undrained =
+      !input::uses(data_, Method::fem) || !keeps_excess(result) || add_undrained_factor(result);
   for (const std::string& warning : found.warnings) {
     std::vector<std::string>& stages = stage_warnings_[warning];
     if (stages.empty() || stages.back() != result.name) stages.push_back(result.name);
   }
   for (const results::StageFactor& factor : result.factors)
     if (factor.factor) result.least = std::min(result.least.value_or(*factor.factor), *factor.factor);
+  // The other factors would be above that of a state that does not even hold at full strength.
+  if (!holds_undrained) result.least.reset();
 }
 
 /// Runs MPM from the end of the last stage, or from its last equilibrium under the loads of its end.

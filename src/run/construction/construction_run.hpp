@@ -43,7 +43,7 @@ class ConstructionRun {
                 const std::vector<double>& head, results::ConstructionStage& result);
   void add_supports(results::ConstructionStage& result) const;
   bool keeps_excess(const results::ConstructionStage& result) const;
-  void add_undrained_factor(results::ConstructionStage& result) const;
+  bool add_undrained_factor(results::ConstructionStage& result) const;
   double find_most_displacement() const;
   void add_factors(int number, results::ConstructionStage& result);
   void release(int number, results::ConstructionStage& result);

@@ -26,11 +26,11 @@ std::array<double, 2> find_invariants(const std::array<double, 6>& s) {
   return {p, std::sqrt(1.5 * q)};
 }
 
-/// Returns the value of a curve between its points; NaN beyond its ends.
+/// Returns the value of a curve between its points, of several at one time the last; NaN beyond its ends.
 double read_curve(const std::vector<double>& time, const std::vector<double>& value, double t) {
   if (time.empty() || t < time.front() || t > time.back()) return none;
-  const auto after = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
-  if (after == 0) return value.front();
+  const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
+  if (after == time.size() || time[after - 1] == t) return value[after - 1];
   const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
   return value[after - 1] + share * (value[after] - value[after - 1]);
 }
