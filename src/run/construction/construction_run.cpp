@@ -397,8 +397,7 @@ void ConstructionRun::find_least() {
       summary_.least_stage.reset();
       if (stage.converged)
         warnings_.push_back(
-            fmt::format("no method has a factor at the end of stage '{}', so that the least one is not "
-                        "known",
+            fmt::format("no factor is on the safe side at the end of stage '{}', so that the least one is not known",
                         stage.name));
       return;
     }
