@@ -396,9 +396,8 @@ void ConstructionRun::find_least() {
       summary_.least.reset();
       summary_.least_stage.reset();
       if (stage.converged)
-        warnings_.push_back(
-            fmt::format("no factor is on the safe side at the end of stage '{}', so that the least one is not known",
-                        stage.name));
+        warnings_.push_back(fmt::format(
+            "no factor is on the safe side at the end of stage '{}', so that the least one is not known", stage.name));
       return;
     }
     if (!stage.least || *stage.least >= summary_.least.value_or(std::numeric_limits<double>::infinity())) continue;
