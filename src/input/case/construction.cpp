@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "input/case/checks.hpp"
@@ -124,6 +123,14 @@ void check_changes(const Case& data, Findings& findings) {
   }
 }
 
+/// The names that a map has, quoted.
+template <typename Value>
+std::string list_names(const std::map<std::string, Value>& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(fmt::format("'{}'", name));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Checks that soils change in regions that are there, and that no water appears in soil that stays.
 void check_stage_soils(const Case& data, Findings& findings) {
   std::map<std::string, std::string> soils = data.regions;
@@ -133,11 +140,9 @@ void check_stage_soils(const Case& data, Findings& findings) {
       const std::string path = fmt::format("construction.{}.soils.{}", k, region);
       const auto soil = data.materials.find(name), before = data.materials.find(soils[region]);
       if (!data.regions.contains(region)) {
-        findings.add(path, "there is no region '{}'; there are '{}'", region,
-                     fmt::join(std::views::keys(data.regions), "', '"));
+        findings.add(path, "there is no region '{}'; there are {}", region, list_names(data.regions));
       } else if (soil == data.materials.end()) {
-        findings.add(path, "there is no material '{}'; there are '{}'", name,
-                     fmt::join(std::views::keys(data.materials), "', '"));
+        findings.add(path, "there is no material '{}'; there are {}", name, list_names(data.materials));
       } else if (!is_there(data, region, k)) {
         findings.add(path, "region '{}' is not there in stage '{}'", region, stage.name);
       } else if (const bool stays = k == 0 ? is_there_at_start(data, region) : is_there(data, region, k - 1);
