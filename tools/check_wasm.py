@@ -22,9 +22,10 @@ FILES = ["studio/engine.cpp", "studio/messages.cpp", "studio/section.cpp", "stud
 # Libraries of headers only, behind the headers of emscripten itself.
 INCLUDES = ["-Isrc", "-idirafter", "/usr/include", "-isystem", "/usr/include/eigen3"]
 OPTIONS = ["-std=c++20", "-DTOML_HEADER_ONLY=0", "-Wno-everything"]
-# Compiled once, as in the build (cmake/TalusOptions.cmake): 73 core-seconds instead of 102.
+# Compiled once, as in the build (cmake/TalusOptions.cmake).
 HEADERS = ["<algorithm>", "<functional>", "<map>", "<memory>", "<sstream>", "<variant>", "<fmt/format.h>", '"input/case/case.hpp"',
            '"results/run.hpp"']
+BATCH = 8
 
 
 def compile_source(path, build, *more):
@@ -33,8 +34,19 @@ def compile_source(path, build, *more):
     return [line for line in done.stderr.splitlines() if "error:" in line][:3] if done.returncode != 0 else []
 
 
+def group(files):
+    """The files of each folder, at most BATCH at a time."""
+    folders = {}
+    for path in files:
+        folders.setdefault(path.parent, []).append(path)
+    return [own[i : i + BATCH] for own in folders.values() for i in range(0, len(own), BATCH)]
+
+
 def compile_all(files, build):
-    """File → its first errors; the headers in common are a file too."""
+    """File → its first errors; the headers in common are a file too.
+
+    Files of one folder are compiled together, and singly where that fails: names of one may meet those of another.
+    """
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         common = pathlib.Path(folder) / "common.hpp"
         common.write_text("".join(f"#include {name}\n" for name in HEADERS), encoding="utf-8")
@@ -42,7 +54,18 @@ def compile_all(files, build):
         if faults["headers"]:
             return faults
         compiled = ("-fsyntax-only", "-include-pch", f"{common}.pch")
-        return faults | dict(zip(files, pool.map(lambda path: compile_source(path, build, *compiled), files)))
+
+        def compile_group(numbered):
+            number, own = numbered
+            together = pathlib.Path(folder) / f"group_{number}.cpp"
+            together.write_text("".join(f'#include "{ROOT / path}"\n' for path in own), encoding="utf-8")
+            if len(own) > 1 and not compile_source(together, build, *compiled):
+                return {path: [] for path in own}
+            return {path: compile_source(path, build, *compiled) for path in own}
+
+        for found in pool.map(compile_group, enumerate(group(files))):
+            faults |= found
+        return faults
 
 
 def main():

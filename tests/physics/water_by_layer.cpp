@@ -146,24 +146,23 @@ TEST_F(WaterByLayer, AGridOfHydrostaticWaterIsAWaterTable) {
   const nlohmann::json one =
       run(write_slope(R"("lem", "fem", "bounds")",
                       R"(initial = { pore_pressure = "water_table", water_table = [[0, 5.2], [16, 0.4]] })"));
-  for (const std::string kind : {"linear", "thin_plate"}) {
-    for (const std::string quantity : {"pressure", "head"}) {
-      write_table(quantity == "head" ? "head [m]" : "pressure [kPa]",
-                  [&](double x, double y) { return quantity == "head" ? level(x) : gamma_w * (level(x) - y) / 1e3; });
-      const nlohmann::json other = run(write_slope(
-          R"("lem", "fem", "bounds")",
-          fmt::format(
-              R"(initial = {{ pore_pressure = "grid", pressure_grid = {{ file = "grid.csv", quantity = "{}", interpolation = "{}" }} }})",
-              quantity, kind)));
-      // LEM weighs soil above and below a traced water table.
-      EXPECT_NEAR(other.at("lem").at("critical")[0].at("factor").get<double>() /
-                      one.at("lem").at("critical")[0].at("factor").get<double>(),
-                  1, 2e-3)
-          << kind << quantity;
-      EXPECT_NEAR(other.at("fem").at("runs")[0].at("factor").get<double>(),
-                  one.at("fem").at("runs")[0].at("factor").get<double>(), 1e-3);
-      EXPECT_NEAR(other.at("bounds").at("upper").get<double>() / one.at("bounds").at("upper").get<double>(), 1, 1e-3);
-    }
+  for (const auto& [kind, quantity] : {std::pair{"linear", "pressure"}, {"thin_plate", "head"}}) {
+    const bool is_head = quantity == std::string("head");
+    write_table(is_head ? "head [m]" : "pressure [kPa]",
+                [&](double x, double y) { return is_head ? level(x) : gamma_w * (level(x) - y) / 1e3; });
+    const nlohmann::json other = run(write_slope(
+        R"("lem", "fem", "bounds")",
+        fmt::format(
+            R"(initial = {{ pore_pressure = "grid", pressure_grid = {{ file = "grid.csv", quantity = "{}", interpolation = "{}" }} }})",
+            quantity, kind)));
+    // LEM weighs soil above and below a traced water table.
+    EXPECT_NEAR(other.at("lem").at("critical")[0].at("factor").get<double>() /
+                    one.at("lem").at("critical")[0].at("factor").get<double>(),
+                1, 2e-3)
+        << kind << quantity;
+    EXPECT_NEAR(other.at("fem").at("runs")[0].at("factor").get<double>(),
+                one.at("fem").at("runs")[0].at("factor").get<double>(), 1e-3);
+    EXPECT_NEAR(other.at("bounds").at("upper").get<double>() / one.at("bounds").at("upper").get<double>(), 1, 1e-3);
   }
 }
 
