@@ -10,12 +10,14 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -59,6 +61,12 @@ bool may_run(const Holder& holder) {
   if (holder.machine != get_machine()) return true;
   const pid_t process = static_cast<pid_t>(std::strtol(holder.process.c_str(), nullptr, 10));
   return process > 0 && (::kill(process, 0) == 0 || errno != ESRCH);
+}
+
+/// Returns true if the process that took a lock has ended on this machine: a process that it had started, and that ends
+/// with it, holds the lock a moment longer.
+bool has_ended(const Holder& holder) {
+  return !holder.process.empty() && holder.machine == get_machine() && !may_run(holder);
 }
 
 [[noreturn]] void refuse(const fs::path& folder, const Holder& holder, bool is_sure) {
@@ -107,8 +115,10 @@ bool is_same(int file, const fs::path& path) {
 }  // namespace
 
 void FolderLock::acquire(bool is_shared, int flags) {
+  constexpr int most_looks = 500;
+  constexpr std::chrono::milliseconds look{20};
   const fs::path path = folder_ / lock_file;
-  for (;;) {
+  for (int looks = 0;;) {
     const int file = open_lock(path, flags);
     if (file < 0) return;
     const bool is_locked = ::flock(file, (is_shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0;
@@ -116,6 +126,10 @@ void FolderLock::acquire(bool is_shared, int flags) {
     const Holder holder = read_holder(file);
     if (is_held || (!is_locked && may_run(holder))) {
       ::close(file);
+      if (is_held && has_ended(holder) && looks++ < most_looks) {
+        std::this_thread::sleep_for(look);
+        continue;
+      }
       refuse(folder_, holder, is_held);
     }
     if (is_same(file, path)) {

@@ -7,10 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "base/error.hpp"
 #include "support/scratch.hpp"
@@ -66,6 +68,30 @@ TEST(FolderLock, EndsWithItsProcess) {
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_TRUE(fs::exists(folder / lock_file)) << "it stays, and names its holder";
   EXPECT_EQ(catch_lock(folder), "");
+}
+
+/// A process that a killed one had started keeps its files open until it ends too.
+TEST(FolderLock, WaitsForWhatAKilledProcessStarted) {
+  const fs::path folder = make_folder("orphan");
+  std::array<int, 2> gate{};
+  ASSERT_EQ(pipe(gate.data()), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    FolderLock lock(folder);
+    lock.take();
+    if (fork() == 0) {
+      close(gate[1]);
+      char end = 0;
+      _exit(read(gate[0], &end, 1) == 0 ? 0 : 1);
+    }
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  std::thread opener([&] { close(gate[1]); });
+  EXPECT_EQ(catch_lock(folder), "");
+  opener.join();
+  close(gate[0]);
 }
 
 /// A link or a pipe in place of the lock does not lead to a file that is written to.
