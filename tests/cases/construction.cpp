@@ -189,6 +189,78 @@ TEST_F(ConstructionRuns, AFailureAfterAStageLeavesNoFactor) {
   EXPECT_TRUE(summary.at("main_factor").is_null());
 }
 
+/// A line within the section has its condition from the stage on that exposes it.
+TEST_F(ConstructionRuns, AnExposedLineDrains) {
+  const std::string text = R"(
+[[geometry.polygon]]
+name = "ground"
+points = [[0, 0], [20, 0], [20, 4], [12, 4], [8, 8], [0, 8]]
+[[geometry.polygon]]
+name = "cut"
+points = [[12, 4], [20, 4], [20, 8], [8, 8]]
+[[geometry.line]]
+name = "floor"
+points = [[20, 4], [12, 4], [8, 8]]
+[[geometry.line]]
+name = "back"
+points = [[0, 0], [0, 8]]
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 19
+porosity = 0.4
+cohesion = 30
+friction_angle = 25
+dilatancy_angle = 0
+tensile_strength = 30
+young_modulus = "20 MPa"
+poisson_ratio = 0.3
+[materials.clay.water]
+retention = "saturated"
+conductivity = "1e-8 m/s"
+[regions]
+ground = "clay"
+cut = "clay"
+[initial]
+stress = "k0"
+k0 = 0.6
+pore_pressure = "water_table"
+water_table = [[0, 7], [20, 7]]
+[[hydraulic]]
+on = "back"
+condition = "total_head"
+head = 7
+[[hydraulic]]
+on = "floor"
+condition = "seepage_face"
+[analysis]
+methods = ["fem"]
+[fem]
+size = 1
+meshes = 1
+[[output.monitor]]
+name = "floor"
+at = [16, 4]
+[[output.monitor]]
+name = "back"
+at = [0, 2]
+[[construction]]
+name = "wait"
+duration = 1
+factor = false
+[[construction]]
+name = "cut"
+duration = 30
+remove = ["cut"]
+drainage = "drained"
+factor = false
+)";
+  const auto stages = run(text).at("construction");
+  const auto &floor = stages.at("monitors")[0].at("pressure"), &back = stages.at("monitors")[1].at("pressure");
+  EXPECT_NEAR(floor.front().get<double>(), 3 * 9810.0, 300) << "there is soil on both sides of the line";
+  EXPECT_NEAR(floor.back().get<double>(), 0, 100);
+  EXPECT_NEAR(back.back().get<double>(), 5 * 9810.0, 100);
+}
+
 TEST_F(ConstructionRuns, SoilThatNothingBearsIsRefused) {
   try {
     run(lift, {{"construction.0.add", "[]"}, {"construction.1.remove", "[\"clay\"]"}, {"construction.0.remove", "[]"}});

@@ -71,22 +71,46 @@ class SoilPlan {
   const mesh::Plan& plan_;
 };
 
+/// Returns the soil of the case, and that of each of its stages of construction.
+std::vector<mesh::Plan> list_plans(const Case& data) {
+  std::vector<mesh::Plan> plans{data.mesh};
+  const auto add = [&](const auto& is_here) {
+    mesh::Plan& plan = plans.emplace_back(data.mesh);
+    std::erase_if(plan.polygons, [&](const mesh::Polygon& p) { return !is_here(p.name); });
+  };
+  if (!data.construction.empty()) add([&](const std::string& name) { return is_there_at_start(data, name); });
+  for (std::size_t k = 0; k < data.construction.size(); ++k)
+    add([&](const std::string& name) { return is_there(data, name, k); });
+  return plans;
+}
+
+/// Returns what a line borders on in one of the plans at least.
+Border look_along(const std::vector<mesh::Plan>& plans, const mesh::Polyline& line) {
+  Border border;
+  for (const mesh::Plan& plan : plans) {
+    const Border here = SoilPlan(plan).look_along(line);
+    border.meets_air |= here.meets_air, border.meets_soil |= here.meets_soil;
+  }
+  return border;
+}
+
 const char* name_condition(WaterCondition condition) {
   return condition == WaterCondition::rain ? "rain" : "a seepage face";
 }
 
 /// Checks that rain and seepage faces are on a free surface.
-void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
+void check_surface(const Hydraulic& hydraulic, const std::vector<mesh::Plan>& plans, const std::string& path,
+                   Findings& findings) {
   const WaterCondition condition = hydraulic.condition;
   if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
-  const SoilPlan soil(plan);
+  const mesh::Plan& plan = plans.front();
   const auto report = [&](const std::string& reason) {
     findings.add(path + ".on", "{} on '{}', which is never a surface of the soil: {}", name_condition(condition),
                  hydraulic.on, reason);
   };
   for (const mesh::Line& line : plan.lines) {
     if (line.name != hydraulic.on) continue;
-    const Border border = soil.look_along(line.points);
+    const Border border = look_along(plans, line.points);
     if (!border.meets_soil) return report("no soil touches it");
     if (!border.meets_air) report("it lies inside the soil or along a side of the box");
     return;
@@ -95,7 +119,7 @@ void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std
   if (condition != WaterCondition::rain) return;
   if (hydraulic.on != "top") return report("draw a line along the ground and name it");
   const Point2 &low = plan.box_min, &high = plan.box_max;
-  if (!soil.look_along({{low[0], high[1]}, high}).meets_soil)
+  if (!look_along(plans, {{low[0], high[1]}, high}).meets_soil)
     report("the soil does not reach it; draw a line along the ground and name it");
 }
 
@@ -233,6 +257,7 @@ void check_hydraulics(const Case& data, Findings& findings) {
     return;
   }
   const bool knows_section = data.mesh.file.empty() && findings.is_sound("geometry") && findings.is_sound("mesh");
+  const std::vector<mesh::Plan> plans = list_plans(data);
   std::set<std::string> sides;
   for (std::size_t i = 0; i < data.hydraulics.size(); ++i) {
     const Hydraulic& hydraulic = data.hydraulics[i];
@@ -241,7 +266,7 @@ void check_hydraulics(const Case& data, Findings& findings) {
       findings.add(path + ".on", "there are two hydraulic conditions on '{}'", hydraulic.on);
     check_steps(hydraulic, path, findings);
     if (!knows_section || !findings.is_sound(path + ".condition")) continue;
-    if (findings.is_sound(path + ".on")) check_surface(hydraulic, data.mesh, path, findings);
+    if (findings.is_sound(path + ".on")) check_surface(hydraulic, plans, path, findings);
     if (findings.is_sound(path + ".head")) check_head(hydraulic, data.mesh, path, findings);
   }
 }
