@@ -100,6 +100,11 @@ PlaneStrength find_plane_strength(const input::Material& soil) {
     throw Error(ExitCode::wrong_input, fmt::format("LEM and limit analysis need a cohesion and a friction angle: they "
                                                    "take the models {}",
                                                    material::list_sliceable()));
+  if (soil.known_strength) {
+    PlaneStrength known;
+    known.law = soil.known_strength;
+    return known;
+  }
   if (const auto strength = material::find_slice_strength(soil.model, soil)) return {*strength, true};
   PlaneStrength none{{}, false};
   none.cohesion = unyielding;

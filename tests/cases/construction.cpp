@@ -95,12 +95,14 @@ TEST_F(ConstructionRuns, FactorsGrowWithConsolidation) {
     for (const auto& step : stage.at("steps")) EXPECT_LT(step.at("residual").get<double>(), 1e-6);
   }
   // Without drainage the clay takes up pore pressure as it fails; at rest none is left to tell them apart.
-  ASSERT_EQ(stages[0].at("factors").size(), 3u);
+  ASSERT_EQ(stages[0].at("factors").size(), 4u);
   EXPECT_EQ(stages[1].at("factors").size(), 2u);
-  EXPECT_TRUE(stages[0].at("factors")[2].at("undrained"));
-  EXPECT_LT(stages[0].at("factors")[2].at("factor").get<double>(),
-            stages[0].at("factors")[1].at("factor").get<double>());
-  EXPECT_EQ(stages[0].at("least"), stages[0].at("factors")[2].at("factor"));
+  const auto get_factor = [&](std::size_t i) { return stages[0].at("factors")[i].at("factor").get<double>(); };
+  for (std::size_t i = 2; i < 4; ++i) {
+    EXPECT_TRUE(stages[0].at("factors")[i].at("undrained"));
+    EXPECT_LT(get_factor(i), get_factor(1));
+  }
+  EXPECT_EQ(stages[0].at("least"), std::min(get_factor(2), get_factor(3)));
   const auto& placed = stages[0].at("steps").back();
   const auto& rested = stages[1].at("steps").back();
   // The clay bears next to nothing of the 2 m of fill at first, and all of it in the end.

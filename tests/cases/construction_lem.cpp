@@ -4,14 +4,17 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
 #include "mesh/locate.hpp"
 #include "run/construction/stage_model.hpp"
+#include "run/construction/undrained_strengths.hpp"
 #include "run/fem/start_stress.hpp"
 
 namespace talus {
@@ -246,6 +249,66 @@ TEST_F(ConstructionLem, ConsolidatedEmbankmentHasSpencersFactor) {
   EXPECT_LT(stage.at("steps").back().at("excess").get<double>(), 100);
   const double lem = stage.at("factors")[0].at("factor"), fem = stage.at("factors")[1].at("factor");
   EXPECT_NEAR(fem, lem, 0.03 * lem);
+}
+
+/// The methods without drainage divide the same strength by the same factor: they agree as in a drained slope.
+TEST_F(ConstructionLem, MethodsAgreeOnAFailureWithoutDrainage) {
+  const auto summary = run(make_low_embankment() + slices, {{"analysis.methods", R"(["lem", "fem", "bounds"])"},
+                                                            {"construction.1.factor", "false"},
+                                                            {"bounds.gap", "0.03"}});
+  std::map<std::string, double> drained, undrained;
+  for (const auto& factor : summary.at("construction").at("stages").at(0).at("factors"))
+    (factor.contains("undrained") ? undrained : drained)[factor.at("method")] = factor.at("factor");
+  ASSERT_EQ(undrained.size(), 3);
+  // FEM on elements of an eighth of the clay is some 3 % too strong.
+  EXPECT_NEAR(undrained["lem"], undrained["fem"], 0.05 * undrained["fem"]);
+  EXPECT_LT(undrained["bounds"], std::min(undrained["lem"], undrained["fem"]) * 1.005);
+  EXPECT_GT(undrained["bounds"], undrained["fem"] * 0.95);
+  for (const auto& [method, factor] : drained) EXPECT_LT(undrained[method], factor) << method;
+  EXPECT_EQ(summary.at("construction").at("least"), std::min(undrained["lem"], undrained["bounds"]));
+}
+
+TEST_F(ConstructionLem, StrengthOfLevelGroundIsThatOfItsStress) {
+  const std::string text = make_low_embankment();
+  input::Case data = input::read_case_text(text, "embankment.toml", {}).data;
+  auto stress = std::make_shared<input::KnownStress>();
+  std::vector<std::string> notes;
+  stress->mesh = *run::make_whole_mesh(data, notes);
+  stress->elements.resize(stress->mesh.elements.size());
+  for (int e = 0; e < stress->mesh.element_count(); ++e)
+    for (std::size_t q = 0; q < 3; ++q) {
+      Vec<2> xi{1.0 / 6, 1.0 / 6};
+      if (q > 0) xi[q - 1] = 2.0 / 3;
+      const double vertical = (17e3 - 9810) * std::max(0.0, depth - mesh::to_global(stress->mesh, e, xi)[1]);
+      stress->elements[static_cast<std::size_t>(e)].stress[q] = {-0.6 * vertical, -vertical, -0.6 * vertical, 0, 0, 0};
+    }
+  data.initial.known_stress = stress;
+  const run::UndrainedStrengths strengths(data);
+  ASSERT_EQ(strengths.fault(), "");
+  for (const double factor : {1.0, 1.5}) {
+    const input::Case made = strengths.make_case(factor);
+    EXPECT_EQ(made.materials.at("fill_1").known_strength, nullptr);
+    const StrengthLaw& law = *made.materials.at("clay").known_strength;
+    const double reduced = std::atan(std::tan(friction) / factor);
+    for (const double z : {0.0, 1.3, 5.9}) {
+      const double mean = 0.8 * (17e3 - 9810) * z,
+                   expected = factor * (cohesion / factor * std::cos(reduced) + mean * std::sin(reduced));
+      const StrengthTangent found = law.find_tangent({{12.3, depth - z}});
+      EXPECT_NEAR(found.cohesion, expected, 1e-9 * expected) << z;
+      EXPECT_EQ(found.tan_friction, 0);
+    }
+  }
+}
+
+TEST_F(ConstructionLem, ClayThatDilatesHasNoKnownStrengthWithoutDrainage) {
+  const auto summary = run(make_low_embankment() + slices, {{"analysis.methods", R"(["lem", "fem"])"},
+                                                            {"materials.clay.dilatancy_angle", "5"},
+                                                            {"construction.1.factor", "false"}});
+  const auto& factors = summary.at("construction").at("stages").at(0).at("factors");
+  ASSERT_EQ(factors.size(), 4);
+  EXPECT_TRUE(factors[3].at("undrained"));
+  EXPECT_TRUE(factors[3].at("factor").is_null());
+  EXPECT_THAT(factors[3].at("error").get<std::string>(), testing::HasSubstr("dilates"));
 }
 
 }  // namespace

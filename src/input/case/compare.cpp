@@ -287,8 +287,9 @@ results::Construction outline_construction(const Case& data) {
     stage.steps.emplace_back();
     if (asked.factor)
       for (const Method method : data.methods)
-        if (method != Method::mpm) stage.factors.push_back({method, "", 1, {}, {}, {}});
-    if (asked.factor) stage.factors.push_back({Method::fem, "", 1, {}, {}, {}, true});
+        if (method != Method::mpm)
+          for (const std::optional<bool> undrained : {std::optional<bool>{}, {true}})
+            stage.factors.push_back({method, "", 1, {}, {}, {}, undrained});
     if (asked.release) stage.release.emplace();
   }
   for (const Monitor& asked : data.output.monitors) {

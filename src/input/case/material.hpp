@@ -3,9 +3,11 @@
 // [materials.NAME]: the soils. Strength parameters have no defaults, so that an omission is reported.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/strength_law.hpp"
 #include "input/case/water.hpp"
 #include "input/language/spec.hpp"
 #include "material/law.hpp"
@@ -105,6 +107,8 @@ struct Material : material::SoilNumbers {
   std::optional<double> given_void_ratio;  ///< e_0 if given; the porosity follows from it [-]
   PoreWater water;                         ///< default: no pore water
   SliceSoil slices;
+  std::shared_ptr<const StrengthLaw> known_strength{};  ///< total stress, for LEM and limit analysis in the place of
+                                                        ///< that of the law; from a calculation, not a key
 
   const material::Traits& traits() const { return material::get_traits(model); }
   /// Returns e_0 = n/(1-n) [-].

@@ -205,8 +205,8 @@ class ProblemBuilder {
     if (const auto& planes = given.planes)
       soil.planes = std::make_shared<const bounds::WeakPlanes>(
           bounds::WeakPlanes{planes->angle, planes->cohesion, std::tan(planes->friction_angle)});
-    const bool is_limited =
-        data_.bounds.tension == input::BoundsTension::as_given && (envelope || m.traits().has_friction);
+    const bool is_limited = data_.bounds.tension == input::BoundsTension::as_given &&
+                            (envelope || (m.traits().has_friction && !m.known_strength));
     const double tension = envelope ? given.law->tensile_strength : m.tensile_strength;
     if (is_limited && tension * soil.tan_friction < soil.cohesion) soil.tension = tension;
     return soil;

@@ -43,7 +43,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.reduced = m.reduced;
   if (!strength.yields)
     notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
-  soil.undrained = material::is_total_stress(m.model, m) || (!soil.law && soil.friction_angle == 0);
+  soil.undrained = m.known_strength || material::is_total_stress(m.model, m) || (!soil.law && soil.friction_angle == 0);
   switch (m.slices.suction_strength) {
     case input::SuctionStrength::from_water:
     case input::SuctionStrength::saturation:

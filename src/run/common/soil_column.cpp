@@ -18,6 +18,7 @@ SoilColumns::SoilColumns(const site::Site& site) {
 }
 
 StrengthPlane SoilColumns::find(const Vec<2>& x) const {
+  if (!slope_) return {.at = x};
   const lem::Slope::Strips& strips = slope_->strips();
   const lem::Strip& strip = strips.strip(strips.find(x[0]));
   const double dx = x[0] - strip.left, ground = strip.ground.at(dx);

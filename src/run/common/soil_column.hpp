@@ -17,7 +17,7 @@ namespace talus::run {
 
 class SoilColumns {
  public:
-  /// Makes the section of the case if a soil has a strength by depth or σ'_v; else find() must not be called. Throws
+  /// Makes the section of the case if a soil has a strength by depth or σ'_v; else find() gives the place alone. Throws
   /// what make_section() throws.
   explicit SoilColumns(const site::Site& site);
 

@@ -173,6 +173,14 @@ void ConstructionRun::calculate() {
   if (options_.progress) options_.progress->clear();
 }
 
+results::Construction ConstructionRun::follow() {
+  find_start();
+  for (int k = 0; k < static_cast<int>(data_.construction.size()); ++k)
+    if (!run_stage(k)) break;
+  summary_.monitors = record_->make_monitors();
+  return summary_;
+}
+
 fem::ConsolidationSchedule ConstructionRun::make_schedule(int number) const {
   const input::ConstructionStage& asked = data_.construction[static_cast<std::size_t>(number)];
   fem::ConsolidationSchedule schedule;
@@ -308,25 +316,38 @@ bool ConstructionRun::keeps_excess(const results::ConstructionStage& result) con
 }
 
 /// Soil that contracts as it fails takes up pore pressure unless it drains: at the fixed pore pressures of the other
-/// factors it would be too strong.
-/// Returns false if there is no equilibrium at full strength.
-bool ConstructionRun::add_undrained_factor(results::ConstructionStage& result) const {
+/// factors it would be too strong. Returns false if there is no equilibrium at full strength.
+bool ConstructionRun::add_undrained_factors(const input::Case& later, int number, results::ConstructionStage& result) {
   show(fmt::format("stage '{}', failure without drainage", result.name));
-  fem::UndrainedOptions options;
-  options.resolution = data_.fem.resolution;
-  options.most_iterations = data_.consolidation.most_iterations;
-  options.most_displacement = find_most_displacement();
-  options.threads = options_.threads;
+  fem::UndrainedOptions limits;
+  limits.resolution = data_.fem.resolution;
+  limits.most_iterations = data_.consolidation.most_iterations;
+  limits.most_displacement = find_most_displacement();
+  limits.threads = options_.threads;
   results::StageFactor factor{Method::fem, "FEM, failure without drainage", {}, {}, {}, {}, true};
-  const fem::UndrainedReduction found = fem::reduce_undrained<2>(stage_->model, state_, options);
-  if (found.stable > 0 && found.failed > 0) {
-    factor.factor = found.stable;  // no interval: what one mesh leaves open is not known
+  const fem::UndrainedReduction reduced = fem::reduce_undrained<2>(stage_->model, state_, limits);
+  if (reduced.stable > 0 && reduced.failed > 0) {
+    factor.factor = reduced.stable;  // no interval: what one mesh leaves open is not known
   } else {
-    factor.error = found.stable > 0 ? fmt::format("no failure up to a factor of {:g}", found.stable)
-                                    : "no equilibrium at full strength without drainage";
+    factor.error = reduced.stable > 0 ? fmt::format("no failure up to a factor of {:g}", reduced.stable)
+                                      : "no equilibrium at full strength without drainage";
   }
   result.factors.push_back(std::move(factor));
-  return found.stable > 0;
+  RunOptions options = options_;
+  options.folder = join_name(options_.folder, result.folder);
+  StageFactors found =
+      find_undrained_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
+                             fmt::format("{}-{}-undrained", hash_, number), std::max(1.0, reduced.stable));
+  result.factors.insert(result.factors.end(), found.factors.begin(), found.factors.end());
+  add_warnings(result.name, found.warnings);
+  return reduced.stable > 0;
+}
+
+void ConstructionRun::add_warnings(const std::string& stage, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::vector<std::string>& stages = stage_warnings_[warning];
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+  }
 }
 
 /// Small displacements end at a quarter of the height of the section.
@@ -346,12 +367,8 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
       find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
                          fmt::format("{}-{}", hash_, number));
   result.factors = std::move(found.factors);
-  const bool holds_undrained =
-      !input::uses(data_, Method::fem) || !keeps_excess(result) || add_undrained_factor(result);
-  for (const std::string& warning : found.warnings) {
-    std::vector<std::string>& stages = stage_warnings_[warning];
-    if (stages.empty() || stages.back() != result.name) stages.push_back(result.name);
-  }
+  add_warnings(result.name, found.warnings);
+  const bool holds_undrained = !keeps_excess(result) || add_undrained_factors(later, number, result);
   for (const results::StageFactor& factor : result.factors)
     if (factor.factor) result.least = std::min(result.least.value_or(*factor.factor), *factor.factor);
   // The other factors would be above that of a state that does not even hold at full strength.

@@ -29,6 +29,8 @@ class ConstructionRun {
   /// Computes the stages one after the other, and the factors at their ends. A stage without equilibrium ends the
   /// sequence, and its reason is part of the result. Throws Error (interrupted).
   void calculate();
+  /// Computes the stages alone, without factors and without files. Returns their steps and monitors.
+  results::Construction follow();
   void write_result(results::RunResult& run) const;
   /// Removes the file that only a resumed run needs.
   void forget() const;
@@ -43,7 +45,8 @@ class ConstructionRun {
                 const std::vector<double>& head, results::ConstructionStage& result);
   void add_supports(results::ConstructionStage& result) const;
   bool keeps_excess(const results::ConstructionStage& result) const;
-  bool add_undrained_factor(results::ConstructionStage& result) const;
+  bool add_undrained_factors(const input::Case& later, int number, results::ConstructionStage& result);
+  void add_warnings(const std::string& stage, const std::vector<std::string>& warnings);
   double find_most_displacement() const;
   void add_factors(int number, results::ConstructionStage& result);
   void release(int number, results::ConstructionStage& result);

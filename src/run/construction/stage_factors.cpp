@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/atomic_file.hpp"
+#include "base/user_file.hpp"
 #include "input/echo.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
@@ -14,6 +15,7 @@
 #include "run/common/head.hpp"
 #include "run/common/method_run.hpp"
 #include "run/compare/compare.hpp"
+#include "run/construction/undrained_strengths.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/lem/slice_run.hpp"
 #include "site/site.hpp"
@@ -101,6 +103,44 @@ StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Ca
   run.results = list_results(later, run);
   results::write_file(options.folder / "summary.json", run);
   return {std::move(factors), std::move(run.warnings)};
+}
+
+StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
+                                    const RunOptions& options, const std::string& hash, double guess) {
+  constexpr int most_repetitions = 8;
+  constexpr double closeness = 1e-3;  // of the factors of two repetitions
+  const UndrainedStrengths strengths(later);
+  StageFactors all;
+  if (strengths.empty()) return all;
+  for (const auto& [method, name] : {std::pair{Method::lem, "LEM"}, {Method::bounds, "limit analysis, lower bound"}}) {
+    if (!input::uses(later, method)) continue;
+    results::StageFactor& out = all.factors.emplace_back();
+    out = {method, fmt::format("{}, failure without drainage", name), {}, {}, {}, {}, true};
+    if (!strengths.fault().empty()) {
+      out.error = strengths.fault();
+      continue;
+    }
+    RunOptions own = options;
+    own.folder = join_name(options.folder, std::string("undrained_") + results::to_word(method));
+    double factor = guess;
+    for (int k = 0; k < most_repetitions; ++k) {
+      input::Case made = strengths.make_case(factor);
+      made.methods = {method};
+      StageFactors found = find_stage_factors(loaded, made, title + ", failure without drainage", own,
+                                              fmt::format("{}-{}-{}", hash, results::to_word(method), k));
+      out.title = found.factors.front().title + ", failure without drainage";
+      out.error = found.factors.front().error;
+      out.factor = found.factors.front().factor;
+      all.warnings = std::move(found.warnings);
+      if (!out.factor) break;
+      // The strength grows with the factor, so that the smaller of the two holds with its own strength.
+      const double change = *out.factor - factor;
+      factor = *out.factor;
+      out.factor = std::min(factor, factor - change);
+      if (std::abs(change) < closeness * factor) break;
+    }
+  }
+  return all;
 }
 
 }  // namespace talus::run

@@ -22,4 +22,11 @@ struct StageFactors {
 StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
                                 const RunOptions& options, const std::string& hash);
 
+/// Runs LEM and limit analysis, those that the case names, for a failure without drainage from `later`, whose stresses
+/// are known. Each repeats with the strengths of its own factor. Results and errors are as those of
+/// find_stage_factors(), each method in a folder of its own; none where every strength is that without drainage
+/// already. `guess` of the factors.
+StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
+                                    const RunOptions& options, const std::string& hash, double guess);
+
 }  // namespace talus::run

@@ -23,8 +23,10 @@ function Factors({ construction, time, ends }: { construction: Construction; tim
   const titles: Record<string, string> = {
     lem: "LEM",
     fem: "FEM",
+    lem_undrained: "LEM, failure without drainage",
     fem_undrained: "FEM, failure without drainage",
     bounds: "Limit analysis, lower bound",
+    bounds_undrained: "Limit analysis, lower bound, failure without drainage",
   };
   const points = factors.map((f) => ({ ...f, t: f.time / time.si, style: styleOf(methods.indexOf(f.method)) }));
   const values = points.map(({ factor }) => factor);
