@@ -47,7 +47,9 @@ void calibrate(CalibrateCommand& command) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  const Command command(app, "calibrate", "Fit soil parameters to measured curves of element tests");
+  const Command command(
+      app, "calibrate",
+      "Fit soil parameters to measured curves of element tests, or to monitors of stages of construction");
   const auto options = std::make_shared<CalibrateCommand>();
   options->input.add_to(command);
   command.take("-o,--output,--out", options->run.folder,

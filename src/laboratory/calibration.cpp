@@ -111,7 +111,7 @@ std::vector<std::string> list_findings(const input::Calibration& calibration, co
   for (const results::CalibratedCurve& c : result.curves)
     if (c.missing > 1e-6)
       list.push_back(
-          fmt::format("The test '{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing on "
+          fmt::format("'{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing on "
                       "average; each such point counts as missed by 100 standard errors and more.",
                       c.test, c.y.name, 100 * c.missing));
   add_rivals(result, list);
@@ -127,9 +127,6 @@ std::vector<std::string> list_findings(const input::Calibration& calibration, co
 
 namespace {
 
-/// Step of the differences, over the range of a parameter. Smaller steps would resolve the error of the tests, which
-/// are solved to ten digits.
-constexpr double difference_step = 5e-4;
 constexpr double rank_limit =
     1e-5;                      ///< of singular values, over the largest: below it a direction counts as undetermined
 constexpr double felt = 1e-4;  ///< effect of a parameter over its range, in standard errors: below it there is none
@@ -170,7 +167,7 @@ class Residuals final : public ceres::CostFunction {
     std::vector<std::optional<Comparison>> found(sets);
     std::vector<double> step(sets, 0);
     for (std::size_t s = 1; s < sets; ++s) {
-      const double u = centre[(s - 1) / 2], wanted = u + (s % 2 == 1 ? difference_step : -difference_step);
+      const double u = centre[(s - 1) / 2], wanted = u + (s % 2 == 1 ? 1 : -1) * model_.difference_step();
       step[s] = std::clamp(wanted, 0.0, 1.0) - u;
     }
     parallel_tasks(static_cast<int>(sets), threads_, [&](int task) {
@@ -234,8 +231,8 @@ Search search(const CalibrationModel& model, const std::vector<double>& from, co
   settings.linear_solver_type = ceres::DENSE_QR;
   settings.max_num_iterations = options.iterations;
   settings.max_num_consecutive_invalid_steps = 20;
-  settings.function_tolerance = 1e-10;
-  settings.parameter_tolerance = 1e-9;
+  settings.function_tolerance = model.search_tolerance();
+  settings.parameter_tolerance = 0.1 * model.search_tolerance();
   settings.gradient_tolerance = 1e-12;
   settings.logging_type = ceres::SILENT;
   settings.num_threads = 1;  // the tests take the time, and they run in parallel
@@ -356,28 +353,35 @@ double sum_squares(const std::vector<double>& residuals) {
   return sum;
 }
 
+/// Adds what was measured and computed, and their differences.
+void add_values(const std::vector<std::array<double, 2>>& points, results::CalibratedCurve& f) {
+  const auto n = static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    f.at.push_back(points[i][0]);
+    f.measured.push_back(points[i][1]);
+    const double now = f.fitted[i] - f.measured[i], then = f.before[i] - f.measured[i];
+    f.rms += now * now / n;
+    f.rms_before += then * then / n;
+    f.mean += now / n;
+    if (std::abs(now) >= std::abs(f.largest)) f.largest = now, f.largest_at = f.at[i];
+  }
+  f.rms = std::sqrt(f.rms);
+  f.rms_before = std::sqrt(f.rms_before);
+}
+
 std::vector<results::CalibratedCurve> describe_curves(const input::Calibration& calibration, const Comparison& before,
                                                       const Comparison& fitted) {
   std::vector<results::CalibratedCurve> curves;
-  for (std::size_t k = 0; k < calibration.curves.size(); ++k) {
-    const input::MeasuredCurve& c = calibration.curves[k];
+  const auto add = [&](const auto& measured, const std::string& of, const std::string& x, const std::string& y) {
+    const std::size_t k = curves.size();
     results::CalibratedCurve& f = curves.emplace_back();
-    f.test = c.test, f.x.name = c.x, f.y.name = c.y, f.deviation = c.deviation, f.weight = c.weight;
+    f.test = of, f.x.name = x, f.y.name = y, f.deviation = measured.deviation, f.weight = measured.weight;
     f.before = before.values[k], f.fitted = fitted.values[k], f.missing = fitted.missing[k];
     f.line_before = before.lines[k], f.line = fitted.lines[k];
-    const auto n = static_cast<double>(c.points.size());
-    for (std::size_t i = 0; i < c.points.size(); ++i) {
-      f.at.push_back(c.points[i][0]);
-      f.measured.push_back(c.points[i][1]);
-      const double now = f.fitted[i] - f.measured[i], then = f.before[i] - f.measured[i];
-      f.rms += now * now / n;
-      f.rms_before += then * then / n;
-      f.mean += now / n;
-      if (std::abs(now) >= std::abs(f.largest)) f.largest = now, f.largest_at = f.at[i];
-    }
-    f.rms = std::sqrt(f.rms);
-    f.rms_before = std::sqrt(f.rms_before);
-  }
+    add_values(measured.points, f);
+  };
+  for (const input::MeasuredCurve& c : calibration.curves) add(c, c.test, c.x, c.y);
+  for (const input::MonitoredCurve& c : calibration.monitors) add(c, c.monitor, time_axis, input::get_word(c.quantity));
   return curves;
 }
 

@@ -16,6 +16,9 @@
 
 namespace talus::laboratory {
 
+/// Name of the abscissa of monitors.
+inline constexpr const char* time_axis = "time";
+
 /// Returns warnings on a calibration, the most serious first. `unfixed`: directions in the ranges of the parameters
 /// along which no curve changes; `freedom`: measured values less free parameters.
 std::vector<std::string> list_findings(const input::Calibration& calibration, const results::Calibration& result,
@@ -68,7 +71,8 @@ struct CalibrationRun {
 };
 
 /// Calibrates, and writes into folder/calibration: parameters.csv, correlation.csv, curves.csv, solver.txt, and
-/// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters.
+/// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters, and
+/// folder with its stages of construction, without factors.
 /// Returns the content of calibration.json. Throws Error (wrong_input) if the case has no calibration, what
 /// calibrate() throws, and Error (cannot_write).
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);

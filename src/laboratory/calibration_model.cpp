@@ -9,9 +9,11 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "laboratory/point_test.hpp"
+#include "laboratory/stage_history.hpp"
 
 namespace talus::laboratory {
 
@@ -111,6 +113,17 @@ CalibrationModel::CalibrationModel(const input::Case& data) : data_(data), calib
     spans_.push_back(span > 0 ? span : std::max(std::abs((*high)[0]), 1e-300));
     if (curve.weight > 0) value_count_ += curve.points.size();
   }
+  for (const input::MonitoredCurve& curve : calibration_.monitors)
+    if (curve.weight > 0) value_count_ += curve.points.size();
+}
+
+// The time steps of stages follow their errors: results scatter by a small part of the tolerance. Element tests are
+// solved to ten digits, which smaller steps than these would resolve.
+double CalibrationModel::difference_step() const {
+  return calibration_.monitors.empty() ? 5e-4 : 1e-2;
+}
+double CalibrationModel::search_tolerance() const {
+  return calibration_.monitors.empty() ? 1e-10 : 1e-4;
 }
 
 double CalibrationModel::find_value(std::size_t i, double u) const {
@@ -151,26 +164,19 @@ input::Material CalibrationModel::make_soil(std::size_t test, const std::vector<
   return soil;
 }
 
-std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& places, std::string* why,
-                                                    bool with_lines) const {
+std::string CalibrationModel::compare_tests(const std::vector<double>& places, bool with_lines,
+                                            Comparison& result) const {
   std::map<std::size_t, PointCurve> curves;
   for (const std::size_t test : tests_) {
     const input::Material soil = make_soil(test, places);
-    std::string fault = find_fault(data_.tests[test].material, soil);
-    if (fault.empty()) {
-      try {
-        curves[test] = run_point_test(soil, data_.tests[test], data_.units().stress);
-        ++runs_;
-        continue;
-      } catch (const Error& error) {
-        fault = error.what();
-      }
+    if (std::string fault = find_fault(data_.tests[test].material, soil); !fault.empty()) return fault;
+    try {
+      curves[test] = run_point_test(soil, data_.tests[test], data_.units().stress);
+      ++runs_;
+    } catch (const Error& error) {
+      return error.what();
     }
-    if (why != nullptr) *why = fault;
-    return std::nullopt;
   }
-  Comparison result;
-  result.residuals.reserve(value_count_);
   for (std::size_t k = 0; k < calibration_.curves.size(); ++k) {
     const input::MeasuredCurve& c = calibration_.curves[k];
     std::vector<double>& values = result.values.emplace_back();
@@ -191,12 +197,64 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
     for (const std::size_t i : choose_drawn(curve, most_drawn))
       line.push_back({get_quantity(curve.rows[i], c.x), get_quantity(curve.rows[i], c.y)});
   }
-  for (const double r : result.residuals)
-    if (!std::isfinite(r)) {
-      if (why != nullptr) *why = "a test gives a value that is not finite";
-      return std::nullopt;
+  return "";
+}
+
+std::string CalibrationModel::compare_stages(const std::vector<double>& places, bool with_lines,
+                                             Comparison& result) const {
+  if (calibration_.monitors.empty()) return "";
+  input::Case changed = data_;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const input::CalibrationParameter& p = calibration_.parameters[i];
+    input::set_number(changed.materials.at(p.material), p.path, find_value(i, places[i]));
+  }
+  for (const auto& [name, soil] : changed.materials)
+    if (std::string fault = find_fault(name, soil); !fault.empty()) return fault;
+  std::optional<StageHistory> history;
+  try {
+    history.emplace(changed);
+    ++runs_;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::wrong_input) throw;
+    return error.what();
+  }
+  const double end = history->times().back();
+  for (const input::MonitoredCurve& c : calibration_.monitors) {
+    const std::vector<double> computed = history->list_values(c.number, c.quantity);
+    std::vector<double>& values = result.values.emplace_back();
+    double missing = 0;
+    for (const auto& [time, measured] : c.points) {
+      const HistoryReading reading = read_history(history->times(), computed, time);
+      if (!std::isfinite(reading.value))
+        return fmt::format("monitor '{}' is not in soil at {}, when it was measured", c.monitor,
+                           units::format_time(time));
+      values.push_back(reading.value);
+      const double beyond = reading.missing / std::max(end, time);
+      if (beyond > slack) missing += beyond / static_cast<double>(c.points.size());
+      if (c.weight <= 0) continue;
+      const double error = beyond > slack ? missed * (1 + beyond) : (reading.value - measured) / c.deviation;
+      result.residuals.push_back(c.weight * error);
     }
-  return result;
+    result.missing.push_back(missing);
+    if (!with_lines) continue;
+    std::vector<results::Point>& line = result.lines.emplace_back();
+    for (std::size_t i = 0; i < computed.size(); ++i)
+      if (std::isfinite(computed[i])) line.push_back({history->times()[i], computed[i]});
+  }
+  return "";
+}
+
+std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& places, std::string* why,
+                                                    bool with_lines) const {
+  Comparison result;
+  result.residuals.reserve(value_count_);
+  std::string fault = compare_tests(places, with_lines, result);
+  if (fault.empty()) fault = compare_stages(places, with_lines, result);
+  for (const double r : result.residuals)
+    if (fault.empty() && !std::isfinite(r)) fault = "a test gives a value that is not finite";
+  if (fault.empty()) return result;
+  if (why != nullptr) *why = fault;
+  return std::nullopt;
 }
 
 }  // namespace talus::laboratory

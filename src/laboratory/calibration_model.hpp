@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Residuals between the element tests of a case and measurements, as a function of its parameters.
+// Residuals between the element tests of a case, or the monitors of its stages of construction, and measurements, as a
+// function of its parameters.
 
 #include <array>
 #include <atomic>
@@ -30,7 +31,7 @@ struct Reading {
 Reading read_curve(const PointCurve& curve, std::size_t leg, const std::string& x_name, const std::string& y_name,
                    double x);
 
-/// Results of one set of parameters.
+/// Results of one set of parameters. Curves are those of the tests, then those of the monitors.
 struct Comparison {
   std::vector<double> residuals;            ///< of the fitted curves: w (y_model - y)/σ
   std::vector<std::vector<double>> values;  ///< of every curve: y_model at the measured abscissae [SI]
@@ -54,15 +55,23 @@ class CalibrationModel {
   /// d value/d u.
   double find_slope(std::size_t i, double u) const;
 
-  /// Runs the tests with the parameters at `places`. Returns nullopt if they are invalid or a test cannot be run, with
-  /// the reason in `why`. Thread-safe.
+  /// Step of differences, over the range of a parameter.
+  double difference_step() const;
+  /// Relative change of the misfit below which a search ends.
+  double search_tolerance() const;
+
+  /// Runs the tests and the stages with the parameters at `places`. Returns nullopt if they are invalid or a test
+  /// cannot be run, with the reason in `why`. Thread-safe.
   std::optional<Comparison> compare(const std::vector<double>& places, std::string* why = nullptr,
                                     bool with_lines = false) const;
-  /// Number of tests run so far.
+  /// Number of tests and sequences of stages run so far.
   long count_runs() const { return runs_; }
 
  private:
   input::Material make_soil(std::size_t test, const std::vector<double>& places) const;
+  /// Both return why the parameters are refused; empty if they are not.
+  std::string compare_tests(const std::vector<double>& places, bool with_lines, Comparison& result) const;
+  std::string compare_stages(const std::vector<double>& places, bool with_lines, Comparison& result) const;
 
   const input::Case& data_;
   const input::Calibration& calibration_;

@@ -10,10 +10,12 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
+#include "base/units.hpp"
 #include "laboratory/point_results.hpp"
 #include "laboratory/point_test.hpp"
 #include "output/files/history.hpp"
 #include "results/json.hpp"
+#include "run/run_case.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -28,9 +30,20 @@ double round_off(double value) {
   return std::isfinite(power) ? std::round(value * power) / power : value;
 }
 
+/// Returns how a quantity of a test or of a monitor is shown.
+Shown show_axis(const std::string& name, const std::string& stress_unit) {
+  if (name == time_axis) return {{name, "time", "day"}, units::get_si_factor("day")};
+  if (name == input::get_word(input::MonitoredQuantity::settlement)) return {{name, "settlement", "mm"}, 1e-3};
+  if (name == input::get_word(input::MonitoredQuantity::lateral))
+    return {{name, "horizontal displacement", "mm"}, 1e-3};
+  if (name == input::get_word(input::MonitoredQuantity::pressure))
+    return {{name, "pore pressure", stress_unit}, units::get_si_factor(stress_unit)};
+  return show_quantity(name, stress_unit);
+}
+
 /// Converts a curve from SI to display units.
 void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
-  const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
+  const Shown x = show_axis(c.x.name, stress_unit), y = show_axis(c.y.name, stress_unit);
   c.x = x.summary;
   c.y = y.summary;
   for (double& v : c.at) v = round_off(v / x.factor);
@@ -82,7 +95,7 @@ std::string write_correlation_table(const results::Calibration& result) {
 std::string write_curve_table(const results::Calibration& result, const std::string& stress_unit) {
   std::string text = "test,x,x_unit,y,y_unit,x_value,measured,with_start,fitted,difference,standard_error\n";
   for (const results::CalibratedCurve& c : result.curves) {
-    const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
+    const Shown x = show_axis(c.x.name, stress_unit), y = show_axis(c.y.name, stress_unit);
     for (std::size_t i = 0; i < c.at.size(); ++i)
       text += fmt::format("{},{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}\n", output::quote_field(c.test),
                           c.x.name, x.summary.unit, c.y.name, y.summary.unit, c.at[i] / x.factor,
@@ -92,12 +105,28 @@ std::string write_curve_table(const results::Calibration& result, const std::str
   return text;
 }
 
+/// Runs the stages without factors.
+void run_stages(const input::LoadedCase& fitted, std::vector<input::Override> changes, const CalibrationRun& run) {
+  changes.push_back({"analysis.methods", "[\"fem\"]"});
+  for (std::size_t k = 0; k < fitted.data.construction.size(); ++k)
+    for (const char* key : {"factor", "release"})
+      changes.push_back({fmt::format("construction.{}.{}", k, key), "false"});
+  run::RunOptions options;
+  options.folder = run.folder;
+  options.overwrite = true;
+  options.threads = run.options.threads;
+  options.progress = run.options.progress;
+  run::run_case(input::read_case_text(fitted.text, fitted.file, changes), options);
+}
+
 }  // namespace
 
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
   if (!loaded.data.calibration)
-    fail_input("there is nothing to calibrate in '{}': add [[calibration.parameter]] and [[calibration.curve]]",
-               loaded.file);
+    fail_input(
+        "there is nothing to calibrate in '{}': add [[calibration.parameter]] and [[calibration.curve]] or "
+        "[[calibration.monitor]]",
+        loaded.file);
   const auto start = std::chrono::steady_clock::now();
   std::string log;
   results::Calibration result = calibrate(loaded.data, run.options, &log);
@@ -110,12 +139,13 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   for (results::CalibratedCurve& c : result.curves) show_curve(c, unit);
   show_parameters(result, *loaded.data.calibration);
 
-  // Repeats the element tests with the fitted soils, for tables, pictures and the first half of the report.
+  // Repeats tests and stages with the fitted soils, for tables, pictures and the first half of the report.
   std::vector<input::Override> changes = run.overrides;
   for (const results::CalibratedParameter& p : result.parameters) changes.push_back({p.key, p.text});
   const input::LoadedCase fitted =
       input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
-  run_point_tests(fitted, {run.folder, {}, run.pictures});
+  if (!fitted.data.tests.empty()) run_point_tests(fitted, {run.folder, {}, run.pictures});
+  if (!loaded.data.calibration->monitors.empty()) run_stages(fitted, std::move(changes), run);
 
   const fs::path folder = run.folder / "calibration";
   FolderLock lock(folder);

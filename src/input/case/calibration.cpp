@@ -254,6 +254,57 @@ class CurveCheck : BlockFindings {
   std::string folder_;
 };
 
+/// Check of the measurements of one monitor.
+class MonitorCheck : BlockFindings {
+ public:
+  MonitorCheck(const Case& data, MonitoredCurve& curve, const std::string& block, Findings& all)
+      : BlockFindings(all, block), data_(data), c_(curve) {}
+
+  void run() {
+    if (!is_sound("name") || !findings.is_sound("output")) return;
+    if (data_.construction.empty())
+      return report("name", "monitors are fitted in stages of construction: the case has no [[construction]]");
+    std::vector<std::string> names;
+    for (const Monitor& monitor : data_.output.monitors) {
+      if (monitor.name == c_.monitor) c_.number = names.size();
+      names.push_back(monitor.name);
+    }
+    if (std::find(names.begin(), names.end(), c_.monitor) == names.end())
+      return report("name", "there is no monitor '{}'; {}", c_.monitor, talus::suggest(c_.monitor, names));
+    const Monitor& monitor = data_.output.monitors[c_.number];
+    const TimeTable& table = c_.quantity == MonitoredQuantity::settlement ? monitor.settlement
+                             : c_.quantity == MonitoredQuantity::lateral  ? monitor.lateral
+                                                                          : monitor.pressure;
+    const std::string word = get_word(c_.quantity);
+    if (table.time.empty()) return report("quantity", "monitor '{}' has no measured_{}", c_.monitor, word);
+    double largest = 0;
+    for (std::size_t i = 0; i < table.time.size(); ++i) {
+      c_.points.push_back({table.time[i], table.value[i]});
+      largest = std::max(largest, std::abs(table.value[i]));
+    }
+    if (!is_sound("error")) return;
+    if (c_.error && !is_relative(*c_.error)) return set_amount(word);
+    if (largest == 0) return report("error", "all measured values are 0; give 'error' as an amount");
+    c_.deviation = (c_.error ? c_.error->number / 100 : usual_error) * largest;
+  }
+
+ private:
+  void set_amount(const std::string& word) {
+    const bool is_pressure = c_.quantity == MonitoredQuantity::pressure;
+    if (c_.error->unit.empty())
+      return report("error", "'{}' has no unit: write \"{} {}\", or per cent", c_.error->text, c_.error->text,
+                    is_pressure ? "kPa" : "mm");
+    try {
+      c_.deviation = units::parse_as_si(c_.error->text, is_pressure ? "Pa" : "m", word);
+    } catch (const Error& error) {
+      report("error", error.what());
+    }
+  }
+
+  const Case& data_;
+  MonitoredCurve& c_;
+};
+
 /// Returns true if the test depends on the parameter: it uses the material and does not set the key itself.
 bool feels(const PointTest& test, const CalibrationParameter& parameter) {
   return test.material == parameter.material &&
@@ -264,8 +315,9 @@ bool feels(const PointTest& test, const CalibrationParameter& parameter) {
 void check_together(const Case& data, const Calibration& calibration, Findings& findings) {
   if (calibration.parameters.empty() && findings.is_sound("calibration"))
     findings.add("calibration", "[calibration] has nothing to fit: add a [[calibration.parameter]]");
-  if (calibration.curves.empty() && findings.is_sound("calibration"))
-    findings.add("calibration", "[calibration] has nothing to fit to: add a [[calibration.curve]]");
+  if (calibration.curves.empty() && calibration.monitors.empty() && findings.is_sound("calibration"))
+    findings.add("calibration",
+                 "[calibration] has nothing to fit to: add a [[calibration.curve]] or a [[calibration.monitor]]");
   std::set<std::string> keys;
   for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
     const CalibrationParameter& p = calibration.parameters[i];
@@ -274,6 +326,9 @@ void check_together(const Case& data, const Calibration& calibration, Findings& 
     if (!keys.insert(p.key).second) findings.add(path, "'{}' is fitted twice", p.key);
     if (p.material.empty() || !findings.is_sound("test") || !findings.is_sound("calibration.curve")) continue;
     if (calibration.curves.empty()) continue;
+    if (std::any_of(calibration.monitors.begin(), calibration.monitors.end(),
+                    [](const MonitoredCurve& c) { return c.weight > 0; }))
+      continue;
     if (std::none_of(calibration.curves.begin(), calibration.curves.end(),
                      [&](const MeasuredCurve& c) { return c.weight > 0 && feels(data.tests[c.test_number], p); }))
       findings.add(path, "no curve feels '{}': none is of a test of material '{}' that does not set it itself", p.key,
@@ -282,6 +337,7 @@ void check_together(const Case& data, const Calibration& calibration, Findings& 
   if (!findings.is_sound("calibration")) return;
   std::size_t values = 0;
   for (const MeasuredCurve& c : calibration.curves) values += c.weight > 0 ? c.points.size() : 0;
+  for (const MonitoredCurve& c : calibration.monitors) values += c.weight > 0 ? c.points.size() : 0;
   if (values < calibration.parameters.size())
     findings.add("calibration", "{} measured {} cannot fix {} parameters", values, values == 1 ? "value" : "values",
                  calibration.parameters.size());
@@ -297,6 +353,8 @@ void complete_calibration(Case& data, const std::string& file, Findings& finding
     ParameterCheck(data, calibration.parameters[i], fmt::format("calibration.parameter.{}", i), findings).run();
   for (std::size_t i = 0; i < calibration.curves.size(); ++i)
     CurveCheck(data, calibration.curves[i], fmt::format("calibration.curve.{}", i), folder, findings).run();
+  for (std::size_t i = 0; i < calibration.monitors.size(); ++i)
+    MonitorCheck(data, calibration.monitors[i], fmt::format("calibration.monitor.{}", i), findings).run();
   check_together(data, calibration, findings);
 }
 

@@ -58,18 +58,40 @@ struct MeasuredCurve {
   double deviation = 0;                       ///< standard error of y [SI]
 };
 
+enum class MonitoredQuantity { settlement, lateral, pressure };
+
+/// Measurements of a monitor in stages of construction.
+struct MonitoredCurve {
+  std::string monitor;
+  MonitoredQuantity quantity = MonitoredQuantity::settlement;
+  std::optional<Amount> error;
+  double weight = 1;  ///< [-]; 0: shown, not fitted
+  // Derived:
+  std::size_t number = 0;                     ///< of the monitor
+  std::vector<std::array<double, 2>> points;  ///< time [s] and value [SI]
+  double deviation = 0;                       ///< standard error of the value [SI]
+};
+
 struct Calibration {
   int starts = 5;       ///< number of starting points
   int seed = 1;         ///< of the random starting points
   int iterations = 50;  ///< limit per starting point
   std::vector<CalibrationParameter> parameters;
   std::vector<MeasuredCurve> curves;
+  std::vector<MonitoredCurve> monitors;
 };
 
 template <>
 inline constexpr auto choices<CalibrationScale> = std::array{
     Choice{CalibrationScale::linear, "linear", "equal steps of the number itself"},
     Choice{CalibrationScale::log, "log", "equal steps of its logarithm, for a number whose order is unknown"},
+};
+
+template <>
+inline constexpr auto choices<MonitoredQuantity> = std::array{
+    Choice{MonitoredQuantity::settlement, "settlement", "`measured_settlement`"},
+    Choice{MonitoredQuantity::lateral, "lateral", "`measured_lateral`"},
+    Choice{MonitoredQuantity::pressure, "pressure", "`measured_pressure`"},
 };
 
 void describe(auto& v, CalibrationParameter& p) {
@@ -105,6 +127,17 @@ void describe(auto& v, MeasuredCurve& c) {
         "Factor of the differences of this curve; 0: the curve is shown and not fitted.");
 }
 
+void describe(auto& v, MonitoredCurve& c) {
+  v.key("name", c.monitor, plain().required().example(R"("plate")"),
+        "Name of an [[output.monitor]] with measured values, in a case with stages of construction.");
+  v.key("quantity", c.quantity, plain(), "Which of its measured values count.");
+  v.key("error", c.error, plain().above(0).example(R"("5 mm")"),
+        "Standard error of a measured value: in per cent of the largest one, or an amount with its unit. If not given, "
+        "1 %.");
+  v.key("weight", c.weight, plain().at_least(0),
+        "Factor of the differences of these values; 0: they are shown and not fitted.");
+}
+
 void describe(auto& v, Calibration& c) {
   v.key(
       "starts", c.starts, plain().at_least(1).at_most(1000),
@@ -112,7 +145,9 @@ void describe(auto& v, Calibration& c) {
   v.key("seed", c.seed, plain().at_least(0), "Seed of the random values; equal seeds give equal results.");
   v.key("iterations", c.iterations, plain().at_least(1), "Largest number of iterations of each search.");
   v.tables("parameter", c.parameters, 0, "A number that is fitted.");
-  v.tables("curve", c.curves, 0, "A measured curve.");
+  v.tables("curve", c.curves, 0, "A measured curve of an element test.");
+  v.tables("monitor", c.monitors, 0,
+           "Measured values of a monitor in stages of construction, in the place of a curve.");
 }
 
 }  // namespace talus::input

@@ -132,7 +132,7 @@ function ResidualTable({ calibration }: { calibration: Calibration }) {
       class="point-table"
       rows={calibration.curves}
       columns={[
-        ["Test", (c) => c.test, "name"],
+        ["Test or monitor", (c) => c.test, "name"],
         [
           "Curve",
           (c) => (
