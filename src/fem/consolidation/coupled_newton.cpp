@@ -19,6 +19,22 @@ constexpr int patience = 4;  ///< times as many linear systems with them
 /// Fall of the out-of-balance force over so many iterations below which they are given up.
 constexpr std::size_t watched = 10;
 constexpr double least_fall = 0.5;
+// Creep to rest, as in the strength reduction of soil without flow (docs/theory/19-finite-elements.md).
+constexpr double first_creep = 0.05, least_creep = 1e-6, most_creep = 1;  ///< viscosities over the elastic stiffness
+constexpr double good_share = 0.4;  ///< fraction of the out-of-balance force at which a step of creep has converged
+constexpr int most_solves = 7;      ///< linear systems in a step
+constexpr double runaway = 100;     ///< growth of the out-of-balance force at which a step is abandoned
+constexpr double least_gain = 0.9;  ///< largest ratio of residuals from the third linear system on
+constexpr int most_creep_solves = 400;
+constexpr double steady_share = 0.8;  ///< fraction of the out-of-balance force left when the motion has doubled (T19.8)
+constexpr double steady_from = 3;     ///< smallest motion of steady flow, over that of elastic soil under all loads
+constexpr double steady_force = 10;   ///< smallest out-of-balance force of it, over the tolerance
+
+double find_norm(const std::vector<double>& v) {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum);
+}
 
 }  // namespace
 
@@ -88,8 +104,7 @@ CoupledOutcome CoupledNewton<D>::balance(const CoupledPlace<D>& start, const Cou
     system_.evaluate(start, q, target, false, place);
     out.residual = place.fault / force_scale_;
     if (!std::isfinite(place.fault) || !std::isfinite(place.leak)) return out;
-    if (out.iterations > 0 && out.residual <= schedule_.force_tolerance &&
-        place.leak <= water_error * place.volume + place.rounding) {
+    if (out.iterations > 0 && is_at_rest(place)) {
       out.converged = true;
       return out;
     }
@@ -118,8 +133,80 @@ CoupledOutcome CoupledNewton<D>::balance(const CoupledPlace<D>& start, const Cou
   }
 }
 
-/// Tries the consistent tangent, then tangents with ever more of the elastic stiffness. Soil at its tensile strength,
-/// such as placed soil without stress, has no tangent of its own.
+template <int D>
+bool CoupledNewton<D>::is_at_rest(const CoupledPlace<D>& place) const {
+  return place.fault / force_scale_ <= schedule_.force_tolerance &&
+         place.leak <= water_error * place.volume + place.rounding;
+}
+
+/// One implicit step of creep from the motion `q` at `place`, which has the matrix of its tangent: f_int(q) +
+/// β K_el Δq = f, to a fraction of the out-of-balance force. Returns false if it does not converge.
+template <int D>
+bool CoupledNewton<D>::creep_once(const CoupledPlace<D>& start, const CoupledTarget& target, double viscosity,
+                                  std::vector<double>& q, CoupledPlace<D>& place, int& solves) {
+  const double fault = place.fault;
+  std::vector<double> moved(q.size(), 0), change;
+  double lack = fault;
+  for (int i = 1; i <= most_solves; ++i) {
+    throw_if_interrupted();
+    if (!system_.factorise(target, place, viscosity) || !system_.solve(place, target.fixed, change)) return false;
+    ++solves;
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] += change[k], moved[k] += change[k];
+    for (std::size_t u = 0; u < place.head.size(); ++u) place.head[u] += change[q.size() + u];
+    system_.evaluate(start, q, target, true, place);
+    const double last = lack;
+    system_.resist(viscosity, place, moved, place.force);
+    lack = find_norm(place.force);
+    if (lack <= good_share * fault) return true;
+    if (!(lack < runaway * fault) || (i >= 3 && lack > least_gain * last)) break;
+  }
+  return viscosity >= most_creep && lack < fault;
+}
+
+/// Lets the soil creep from `q` to rest, with the elastic stiffness as viscosity. Only equilibrium counts: viscous
+/// forces are those of the way to it.
+template <int D>
+CoupledOutcome CoupledNewton<D>::creep(const CoupledPlace<D>& start, const CoupledTarget& target,
+                                       std::vector<double>& q, CoupledPlace<D>& place) {
+  CoupledOutcome out;
+  has_factors_ = false;
+  double viscosity = first_creep;
+  std::vector<std::array<double, 2>> way;  // motion and out-of-balance force
+  const std::vector<double> first = q;
+  for (;;) {
+    system_.evaluate(start, q, target, true, place);
+    out.residual = place.fault / force_scale_;
+    if (!std::isfinite(place.fault) || !std::isfinite(place.leak)) return out;
+    out.converged = is_at_rest(place);
+    if (out.converged || out.iterations >= most_creep_solves) return out;
+    if (elastic_motion_ < 0) elastic_motion_ = system_.find_elastic_motion(target, place);
+    const std::vector<double> last_q = q, last_head = place.head;
+    int solves = 0;
+    const bool arrived = creep_once(start, target, viscosity, q, place, solves);
+    out.iterations += solves;
+    if (!arrived) {
+      if (viscosity >= most_creep) return out;
+      q = last_q, place.head = last_head;
+      viscosity = std::min(4 * std::max(viscosity, way.empty() ? first_creep : least_creep), most_creep);
+      continue;
+    }
+    double motion = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) motion = std::max(motion, std::abs(q[i] - first[i]));
+    way.push_back({motion, out.residual});
+    if (schedule_.most_displacement > 0 && motion > schedule_.most_displacement) return out;
+    if (elastic_motion_ > 0 && motion > steady_from * elastic_motion_ &&
+        out.residual > steady_force * schedule_.force_tolerance)
+      for (std::size_t k = way.size(); k-- > 0;)
+        if (way[k][0] < 0.5 * motion) {
+          if (out.residual > steady_share * way[k][1]) return out;
+          break;
+        }
+    viscosity = std::max(viscosity * (solves <= 1 ? 0.1 : solves == 2 ? 0.25 : solves == 3 ? 0.5 : 1.0), least_creep);
+  }
+}
+
+/// Tries the consistent tangent, then tangents with ever more of the elastic stiffness, then creep. Soil at its tensile
+/// strength, such as placed soil without stress, has no tangent of its own.
 template <int D>
 CoupledOutcome CoupledNewton<D>::balance_somehow(const CoupledPlace<D>& start, const CoupledTarget& target,
                                                  std::vector<double>& q, CoupledPlace<D>& place) {
@@ -127,11 +214,13 @@ CoupledOutcome CoupledNewton<D>::balance_somehow(const CoupledPlace<D>& start, c
   CoupledOutcome all;
   // A tangent that was needed before is tried first, and a smaller one after it has served.
   const std::size_t from = needed_;
-  for (std::size_t v = from; v < viscosities.size(); ++v) {
-    const double viscosity = viscosities[v];
+  // Where water flows a shorter step costs less than creep.
+  const std::size_t ways = viscosities.size() + (target.dt == 0 ? 1 : 0);
+  for (std::size_t v = std::min(from, ways - 1); v < ways; ++v) {
     q = first_q;
     place.head = first_head;
-    CoupledOutcome out = balance(start, target, q, place, viscosity);
+    CoupledOutcome out =
+        v < viscosities.size() ? balance(start, target, q, place, viscosities[v]) : creep(start, target, q, place);
     out.iterations += all.iterations;
     all = out;
     if (all.converged) {

@@ -40,6 +40,11 @@ class CoupledNewton {
                          CoupledPlace<D>& place, double viscosity);
   CoupledOutcome balance_somehow(const CoupledPlace<D>& start, const CoupledTarget& target, std::vector<double>& q,
                                  CoupledPlace<D>& place);
+  CoupledOutcome creep(const CoupledPlace<D>& start, const CoupledTarget& target, std::vector<double>& q,
+                       CoupledPlace<D>& place);
+  bool creep_once(const CoupledPlace<D>& start, const CoupledTarget& target, double viscosity, std::vector<double>& q,
+                  CoupledPlace<D>& place, int& solves);
+  bool is_at_rest(const CoupledPlace<D>& place) const;
   bool switch_faces(const CoupledConditions& conditions, const CoupledPlace<D>& place,
                     std::vector<FaceState>& face) const;
   bool is_kept(const CoupledTarget& target, double viscosity) const {
@@ -49,8 +54,9 @@ class CoupledNewton {
   CoupledSystem<D>& system_;
   const ConsolidationSchedule& schedule_;
   double force_scale_;
-  std::size_t needed_ = 0;    ///< tangent that is tried first
-  bool has_factors_ = false;  ///< of a matrix with these:
+  double elastic_motion_ = -1;  ///< of all loads [m]; -1: not computed yet
+  std::size_t needed_ = 0;      ///< tangent that is tried first; behind the last one: creep
+  bool has_factors_ = false;    ///< of a matrix with these:
   double dt_ = 0, viscosity_ = 0;
   std::vector<char> fixed_;
 };

@@ -242,15 +242,33 @@ void CoupledSystem<D>::evaluate(const CoupledPlace<D>& start, const std::vector<
 }
 
 template <int D>
+const std::vector<double>& CoupledSystem<D>::find_elastic_matrix(const CoupledPlace<D>& place) {
+  if (elastic_.empty()) assembly_.find_elastic_matrix(place.solid, elastic_);
+  return elastic_;
+}
+
+template <int D>
+void CoupledSystem<D>::resist(double viscosity, const CoupledPlace<D>& place, const std::vector<double>& q,
+                              std::vector<double>& force) {
+  const std::vector<double>& matrix = find_elastic_matrix(place);
+  for (std::size_t j = 0; j < q.size(); ++j) {  // the matrix is symmetric
+    double sum = 0;
+    for (int k = solid_.column_start[j]; k < solid_.column_start[j + 1]; ++k)
+      sum += matrix[static_cast<std::size_t>(k)] * q[static_cast<std::size_t>(solid_.row[static_cast<std::size_t>(k)])];
+    force[j] -= viscosity * sum;
+  }
+}
+
+template <int D>
 bool CoupledSystem<D>::factorise(const CoupledTarget& target, const CoupledPlace<D>& place, double viscosity) {
   const double weight = model_.flow->unit_weight;
   matrix_.assign(row_.size(), 0);
   for (std::size_t k = 0; k < solid_slots_.size(); ++k)
     matrix_[static_cast<std::size_t>(solid_slots_[k])] = place.sums.matrix[k];
   if (viscosity > 0) {
-    if (elastic_.empty()) assembly_.find_elastic_matrix(place.solid, elastic_);
+    const std::vector<double>& elastic = find_elastic_matrix(place);
     for (std::size_t k = 0; k < solid_slots_.size(); ++k)
-      matrix_[static_cast<std::size_t>(solid_slots_[k])] += viscosity * elastic_[k];
+      matrix_[static_cast<std::size_t>(solid_slots_[k])] += viscosity * elastic[k];
   }
   if (target.dt > 0)
     for (std::size_t k = 0; k < flow_slots_.size(); ++k)
@@ -276,6 +294,20 @@ bool CoupledSystem<D>::factorise(const CoupledTarget& target, const CoupledPlace
       solver_->negative_pivots() == flow_.size())
     return true;
   return solver_->factorise(matrix_, sparse::Factors::lu);
+}
+
+template <int D>
+double CoupledSystem<D>::find_elastic_motion(const CoupledTarget& target, const CoupledPlace<D>& place) {
+  CoupledPlace<D> elastic = place;
+  elastic.sums.matrix = find_elastic_matrix(place);
+  elastic.sums.symmetric = true;
+  elastic.force = solid_.load;
+  elastic.water.assign(place.head.size(), 0);
+  std::vector<double> change;
+  if (!factorise(target, elastic, 0) || !solve(elastic, target.fixed, change)) return 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < elastic.force.size(); ++i) largest = std::max(largest, std::abs(change[i]));
+  return largest;
 }
 
 template <int D>

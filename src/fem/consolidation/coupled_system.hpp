@@ -56,6 +56,11 @@ class CoupledSystem {
   /// Factorises the matrix of the last evaluate() with one, whose tangent is increased by `viscosity` times the elastic
   /// stiffness. Returns false if it is singular.
   bool factorise(const CoupledTarget& target, const CoupledPlace<D>& place, double viscosity);
+  /// Subtracts the forces of an elastic viscosity that the motion `q` from `place` needs from those of the solid [N].
+  void resist(double viscosity, const CoupledPlace<D>& place, const std::vector<double>& q, std::vector<double>& force);
+  /// Returns the largest displacement of elastic soil under all loads, without flow from `place` [m]; 0 if it is not
+  /// known.
+  double find_elastic_motion(const CoupledTarget& target, const CoupledPlace<D>& place);
   /// Computes the change of all unknowns that removes the imbalance of `place` by the last factors. Returns false if
   /// it is not finite.
   bool solve(const CoupledPlace<D>& place, const std::vector<char>& fixed, std::vector<double>& change);
@@ -67,6 +72,7 @@ class CoupledSystem {
   void set_pores(const std::vector<double>& head);
   void add_storage(const CoupledPlace<D>& start, const std::vector<double>& q, CoupledPlace<D>& place);
   void add_flow(const CoupledTarget& target, bool with_matrix, CoupledPlace<D>& place);
+  const std::vector<double>& find_elastic_matrix(const CoupledPlace<D>& place);
 
   const ConsolidationModel<D>& model_;
   SolidSystem<D> solid_;

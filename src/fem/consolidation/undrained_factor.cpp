@@ -7,10 +7,9 @@ template <int D>
 UndrainedReduction reduce_undrained(ConsolidationModel<D> model, const ConsolidationState<D>& state,
                                     const UndrainedOptions& options) {
   constexpr double growth = 1.25;
-  constexpr int halvings = 5;  // a trial that fails repeats its steps
   model.drainage = StageDrainage::undrained;
   ConsolidationSchedule schedule;
-  schedule.most_halvings = halvings;
+  schedule.most_halvings = 0;  // a trial creeps to rest, or fails
   schedule.most_iterations = options.most_iterations;
   schedule.most_displacement = options.most_displacement;
   schedule.threads = options.threads;
