@@ -126,7 +126,8 @@ std::vector<std::string> list_warnings(const results::BoundsResult& result, cons
   const double gap = 2 * (*result.upper - *result.lower) / (*result.upper + *result.lower);
   if (gap > result.asked_gap)
     warnings.push_back(fmt::format(
-        "the interval is {:.2g} % wide, wider than the {:.2g} % of [bounds] gap: {}", 100 * gap, 100 * result.asked_gap,
+        "the interval is {} % wide, wider than the {:.2g} % of [bounds] gap: {}",
+        gap < 0.1 ? fmt::format("{:.2g}", 100 * gap) : fmt::format("{:.0f}", 100 * gap), 100 * result.asked_gap,
         found.stopped.empty()
             ? fmt::format("the last mesh has {} triangles, give more 'triangles' in [bounds]", found.problem.size())
             : found.stopped));

@@ -281,9 +281,10 @@ class Warnings {
         return !t.converged && t.factor < *r.by_displacement && t.iterations >= data_.fem.iterations;
       });
       warnings_.push_back(fmt::format(
-          "FEM ({}): the last equilibrium is at {:.3f}, but displacements rise sharply at {:.3f}, {:.0f} % "
-          "apart. {}",
-          describe_flow(r), r.factor, *r.by_displacement, 100 * differ(*r.by_displacement, r.factor),
+          "FEM ({}): by the last equilibrium the factor is {:.3f}, by the sharp rise of displacements {:.3f}{}, "
+          "{:.0f} % apart. {}",
+          describe_flow(r), r.factor, *r.by_displacement, r.meshes ? " (both extrapolated from two meshes)" : "",
+          100 * differ(*r.by_displacement, r.factor),
           ran_out ? fmt::format("Trials ran out of iterations: raise [fem] iterations above {}.", data_.fem.iterations)
                   : "The mesh is too coarse for the mechanism, or a small part of the ground fails first: refine [fem] "
                     "size, and look at the strains at failure."));

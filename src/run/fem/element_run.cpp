@@ -284,9 +284,10 @@ LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& fo
     if (thin.empty()) return least;
     least.below = thin_layer_error;
     run.warnings.push_back(
-        fmt::format("'{}' shears and has fewer than {:g} rows of elements over its thickness, so that two meshes do "
-                    "not show the error: the interval allows {:g} % for it; refine it by [[mesh.refine]]",
-                    fmt::join(thin, "', '"), fewest_element_rows, 100 * thin_layer_error));
+        fmt::format("'{}' {} fewer than {:g} rows of elements over {} thickness, so that two meshes do not show the "
+                    "error: the interval allows {:g} % for it; refine by [[mesh.refine]]",
+                    fmt::join(thin, "', '"), thin.size() == 1 ? "shears and has" : "shear and have",
+                    fewest_element_rows, thin.size() == 1 ? "its" : "their", 100 * thin_layer_error));
   }
   return least;
 }
