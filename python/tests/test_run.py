@@ -73,7 +73,7 @@ def test_stopped_from_the_callback_and_resumed(how, slope, tmp_path):
 
 def test_trials_side_by_side_report_and_stop(reduction, tmp_path):
     case = reduction()
-    case.strength_reduction.curve.window = 100  # long enough for a report while a trial runs
+    case.strength_reduction.curve.window = 400  # long enough for a report while a trial runs
     case.strength_reduction.frozen.enabled = False
     stages = []
 
