@@ -214,8 +214,8 @@ CoupledOutcome CoupledNewton<D>::balance_somehow(const CoupledPlace<D>& start, c
   CoupledOutcome all;
   // A tangent that was needed before is tried first, and a smaller one after it has served.
   const std::size_t from = needed_;
-  // Where water flows a shorter step costs less than creep.
-  const std::size_t ways = viscosities.size() + (target.dt == 0 ? 1 : 0);
+  // In a stage with a duration a shorter step costs less than creep.
+  const std::size_t ways = viscosities.size() + (schedule_.duration > 0 ? 0 : 1);
   for (std::size_t v = std::min(from, ways - 1); v < ways; ++v) {
     q = first_q;
     place.head = first_head;
