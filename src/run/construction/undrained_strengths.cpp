@@ -106,9 +106,9 @@ input::Case UndrainedStrengths::make_case(double factor) const {
     const site::PlaneStrength own = site::find_plane_strength(soil);
     const double tan = std::tan(own.friction_angle), cos = 1 / std::hypot(1, tan / (soil.reduced ? factor : 1));
     StrengthLaw law;
-    law.find_tangent = [own, field, tan, cos](const StrengthPlane& plane) {
+    law.find_tangent = [own, s = field, tan, cos](const StrengthPlane& plane) {
       const double c = own.cohesion + own.cohesion_gradient * std::max(0.0, own.cohesion_level - plane.at[1]);
-      return StrengthTangent{cos * (c + field->find(plane.at) * tan), 0};
+      return StrengthTangent{cos * (c + s->find(plane.at) * tan), 0};
     };
     soil.known_strength = std::make_shared<const StrengthLaw>(std::move(law));
   }
