@@ -37,6 +37,12 @@ def run(runner, variant):
     return found
 
 
+def run_all(runner, variants):
+    """The runs of each variant, without those that are not finished where only these are read."""
+    found = {v.name: run(runner, v) for v in variants}
+    return {name: {c: r for c, r in runs.items() if r} for name, runs in found.items() if any(runs.values())}
+
+
 def compare_sizes(runner, folder):
     found = {v.name: run(runner, v) for v in SIZES}
     text = tables.show_variants(found, "size, and length of what softens")
@@ -70,11 +76,9 @@ def main():
         slopes = run(runner, SLOPES)
         if None in slopes.values():
             return 1
-        choices = {v.name: run(runner, v) for v in CHOICES} if "choices" in parts else {}
-        if options.finished:
-            choices = {name: {c: r for c, r in found.items() if r} for name, found in choices.items() if any(found.values())}
+        choices = run_all(runner, CHOICES) if "choices" in parts else {}
         crutches = {"5 MPa, β = 80 (the source)": {name: slopes[name] for name in PAIR}}
-        crutches |= {v.name: run(runner, v) for v in CRUTCHES} if "crutches" in parts else {}
+        crutches |= run_all(runner, CRUTCHES) if "crutches" in parts else {}
         longer = choices.get("rain for 1,200 s", {})
         statements = list(find_all(slopes, tuple(longer[name] for name in PAIR) if longer else None,
                                    choices.get("layer as conductive as the soil", {}).get("1.29 %"),
