@@ -215,7 +215,7 @@ template <int D>
 struct PressedBlock {
   static constexpr double young = 1e6, poisson = 0.3;
   mesh::Mesh<D> mesh;
-  input::Case data = support::make_box_case<D>(support::make_elastic(young, poisson));
+  input::Case data = support::make_box_case<D>(support::make_elastic(young, poisson, 1800));
 
   PressedBlock() {
     std::array<int, D> cells;

@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double young = 10e6, density = 2000;
+constexpr double young = 10e6, bar_density = 2000;
 
 struct Bar {
   double length = 5, width = 0.2, poisson = 0.25;
@@ -22,7 +22,7 @@ struct Bar {
   input::Smoothing smoothing = input::Smoothing::none;
   double damping = 0, courant = 0.5;
   double modulus() const { return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)); }
-  double wave_speed() const { return std::sqrt(modulus() / density); }
+  double wave_speed() const { return std::sqrt(modulus() / bar_density); }
 };
 
 /// A bar along x between frictionless walls, so in uniaxial strain; the end at 0 is fixed, the other free.
@@ -30,7 +30,7 @@ mpm::Body<2> make_bar(const Bar& bar, const support::Start<2>& start) {
   const Vec<2> size{bar.length + 2 * bar.length / bar.cells, bar.width};
   mpm::Body<2> body = support::fill_body<2>(
       support::make_mesh<2>({bar.cells + 2, 2}, size, 0),
-      {{material::LinearElastic::from_young(young, bar.poisson), density}}, 3,
+      {{material::LinearElastic::from_young(young, bar.poisson), bar_density}}, 3,
       [&](const Vec<2>& x) { return x[0] < bar.length ? 0 : -1; }, start);
   support::fix_nodes<2>(body, 0, [](const Vec<2>& x) { return x[0] < 1e-9; });
   support::fix_nodes<2>(body, 1, [&](const Vec<2>& x) { return x[1] < 1e-9 || x[1] > bar.width - 1e-9; });
@@ -98,7 +98,7 @@ TEST(EngineWaves, FrontOfAPushRunsWithTheWaveSpeedAndCarriesItsStress) {
     });
     return sum / n;
   };
-  const double full = -density * bar.wave_speed() * v;
+  const double full = -bar_density * bar.wave_speed() * v;
   // Between two stations, so that the start of the push at the boundary does not matter.
   while (stress_at(1) > 0.5 * full && body.time < 1) mpm::step(body, o);
   const double first = body.time;
@@ -174,7 +174,7 @@ TEST(EngineEnergy, ErrorOfADampedBarShrinksWithTheMesh) {
 TEST(EngineEnergy, FallIsPaidForByPotentialEnergy) {
   // Without contact there is no error but that of the explicit path, ½gΔt per unit of time.
   mpm::Body<2> body = support::fill_body<2>(
-      support::make_mesh<2>({8, 16}, {1, 2}), {{material::LinearElastic::from_young(young, 0.3), density}}, 3,
+      support::make_mesh<2>({8, 16}, {1, 2}), {{material::LinearElastic::from_young(young, 0.3), bar_density}}, 3,
       [](const Vec<2>& x) { return x[1] > 1.2 && std::abs(x[0] - 0.5) < 0.3 ? 0 : -1; });
   mpm::StepOptions<2> o;
   o.gravity[1] = -9.81;

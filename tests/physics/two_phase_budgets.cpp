@@ -10,12 +10,11 @@
 #include <random>
 #include <vector>
 
+#include "physics/gravity.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {
-
-constexpr double g = 9.81;
 
 /// A half-filled box of two kinds of unsaturated soil with random motion of both phases.
 template <int D>

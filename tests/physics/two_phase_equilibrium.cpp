@@ -9,12 +9,11 @@
 #include <cstdio>
 #include <vector>
 
+#include "physics/gravity.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {
-
-constexpr double g = 9.81, gamma_w = 1000 * g;
 
 template <int D>
 double fastest_node(const WetBody<D>& body) {

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/gravity.hpp"
 #include "physics/wet_columns.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {
-
-constexpr double g = 9.81, gamma_w = 1000 * g;
 
 /// Flow upwards through 1 m of a soil on 1 m of one ten times tighter and of another porosity, rigid skeleton, under a
 /// fall of the head by 0.4 m, until it is steady.

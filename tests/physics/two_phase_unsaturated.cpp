@@ -9,13 +9,12 @@
 #include <cstdio>
 #include <vector>
 
+#include "physics/gravity.hpp"
 #include "physics/wet_columns.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {
-
-constexpr double g = 9.81, gamma_w = 1000 * g;
 
 /// van Genuchten in the form of (3.13): S = S_min + (1 − S_min) [1 + (s/p_ref)^(1/(1−λ))]^(−λ).
 PoreWater make_van_genuchten(double reference, double lambda, double s_min) {
