@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/progress.hpp"
+#include "fem/solid/creep.hpp"
 
 namespace talus::fem {
 namespace {
@@ -19,22 +20,8 @@ constexpr int patience = 4;  ///< times as many linear systems with them
 /// Fall of the out-of-balance force over so many iterations below which they are given up.
 constexpr std::size_t watched = 10;
 constexpr double least_fall = 0.5;
-// Creep to rest, as in the strength reduction of soil without flow (docs/theory/19-finite-elements.md).
-constexpr double first_creep = 0.05, least_creep = 1e-6, most_creep = 1;  ///< viscosities over the elastic stiffness
-constexpr double good_share = 0.4;  ///< fraction of the out-of-balance force at which a step of creep has converged
-constexpr int most_solves = 7;      ///< linear systems in a step
-constexpr double runaway = 100;     ///< growth of the out-of-balance force at which a step is abandoned
-constexpr double least_gain = 0.9;  ///< largest ratio of residuals from the third linear system on
 constexpr int most_creep_solves = 400;
-constexpr double steady_share = 0.8;  ///< fraction of the out-of-balance force left when the motion has doubled (T19.8)
-constexpr double steady_from = 3;     ///< smallest motion of steady flow, over that of elastic soil under all loads
-constexpr double steady_force = 10;   ///< smallest out-of-balance force of it, over the tolerance
-
-double find_norm(const std::vector<double>& v) {
-  double sum = 0;
-  for (const double x : v) sum += x * x;
-  return std::sqrt(sum);
-}
+constexpr double steady_force = 10;  ///< smallest out-of-balance force of steady flow, over the tolerance
 
 }  // namespace
 
@@ -147,7 +134,7 @@ bool CoupledNewton<D>::creep_once(const CoupledPlace<D>& start, const CoupledTar
   const double fault = place.fault;
   std::vector<double> moved(q.size(), 0), change;
   double lack = fault;
-  for (int i = 1; i <= most_solves; ++i) {
+  for (int i = 1; i <= creep::most_solves; ++i) {
     throw_if_interrupted();
     if (!system_.factorise(target, place, viscosity) || !system_.solve(place, target.fixed, change)) return false;
     ++solves;
@@ -156,11 +143,11 @@ bool CoupledNewton<D>::creep_once(const CoupledPlace<D>& start, const CoupledTar
     system_.evaluate(start, q, target, true, place);
     const double last = lack;
     system_.resist(viscosity, place, moved, place.force);
-    lack = find_norm(place.force);
-    if (lack <= good_share * fault) return true;
-    if (!(lack < runaway * fault) || (i >= 3 && lack > least_gain * last)) break;
+    lack = creep::find_norm(place.force);
+    if (lack <= creep::good_share * fault) return true;
+    if (creep::is_hopeless(lack, last, fault, i)) break;
   }
-  return viscosity >= most_creep && lack < fault;
+  return viscosity >= creep::most_viscosity && lack < fault;
 }
 
 /// Lets the soil creep from `q` to rest, with the elastic stiffness as viscosity. Only equilibrium counts: viscous
@@ -170,8 +157,9 @@ CoupledOutcome CoupledNewton<D>::creep(const CoupledPlace<D>& start, const Coupl
                                        std::vector<double>& q, CoupledPlace<D>& place) {
   CoupledOutcome out;
   has_factors_ = false;
-  double viscosity = first_creep;
-  std::vector<std::array<double, 2>> way;  // motion and out-of-balance force
+  double viscosity = creep::first_viscosity;
+  creep::Way way;
+  bool went = false;
   const std::vector<double> first = q;
   for (;;) {
     system_.evaluate(start, q, target, true, place);
@@ -185,23 +173,19 @@ CoupledOutcome CoupledNewton<D>::creep(const CoupledPlace<D>& start, const Coupl
     const bool arrived = creep_once(start, target, viscosity, q, place, solves);
     out.iterations += solves;
     if (!arrived) {
-      if (viscosity >= most_creep) return out;
+      if (viscosity >= creep::most_viscosity) return out;
       q = last_q, place.head = last_head;
-      viscosity = std::min(4 * std::max(viscosity, way.empty() ? first_creep : least_creep), most_creep);
+      viscosity = creep::stiffen(viscosity, went);
       continue;
     }
+    went = true;
     double motion = 0;
     for (std::size_t i = 0; i < q.size(); ++i) motion = std::max(motion, std::abs(q[i] - first[i]));
-    way.push_back({motion, out.residual});
     if (schedule_.most_displacement > 0 && motion > schedule_.most_displacement) return out;
-    if (elastic_motion_ > 0 && motion > steady_from * elastic_motion_ &&
-        out.residual > steady_force * schedule_.force_tolerance)
-      for (std::size_t k = way.size(); k-- > 0;)
-        if (way[k][0] < 0.5 * motion) {
-          if (out.residual > steady_share * way[k][1]) return out;
-          break;
-        }
-    viscosity = std::max(viscosity * (solves <= 1 ? 0.1 : solves == 2 ? 0.25 : solves == 3 ? 0.5 : 1.0), least_creep);
+    const double least = steady_force * schedule_.force_tolerance * force_scale_;
+    const bool flows = way.is_steady(motion, place.fault, elastic_motion_, least);
+    if (elastic_motion_ > 0 && flows) return out;
+    viscosity = creep::relax(viscosity, solves);
   }
 }
 

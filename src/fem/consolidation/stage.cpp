@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "fem/consolidation/coupled_newton.hpp"
 #include "fem/seepage/newton.hpp"
+#include "fem/solid/creep.hpp"
 
 namespace talus::fem {
 namespace {
@@ -24,11 +25,7 @@ constexpr double jump_step = 1e-7;
 constexpr double least_height_share = 1e-6, least_load_share = 0.02;
 constexpr int even_steps = 10;  ///< of a stage without flow
 
-double find_norm(const std::vector<double>& v) {
-  double s = 0;
-  for (const double x : v) s += x * x;
-  return std::sqrt(s);
-}
+using creep::find_norm;
 
 template <int D>
 class StageRun {

@@ -16,22 +16,11 @@
 namespace talus::fem {
 namespace {
 
-constexpr double first_viscosity = 0.05, least_viscosity = 1e-6, most_viscosity = 1;
-constexpr double good_share = 0.4;    ///< fraction of the out-of-balance force at which a creep step has converged
-constexpr int most_solves = 7;        ///< linear systems in a creep step
-constexpr double hopeless = 100;      ///< growth of the out-of-balance force at which the iteration is abandoned
-constexpr double least_gain = 0.9;    ///< largest ratio of residuals from the third iteration on
-constexpr double forcing = 0.1;       ///< residual of a linear system in 3D, over its right-hand side
-constexpr double exact = 1e-10;       ///< the same where no soil yields
-constexpr int most_products = 12;     ///< GMRES iterations before new factors
-constexpr double steady_share = 0.8;  ///< fraction of the residual left when u has doubled (T19.8)
-constexpr double steady_from = 3;     ///< smallest displacement of steady flow, over u_el (T19.8)
+constexpr double forcing = 0.1;    ///< residual of a linear system in 3D, over its right-hand side
+constexpr double exact = 1e-10;    ///< the same where no soil yields
+constexpr int most_products = 12;  ///< GMRES iterations before new factors
 
-double find_norm(const std::vector<double>& v) {
-  double s = 0;
-  for (double x : v) s += x * x;
-  return std::sqrt(s);
-}
+using creep::find_norm;
 
 /// Adds the product of a matrix and x to y; without bars, as in 3D.
 template <int D>
@@ -166,7 +155,7 @@ std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, con
   std::vector<double> more;
   const SolidSums* tangent = &now.sums;
   int solves = 0;
-  while (solves < most_solves) {
+  while (solves < creep::most_solves) {
     throw_if_interrupted();
     if (!find_change(*tangent, viscosity, more)) return {false, solves};
     ++solves;
@@ -175,23 +164,17 @@ std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, con
     tangent = &next.sums;
     const double last = lack;
     lack = find_lack(next, q, viscosity);
-    if (lack <= good_share * now.fault) return {true, solves};
-    if (!(lack < hopeless * now.fault)) return {false, solves};
-    if (solves >= 3 && lack > least_gain * last) break;
+    if (lack <= creep::good_share * now.fault) return {true, solves};
+    if (creep::is_hopeless(lack, last, now.fault, solves)) break;
   }
-  return {viscosity >= most_viscosity && lack < now.fault, solves};
+  return {viscosity >= creep::most_viscosity && lack < now.fault, solves};
 }
 
 /// Returns true if the soil flows: the displacement has doubled while the residual has kept its size (T19.8).
 template <int D>
 bool SolidNewton<D>::is_steady(double moved, double fault) {
-  way_.push_back({moved, fault});
-  if (!(elastic_displacement_ > 0)) return false;
-  if (moved > options_.runaway * elastic_displacement_) return true;
-  if (moved < steady_from * elastic_displacement_ || fault < options_.force_tolerance * scale_) return false;
-  for (std::size_t k = way_.size(); k-- > 0;)
-    if (way_[k][0] < 0.5 * moved) return fault > steady_share * way_[k][1];
-  return false;
+  const bool flows = way_.is_steady(moved, fault, elastic_displacement_, options_.force_tolerance * scale_);
+  return elastic_displacement_ > 0 && (flows || moved > options_.runaway * elastic_displacement_);
 }
 
 template <int D>
@@ -215,7 +198,7 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
   look(assembly, start, q, target, now);
   scale_ = load_size_ > 0 ? load_size_ : now.fault;
   const double rounding = 1e-13 * std::max(scale_, find_norm(now.sums.force));
-  double viscosity = now.sums.yielding == 0 ? 0 : first_viscosity;
+  double viscosity = now.sums.yielding == 0 ? 0 : creep::first_viscosity;
   bool went = false;
   way_.clear();
   last_motion_ = {};
@@ -229,8 +212,8 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
     const auto [arrived, solves] = creep(assembly, target, now, viscosity, next, q);
     out.iterations += solves;
     if (!arrived) {
-      if (viscosity >= most_viscosity) break;
-      viscosity = std::min(went ? 4 * viscosity : std::max(4 * viscosity, first_viscosity), most_viscosity);
+      if (viscosity >= creep::most_viscosity) break;
+      viscosity = creep::stiffen(viscosity, went);
       continue;
     }
     went = true;
@@ -247,11 +230,7 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
     for (std::size_t p = 0; p < last_motion_.strain.size(); ++p)
       for (std::size_t i = 0; i < 6; ++i) last_motion_.strain[p][i] -= now.state.strain[p][i];
     std::swap(now, next);
-    viscosity = std::max(viscosity * (solves <= 1   ? 0.1
-                                      : solves == 2 ? 0.25
-                                      : solves == 3 ? 0.5
-                                                    : 1.0),
-                         least_viscosity);
+    viscosity = creep::relax(viscosity, solves);
   }
   out.flows = out.flows && !out.converged;
   end = std::move(now.state);

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "fem/solid/creep.hpp"
 #include "fem/solid/system.hpp"
 #include "sparse/solver.hpp"
 
@@ -68,7 +69,7 @@ class SolidNewton {
   std::vector<double> elastic_;        ///< stiffness matrix of the elastic soil
   std::vector<double> matrix_, lack_;  ///< work arrays
   SolidState<D> last_motion_;
-  std::vector<std::array<double, 2>> way_;  ///< displacement and out-of-balance force of each step so far
+  creep::Way way_;
 };
 
 }  // namespace talus::fem
