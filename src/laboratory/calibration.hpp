@@ -74,7 +74,7 @@ struct CalibrationRun {
 /// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters, and
 /// folder with its stages of construction, without factors.
 /// Returns the content of calibration.json. Throws Error (wrong_input) if the case has no calibration, what
-/// calibrate() throws, and Error (cannot_write).
+/// calibrate() throws, Error (folder_exists) where the stages would replace a run, and Error (cannot_write).
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
 
 /// Formats a short summary for the terminal.

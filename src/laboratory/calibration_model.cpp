@@ -14,6 +14,7 @@
 #include "input/case/uncertain_number.hpp"
 #include "laboratory/point_test.hpp"
 #include "laboratory/stage_history.hpp"
+#include "run/construction/stage_record.hpp"
 
 namespace talus::laboratory {
 
@@ -224,15 +225,15 @@ std::string CalibrationModel::compare_stages(const std::vector<double>& places, 
     std::vector<double>& values = result.values.emplace_back();
     double missing = 0;
     for (const auto& [time, measured] : c.points) {
-      const HistoryReading reading = read_history(history->times(), computed, time);
-      if (!std::isfinite(reading.value))
+      const double value = run::read_in_time(history->times(), computed, std::min(time, end));
+      if (!std::isfinite(value))
         return fmt::format("monitor '{}' is not in soil at {}, when it was measured", c.monitor,
                            units::format_time(time));
-      values.push_back(reading.value);
-      const double beyond = reading.missing / std::max(end, time);
+      values.push_back(value);
+      const double beyond = time > end ? (time - end) / time : 0;
       if (beyond > slack) missing += beyond / static_cast<double>(c.points.size());
       if (c.weight <= 0) continue;
-      const double error = beyond > slack ? missed * (1 + beyond) : (reading.value - measured) / c.deviation;
+      const double error = beyond > slack ? missed * (1 + beyond) : (value - measured) / c.deviation;
       result.residuals.push_back(c.weight * error);
     }
     result.missing.push_back(missing);

@@ -105,6 +105,15 @@ std::string write_curve_table(const results::Calibration& result, const std::str
   return text;
 }
 
+/// Throws Error (folder_exists) if the folder has results of a run, which no calibration has left there.
+void check_folder(const fs::path& folder) {
+  if (fs::exists(folder / "summary.json") && !fs::exists(folder / "calibration" / "calibration.json"))
+    throw Error(ExitCode::folder_exists,
+                "'{}' holds the results of a run, which the stages with the fitted soils would replace: give another "
+                "folder with -o",
+                folder.string());
+}
+
 /// Runs the stages without factors.
 void run_stages(const input::LoadedCase& fitted, std::vector<input::Override> changes, const CalibrationRun& run) {
   changes.push_back({"analysis.methods", "[\"fem\"]"});
@@ -127,6 +136,7 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
         "there is nothing to calibrate in '{}': add [[calibration.parameter]] and [[calibration.curve]] or "
         "[[calibration.monitor]]",
         loaded.file);
+  if (!loaded.data.calibration->monitors.empty()) check_folder(run.folder);
   const auto start = std::chrono::steady_clock::now();
   std::string log;
   results::Calibration result = calibrate(loaded.data, run.options, &log);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "laboratory/stage_history.hpp"
 
-#include <algorithm>
-
+#include "base/error.hpp"
 #include "run/construction/construction_run.hpp"
 
 namespace talus::laboratory {
@@ -14,32 +13,24 @@ StageHistory::StageHistory(const input::Case& data) {
   run::ConstructionRun run(unused, data, options, "");
   run.prepare();
   results::Construction found = run.follow();
+  times_.push_back(0);
   for (const results::ConstructionStage& stage : found.stages)
     for (const results::ConstructionStep& step : stage.steps) times_.push_back(step.time);
+  if (times_.size() < 2) fail_input("the first stage of construction has no step in equilibrium");
   monitors_ = std::move(found.monitors);
 }
 
 std::vector<double> StageHistory::list_values(std::size_t monitor, input::MonitoredQuantity quantity) const {
   const results::ConstructionMonitor& m = monitors_[monitor];
-  switch (quantity) {
-    case input::MonitoredQuantity::lateral:
-      return m.displacement_x;
-    case input::MonitoredQuantity::pressure:
-      return m.pressure;
-    case input::MonitoredQuantity::settlement:
-      break;
-  }
-  std::vector<double> settlement = m.displacement_y;
-  for (double& v : settlement) v = -v;
-  return settlement;
-}
-
-HistoryReading read_history(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at >= x.back()) return {y.back(), at - x.back()};
-  if (at <= x.front()) return {y.front(), x.front() - at};
-  const auto after = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  const double share = (at - x[after - 1]) / (x[after] - x[after - 1]);
-  return {y[after - 1] + share * (y[after] - y[after - 1]), 0};
+  const bool is_pressure = quantity == input::MonitoredQuantity::pressure;
+  const std::vector<double>& computed = is_pressure                                     ? m.pressure
+                                        : quantity == input::MonitoredQuantity::lateral ? m.displacement_x
+                                                                                        : m.displacement_y;
+  const double sign = quantity == input::MonitoredQuantity::settlement ? -1 : 1;
+  // Until the first step ends, pressures are taken as those of its end.
+  std::vector<double> values{(is_pressure ? 1 : 0) * computed.front()};
+  for (const double v : computed) values.push_back(sign * v);
+  return values;
 }
 
 }  // namespace talus::laboratory

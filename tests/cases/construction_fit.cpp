@@ -13,6 +13,7 @@
 #include "input/read.hpp"
 #include "laboratory/calibration.hpp"
 #include "laboratory/stage_history.hpp"
+#include "run/construction/stage_record.hpp"
 #include "support/scratch.hpp"
 
 namespace talus {
@@ -111,7 +112,7 @@ std::string list_rows(const laboratory::StageHistory& history, std::size_t monit
   std::string rows;
   for (const double time : {2 * day, 30 * day, 90 * day, 0.5 * year, year, 2.5 * year})
     rows += fmt::format("{}[\"{:.17g} s\", \"{:.17g} {}\"]", rows.empty() ? "" : ", ", time,
-                        laboratory::read_history(history.times(), values, time).value / si, unit);
+                        run::read_in_time(history.times(), values, time) / si, unit);
   return "[" + rows + "]\n";
 }
 
@@ -155,6 +156,31 @@ TEST(ConstructionFit, MeasurementsAfterAFailureAreMissed) {
   ASSERT_TRUE(found.has_value());
   EXPECT_GT(found->residuals[1], 100);
   EXPECT_GT(found->missing[0], 0.3);
+}
+
+TEST(ConstructionFit, StagesBeginWithoutMovement) {
+  const std::string text = write_fill("measured_settlement = [[0, 0], [\"30 day\", 20]]\n", "") +
+                           fit.substr(0, fit.rfind("[[calibration.monitor]]"));
+  const input::LoadedCase loaded = input::read_case_text(text, "fill.toml");
+  const laboratory::CalibrationModel model(loaded.data);
+  const auto found = model.compare({0.5, 0.5});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->values[0][0], 0);
+  EXPECT_EQ(found->missing[0], 0);
+}
+
+TEST(ConstructionFit, ARunIsNotReplaced) {
+  const std::string text = write_fill("measured_settlement = [[\"1 day\", 5], [\"30 day\", 20]]\n", "") +
+                           fit.substr(0, fit.rfind("[[calibration.monitor]]"));
+  laboratory::CalibrationRun run;
+  run.folder = support::make_scratch("fit_beside_run");
+  write_atomically(run.folder / "summary.json", "{}");
+  try {
+    laboratory::run_calibration(input::read_case_text(text, "fill.toml"), run);
+    FAIL() << "the run would be replaced";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::folder_exists);
+  }
 }
 
 std::string find_fault(const std::string& text) {

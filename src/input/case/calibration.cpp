@@ -279,9 +279,12 @@ class MonitorCheck : BlockFindings {
     if (table.time.empty()) return report("quantity", "monitor '{}' has no measured_{}", c_.monitor, word);
     double largest = 0;
     for (std::size_t i = 0; i < table.time.size(); ++i) {
+      if (table.time[i] < 0) continue;  // before the first stage
       c_.points.push_back({table.time[i], table.value[i]});
       largest = std::max(largest, std::abs(table.value[i]));
     }
+    if (c_.points.empty())
+      return report("quantity", "monitor '{}' has no measured_{} from the first stage on", c_.monitor, word);
     if (!is_sound("error")) return;
     if (c_.error && !is_relative(*c_.error)) return set_amount(word);
     if (largest == 0) return report("error", "all measured values are 0; give 'error' as an amount");

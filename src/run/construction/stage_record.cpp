@@ -26,15 +26,6 @@ std::array<double, 2> find_invariants(const std::array<double, 6>& s) {
   return {p, std::sqrt(1.5 * q)};
 }
 
-/// Returns the value of a curve between its points, of several at one time the last; NaN beyond its ends.
-double read_curve(const std::vector<double>& time, const std::vector<double>& value, double t) {
-  if (time.empty() || t < time.front() || t > time.back()) return none;
-  const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
-  if (after == time.size() || time[after - 1] == t) return value[after - 1];
-  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
-  return value[after - 1] + share * (value[after] - value[after - 1]);
-}
-
 /// Makes a measured curve with its difference from the computed one, whose values have the given sign.
 std::optional<results::MeasuredCurve> compare(const input::TimeTable& measured, const std::vector<double>& time,
                                               const std::vector<double>& computed, double sign) {
@@ -43,7 +34,7 @@ std::optional<results::MeasuredCurve> compare(const input::TimeTable& measured, 
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < measured.time.size(); ++i) {
-    const double value = sign * read_curve(time, computed, measured.time[i]);
+    const double value = sign * read_in_time(time, computed, measured.time[i]);
     if (!std::isfinite(value)) continue;
     sum += (value - measured.value[i]) * (value - measured.value[i]);
     ++count;
@@ -53,6 +44,14 @@ std::optional<results::MeasuredCurve> compare(const input::TimeTable& measured, 
 }
 
 }  // namespace
+
+double read_in_time(const std::vector<double>& time, const std::vector<double>& value, double t) {
+  if (time.empty() || t < time.front() || t > time.back()) return none;
+  const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
+  if (after == time.size() || time[after - 1] == t) return value[after - 1];
+  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
+  return value[after - 1] + share * (value[after] - value[after - 1]);
+}
 
 /// Reads the state of one stage at places.
 class StageRecord::Reader {

@@ -13,6 +13,9 @@
 
 namespace talus::run {
 
+/// Returns the value of a curve between its points, of several at one time the last; NaN beyond its ends.
+double read_in_time(const std::vector<double>& time, const std::vector<double>& value, double t);
+
 class StageRecord {
  public:
   /// `whole`: mesh of the section with all regions. Throws Error (wrong_input) for a monitor outside it.
