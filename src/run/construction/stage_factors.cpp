@@ -122,6 +122,7 @@ StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input
     }
     RunOptions own = options;
     own.folder = join_name(options.folder, std::string("undrained_") + results::to_word(method));
+    std::vector<std::string> warnings;
     double factor = guess;
     for (int k = 0; k < most_repetitions; ++k) {
       input::Case made = strengths.make_case(factor);
@@ -131,14 +132,14 @@ StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input
       out.title = found.factors.front().title + ", failure without drainage";
       out.error = found.factors.front().error;
       out.factor = found.factors.front().factor;
-      all.warnings = std::move(found.warnings);
+      warnings = std::move(found.warnings);
       if (!out.factor) break;
-      // The strength grows with the factor, so that the smaller of the two holds with its own strength.
-      const double change = *out.factor - factor;
-      factor = *out.factor;
-      out.factor = std::min(factor, factor - change);
-      if (std::abs(change) < closeness * factor) break;
+      const double next = *out.factor;
+      out.factor = strengths.correct(next, factor);
+      if (std::abs(next - factor) < closeness * next) break;
+      factor = next;
     }
+    all.warnings.insert(all.warnings.end(), warnings.begin(), warnings.end());
   }
   return all;
 }

@@ -99,12 +99,29 @@ UndrainedStrengths::UndrainedStrengths(const input::Case& later) : later_(later)
   }
 }
 
+double UndrainedStrengths::find_cosine(const std::string& name, double factor) const {
+  const input::Material& soil = later_.materials.at(name);
+  return 1 / std::hypot(1, std::tan(site::find_plane_strength(soil).friction_angle) / (soil.reduced ? factor : 1));
+}
+
+double UndrainedStrengths::correct(double found, double factor) const {
+  constexpr int repetitions = 60;  // each leaves at most sin²φ of the error of the one before
+  double corrected = found;
+  for (int i = 0; i < repetitions && found < factor; ++i) {
+    double least = 1;
+    for (const auto& [name, field] : fields_)
+      least = std::min(least, find_cosine(name, corrected) / find_cosine(name, factor));
+    corrected = found * least;
+  }
+  return std::min(corrected, factor);
+}
+
 input::Case UndrainedStrengths::make_case(double factor) const {
   input::Case made = later_;
   for (const auto& [name, field] : fields_) {
     input::Material& soil = made.materials.at(name);
     const site::PlaneStrength own = site::find_plane_strength(soil);
-    const double tan = std::tan(own.friction_angle), cos = 1 / std::hypot(1, tan / (soil.reduced ? factor : 1));
+    const double tan = std::tan(own.friction_angle), cos = find_cosine(name, factor);
     StrengthLaw law;
     law.find_tangent = [own, s = field, tan, cos](const StrengthPlane& plane) {
       const double c = own.cohesion + own.cohesion_gradient * std::max(0.0, own.cohesion_level - plane.at[1]);

@@ -27,10 +27,16 @@ class UndrainedStrengths {
   /// Returns the case in which soils with pore water have the strength that F divides when c and tan φ are divided by
   /// F: F s_u(F) = cos φ_F (c + s' tan φ), tan φ_F = tan φ / F. `factor`: F.
   input::Case make_case(double factor) const;
+  /// Returns a factor at which the strength of make_case(`factor`), divided by `found`, suffices where `found` is below
+  /// `factor`: the strength falls with the factor that it belongs to.
+  double correct(double found, double factor) const;
 
  private:
   /// s' at any place of a soil.
   class Field;
+
+  /// Returns cos φ_F of a soil.
+  double find_cosine(const std::string& name, double factor) const;
 
   const input::Case& later_;
   std::string fault_;
