@@ -9,6 +9,7 @@
 
 #include "bounds/flow_rule.hpp"
 #include "bounds/problem.hpp"
+#include "bounds/wall_check.hpp"
 
 namespace talus::bounds {
 
@@ -77,10 +78,13 @@ StaticCheck check(const Problem& problem, const StressField& field) {
   std::map<EdgeKey, Vec<2>> of_supports;
   for (const LineForce& force : list_line_forces(problem)) {
     Vec<2>& sum = of_supports[make_key(force.from, force.to)];
-    for (std::size_t d = 0; d < 2; ++d) sum[d] += force.traction[d] / force.find_divisor(field.factor);
+    for (std::size_t d = 0; d < 2; ++d)
+      sum[d] += field.bars.at(force.bar) * force.traction[d] / force.find_divisor(field.factor);
     if (force.is_reduced) found.factor = std::min(found.factor, field.factor);
   }
+  const WallKeys walls(problem);
   for (const Edge& edge : list_edges(problem.triangles)) {
+    if (walls.contains(edge.from, edge.to)) continue;
     const auto support = of_supports.find(make_key(edge.from, edge.to));
     const Vec<2> along = find_direction(node(edge.from), node(edge.to)), n{along[1], -along[0]};
     const Side* side = find_side(problem, sides, edge);
@@ -104,7 +108,12 @@ StaticCheck check(const Problem& problem, const StressField& field) {
       if (!side || !side->holds_along) note(dot(left, along));
     }
   }
-  found.holds = found.imbalance <= rounding * units.stress;
+  const WallStatics of_walls = check_walls(problem, field, units.length, least_strength * units.stress);
+  note(of_walls.imbalance);
+  found.factor = std::min(found.factor, of_walls.factor);
+  const bool are_borne =
+      std::all_of(field.bars.begin(), field.bars.end(), [](double share) { return share >= 0 && share <= 1; });
+  found.holds = found.imbalance <= rounding * units.stress && of_walls.holds && are_borne;
   return found;
 }
 
@@ -117,8 +126,12 @@ class KinematicSum {
 
   KinematicCheck run() {
     for (std::size_t e = 0; e < problem_.size(); ++e) add_triangle(e);
+    list_edge_nodes();
     add_sides();
     add_bars();
+    walls_ = check_walls(problem_, field_);
+    found_.work += walls_.work;
+    active_ += walls_.dissipation;
     return judge();
   }
 
@@ -138,12 +151,13 @@ class KinematicSum {
 
   void add_triangle(std::size_t e) {
     const auto& t = field_.mesh.triangles[e];
-    const Vec<2>&a = get_node(t[0]), &b = get_node(t[1]), &c = get_node(t[2]);
+    const Triangle& corner_of = problem_.triangles[e];
+    const Vec<2>&a = get_node(corner_of[0]), &b = get_node(corner_of[1]), &c = get_node(corner_of[2]);
     const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
     std::array<double, 3> opening{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const std::array<Vec<2>, 2> u = find_slopes(t, i);
+      const std::array<Vec<2>, 2> u = find_slopes(e, i);
       opening[i] = u[0][0] + u[1][1];
       const Strain strain{opening[i], u[0][0] - u[1][1], u[0][1] + u[1][0]};
       const auto& soil = problem_.strength[e];
@@ -164,9 +178,11 @@ class KinematicSum {
 
   /// Returns the gradients of both velocity components at corner i. The derivative of a quadratic along an edge is −3 u
   /// + 4 u_middle − u_end.
-  std::array<Vec<2>, 2> find_slopes(const std::array<int, 6>& t, std::size_t i) const {
+  std::array<Vec<2>, 2> find_slopes(std::size_t e, std::size_t i) const {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const Vec<2>&at = get_node(t[i]), &to = get_node(t[j]), &other = get_node(t[k]);
+    const Triangle& corner_of = problem_.triangles[e];
+    const std::array<int, 6>& t = field_.mesh.triangles[e];
+    const Vec<2>&at = get_node(corner_of[i]), &to = get_node(corner_of[j]), &other = get_node(corner_of[k]);
     const double px = to[0] - at[0], py = to[1] - at[1], qx = other[0] - at[0], qy = other[1] - at[1];
     const double det = px * qy - qx * py;
     std::array<Vec<2>, 2> slopes;
@@ -178,19 +194,32 @@ class KinematicSum {
     return slopes;
   }
 
-  void add_sides() {
-    std::map<EdgeKey, int> middles;
+  /// Lists the nodes of the edges. The velocity is continuous if both triangles of an edge, other than that of a wall,
+  /// have the same three.
+  void list_edge_nodes() {
+    const WallKeys walls(problem_);
     for (std::size_t e = 0; e < problem_.size(); ++e)
       for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
         const auto& t = field_.mesh.triangles[e];
-        const auto [at, is_new] = middles.try_emplace(make_key(t[i], t[(i + 1) % 3]), t[3 + i]);
-        // The velocity is continuous if both triangles of an edge have the same three nodes.
-        if (t[i] != problem_.triangles[e][i] || (!is_new && at->second != t[3 + i])) is_continuous_ = false;
+        const int a = problem_.triangles[e][i], b = problem_.triangles[e][j];
+        const std::array<int, 3> own = a < b ? std::array{t[i], t[3 + i], t[j]} : std::array{t[j], t[3 + i], t[i]};
+        const auto [at, is_new] = edges_.try_emplace(make_key(a, b), own);
+        if (!is_new && at->second != own && !walls.contains(a, b)) is_continuous_ = false;
       }
+  }
+  std::array<int, 3> find_edge_nodes(int from, int to) const {
+    const std::array<int, 3>& own = edges_.at(make_key(from, to));
+    return from < to ? own : std::array{own[2], own[1], own[0]};
+  }
+
+  void add_sides() {
+    const WallKeys walls(problem_);
     for (const Side& s : problem_.sides) {
+      if (walls.contains(s.from, s.to)) continue;
       const Vec<2>&a = get_node(s.from), &b = get_node(s.to), along = find_direction(a, b), n{along[1], -along[0]};
       const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-      const std::array<int, 3> nodes{s.from, middles.at(make_key(s.from, s.to)), s.to};
+      const std::array<int, 3> nodes = find_edge_nodes(s.from, s.to);
       // Simpson's rule is exact for a quadratic times a linear function.
       const std::array<double, 3> simpson{length / 6, 4 * length / 6, length / 6};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -209,13 +238,11 @@ class KinematicSum {
   /// Dissipation of supports: at most their largest tension times their elongation, whose positive part is not above
   /// the line between those of its ends.
   void add_bars() {
-    std::map<EdgeKey, int> middles;
-    for (const auto& t : field_.mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i) middles[make_key(t[i], t[(i + 1) % 3])] = t[3 + i];
     for (const BarEdge& bar : problem_.bars) {
       const Vec<2>&a = get_node(bar.from), &b = get_node(bar.to), e = find_direction(a, b);
-      const double first = dot(get_velocity(bar.from), e), last = dot(get_velocity(bar.to), e),
-                   middle = dot(get_velocity(middles.at(make_key(bar.from, bar.to))), e);
+      const std::array<int, 3> nodes = find_edge_nodes(bar.from, bar.to);
+      const double first = dot(get_velocity(nodes[0]), e), middle = dot(get_velocity(nodes[1]), e),
+                   last = dot(get_velocity(nodes[2]), e);
       // The elongation is that of a quadratic velocity, per length and times the length.
       const double start = std::max(0.0, -3 * first + 4 * middle - last),
                    end = std::max(0.0, first - 4 * middle + 3 * last);
@@ -225,20 +252,37 @@ class KinematicSum {
     // Between a head and the end of its bar there is no more tension either.
     for (const BarHead& head : problem_.heads) {
       double mean = 0, width = 0;
+      if (head.wall) {
+        const Vec<2> own =
+            find_wall_velocity(field_, *head.wall, find_wall_node(problem_.walls[*head.wall], head.node));
+        mean = dot(own, head.direction), width = 1;
+      }
       for (const auto& [from, to] : head.sides) {
         const Vec<2>&a = get_node(from), &b = get_node(to);
         const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
         width += length;
-        for (const auto& [node, share] : {std::pair{from, 1}, {middles.at(make_key(from, to)), 4}, {to, 1}})
-          mean += share * length / 6 * dot(get_velocity(node), head.direction);
+        const std::array<int, 3> nodes = find_edge_nodes(from, to);
+        for (std::size_t k = 0; k < 3; ++k)
+          mean += (k == 1 ? 4 : 1) * length / 6 * dot(get_velocity(nodes[k]), head.direction);
       }
       (head.is_reduced ? passive_ : active_) +=
-          head.force * std::max(0.0, dot(get_velocity(head.node), head.direction) - mean / width);
+          head.force * std::max(0.0, dot(get_velocity(find_bar_node(head)), head.direction) - mean / width);
     }
   }
 
-  /// Returns true if the flow rule for this factor is satisfied at every corner.
+  /// Returns the node at which the bar of a head begins.
+  int find_bar_node(const BarHead& head) const {
+    for (const BarEdge& bar : problem_.bars)
+      if (bar.from == head.node && bar.bar == head.bar) return find_edge_nodes(bar.from, bar.to)[0];
+    return head.node;
+  }
+
+  /// Returns true if the flow rule for this factor is satisfied at every corner and contact.
   bool flows(double factor) const {
+    for (const ContactMotion& c : walls_.contacts)
+      if (!(c.opening + rounding_of_velocity * c.weight * fastest_ >=
+            c.strength.tan_friction / factor * std::abs(c.slip)))
+        return false;
     return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
       if (c.strength.tan_friction == 0 && !c.strength.tension)
         return std::abs(c.strain.opening) <= no_opening * largest_;
@@ -249,25 +293,28 @@ class KinematicSum {
   double find_dissipation(double factor) const {
     double sum = active_ + passive_ / factor;
     for (const Corner& c : corners_) sum += c.weight * bounds::find_dissipation(c.strength, factor, c.strain);
+    for (const ContactMotion& c : walls_.contacts) sum += c.strength.cohesion / factor * std::abs(c.slip);
     return sum;
   }
 
   /// Bisects for the smallest factor at which the flow rule holds and the work exceeds the dissipation (both are
   /// monotonic in the factor), and returns the upper end of the bracket.
   KinematicCheck judge() {
+    bool is_finite = std::isfinite(walls_.work) && std::isfinite(walls_.dissipation) && std::isfinite(walls_.held);
+    for (const Vec<2>& v : field_.velocity) {
+      fastest_ = std::max(fastest_, norm(v));
+      is_finite = is_finite && std::isfinite(norm(v));
+    }
+    held_ = std::max(held_, walls_.held);
+    // Where blocks slide on walls nothing else strains.
+    largest_ = std::max(largest_, fastest_ / find_units(problem_).length);
     // The strain rates of a rigid triangle are rounding errors and are set to zero.
     for (Corner& c : corners_)
       if (std::max(std::abs(c.strain.opening), c.strain.find_shear()) < no_rate * largest_) c.strain = {};
-    double fastest = 0;
-    bool is_finite = true;
-    for (const Vec<2>& v : field_.velocity) {
-      fastest = std::max(fastest, norm(v));
-      is_finite = is_finite && std::isfinite(norm(v));
-    }
     const auto moves = [&](double factor) { return flows(factor) && find_dissipation(factor) < found_.work; };
     double low = smallest_factor, high = largest_factor;
     found_.factor = std::numeric_limits<double>::infinity();
-    if (!is_finite || !is_continuous_ || held_ > 1e-12 * fastest || !moves(high)) return found_;
+    if (!is_finite || !is_continuous_ || held_ > rounding_of_velocity * fastest_ || !moves(high)) return found_;
     while (high > low * (1 + 1e-12)) {
       const double middle = std::sqrt(low * high);
       (moves(middle) ? high : low) = middle;
@@ -278,14 +325,17 @@ class KinematicSum {
     return found_;
   }
 
-  /// Rounding limits of sums of a few products, over the largest strain rate.
+  /// Rounding limits of sums of a few products, over the largest velocity, and over the largest strain rate.
+  static constexpr double rounding_of_velocity = 1e-12;
   static constexpr double no_opening = 1e-11, no_rate = 1e-13;
   static constexpr double smallest_factor = 1e-6, largest_factor = 1e6;
   const Problem& problem_;
   const VelocityField& field_;
   std::vector<Corner> corners_;
   KinematicCheck found_;
-  double held_ = 0, largest_ = 0;
+  std::map<EdgeKey, std::array<int, 3>> edges_;  ///< velocity nodes of each edge, from its smaller node
+  WallKinematics walls_;
+  double held_ = 0, largest_ = 0, fastest_ = 0;
   double active_ = 0, passive_ = 0;  ///< dissipation of supports whose forces F does not divide, and divides [W/m]
   bool is_continuous_ = true;
 };

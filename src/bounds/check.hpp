@@ -13,12 +13,16 @@ namespace talus::bounds {
 struct StressField {
   std::vector<std::array<Stress, 3>> stress;  ///< [Pa]
   double factor = 1;                          ///< by which the forces of passive supports are divided
+  std::vector<double> bars{};                 ///< tension of each bar over the largest one
+  std::vector<std::vector<double>> struts{};  ///< compression of the struts of each wall [N]
 };
 
 /// Velocities at the nodes of the six-node triangles, in arbitrary units.
 struct VelocityField {
   Velocities mesh;
   std::vector<Vec<2>> velocity;
+  /// Of each edge of each wall: at its upper and its lower end, between which it is linear.
+  std::vector<std::vector<std::array<Vec<2>, 2>>> walls{};
 };
 
 /// Rounding error allowed in equilibrium, in units of stress.

@@ -15,6 +15,7 @@
 #include "bounds/conic/solve.hpp"
 #include "bounds/program_of.hpp"
 #include "bounds/refine.hpp"
+#include "bounds/support_rows.hpp"
 
 namespace talus::bounds {
 
@@ -108,7 +109,7 @@ constexpr double refined_share = 0.8, fewest_refined = 0.2;
 /// Returns the contribution of each triangle to the gap: the strain rates of the mechanism times the strength that the
 /// stress field leaves there. The product with exchanged roles is added, since the lower bound alone may have found the
 /// critical mechanism, where the upper one has no motion yet.
-std::vector<double> find_contributions(const Problem& problem, const ConicSolution& holding,
+std::vector<double> find_contributions(const Problem& problem, const Units& units, const ConicSolution& holding,
                                        const ConicSolution& moving) {
   std::vector<double> part(problem.size(), 0);
   std::size_t a = holding.s.size(), b = moving.z.size();
@@ -119,6 +120,7 @@ std::vector<double> find_contributions(const Problem& problem, const ConicSoluti
     for (std::size_t k = 0; k < rows; ++k)
       part[e] += holding.s[a + k] * moving.z[b + k] + moving.s[b + k] * holding.z[a + k];
   }
+  add_hinges(problem, units, holding, a, part);
   return part;
 }
 
@@ -186,7 +188,7 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      const std::vector<double> parts = find_contributions(problem, lower_solution_, moving.last().solution);
+      const std::vector<double> parts = find_contributions(problem, units_, lower_solution_, moving.last().solution);
       result_.problem = refine(problem, mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root())));
     }
     mark_end();

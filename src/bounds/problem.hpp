@@ -11,9 +11,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "base/vec.hpp"
+#include "bounds/walls.hpp"
 
 namespace talus::bounds {
 
@@ -67,21 +69,26 @@ struct Side {
   std::array<Vec<2>, 2> traction{};  ///< total, at `from` and `to` [Pa]; used in free directions
 };
 
-/// A part of a straight support along an edge inside the soil. Its tension is that which the support can bear there:
-/// with it a stress field in equilibrium proves a lower bound, and a mechanism extends it at no more than this force.
+/// A part of a straight support along an edge inside the soil. Its tension is the largest that the support can bear
+/// there. A stress field in equilibrium with any fraction of that of a bar proves a lower bound, and a mechanism
+/// extends it at no more than this force.
 struct BarEdge {
   int from = 0, to = 0;           ///< its nodes, in the direction from the head
   std::array<double, 2> force{};  ///< tension at them, linear between [N/m]
   bool is_reduced = false;        ///< F divides the force (a passive support)
+  std::size_t bar = 0;            ///< number of its bar
 };
 
-/// The head of a bar, whose tension there presses on sides of the border, evenly and in the direction of the bar.
+/// The head of a bar, whose tension there presses on sides of the border, evenly and in the direction of the bar, or on
+/// a wall.
 struct BarHead {
   int node = 0;        ///< where the bar begins
   Vec<2> direction{};  ///< of the bar, unit
   double force = 0;    ///< tension there [N/m]
   bool is_reduced = false;
-  std::vector<std::array<int, 2>> sides;  ///< nodes of the loaded sides
+  std::vector<std::array<int, 2>> sides{};  ///< nodes of the loaded sides
+  std::optional<std::size_t> wall{};        ///< instead of sides: the wall on which it presses
+  std::size_t bar = 0;                      ///< number of its bar
 };
 
 struct Problem {
@@ -94,8 +101,14 @@ struct Problem {
   std::vector<Side> sides;                           ///< of the border; a side that is not listed is free
   std::vector<BarEdge> bars;
   std::vector<BarHead> heads;
+  std::vector<Wall> walls;
 
   std::size_t size() const { return triangles.size(); }
+  std::size_t count_bars() const {
+    std::size_t count = 0;
+    for (const BarEdge& bar : bars) count = std::max(count, bar.bar + 1);
+    return count;
+  }
 };
 
 /// Area, and gradients of the shape functions of the three corners [1/m].
@@ -131,12 +144,13 @@ inline std::array<Vec<2>, 6> find_quadratic_gradients(const Shape& shape, std::s
   return g;
 }
 
-/// Constant traction of a support on the soil along an edge.
+/// Constant traction of a support on the soil along an edge, with the largest tension.
 struct LineForce {
   int from = 0, to = 0;
   double length = 0;  ///< [m]
   Vec<2> traction{};  ///< at factor 1 [Pa]
   bool is_reduced = false;
+  std::size_t bar = 0;
 
   double find_divisor(double factor) const { return is_reduced ? factor : 1; }
 };
@@ -229,6 +243,19 @@ struct Edge {
   int from = 0, to = 0;        ///< its nodes, counterclockwise in `triangle`
   int triangle = 0, side = 0;  ///< the edge runs from corner `side` of `triangle` to the next
   int other = -1;              ///< triangle on the other side; -1: the border
+};
+
+/// Edges of the walls of a section.
+class WallKeys {
+ public:
+  explicit WallKeys(const Problem& problem) {
+    for (const Wall& wall : problem.walls)
+      for (std::size_t i = 0; i < wall.size(); ++i) keys_.insert(make_key(wall.nodes[i], wall.nodes[i + 1]));
+  }
+  bool contains(int a, int b) const { return keys_.contains(make_key(a, b)); }
+
+ private:
+  std::set<EdgeKey> keys_;
 };
 
 /// Returns the edges in the order in which the triangles first have them.

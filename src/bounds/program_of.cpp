@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of the programs of both bounds: equilibrium, virtual work, and the cones that they have in common; and the
-// conversion of solutions to fields.
+// Rows of the programs of both bounds: equilibrium, virtual work, and the cones that they have in common.
 #include "bounds/program_of.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "bounds/problem.hpp"
+#include "bounds/support_rows.hpp"
 #include "bounds/velocities.hpp"
 
 namespace talus::bounds {
@@ -101,9 +101,10 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
 
 class ProgramBuilder {
  public:
-  ProgramBuilder(const Problem& problem, double factor, const Units& units)
-      : problem_(problem), factor_(factor), units_(units) {
-    program_.variables = static_cast<int>(9 * problem.size()) + 1;
+  /// `supports`: unknowns, equations and cones of bars and walls.
+  ProgramBuilder(const Problem& problem, double factor, const Units& units, SupportRows supports)
+      : problem_(problem), factor_(factor), units_(units), supports_(std::move(supports)) {
+    program_.variables = static_cast<int>(9 * problem.size()) + supports_.unknowns + 1;
     program_.cost.assign(static_cast<std::size_t>(program_.variables), 0);
     program_.cost.back() = 1;
   }
@@ -112,23 +113,46 @@ class ProgramBuilder {
   void add(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
     add_unknowns(triangle, corner, {row[0] + row[1], row[0] - row[1], row[2]}, times);
   }
-  /// `rate`: derivative of the right-hand side by the factor.
-  void end_equation(double right, double rate = 0) {
+  /// `rate`: derivative of the coefficient by the factor.
+  void add_unknown(int number, double value, double rate = 0) {
+    entries_.push_back({number, value});
+    if (rate != 0) rates_.push_back({number, rate});
+  }
+  void end_equation(double right) {
+    if (!rates_.empty()) program_.rates.push_back({program_.rows.count(), 0, std::move(rates_)});
+    rates_.clear();
     program_.add_row(entries_, right);
-    if (rate != 0) program_.right_rate.resize(static_cast<std::size_t>(program_.equations) + 1, 0);
-    if (rate != 0) program_.right_rate.back() = rate;
     ++program_.equations;
   }
 
-  /// Adds the criterion at every corner of every triangle, with the cohesion increased by m.
+  /// Adds equations and cones of bars and walls, then the criterion at every corner of every triangle, with the
+  /// cohesion increased by m.
   ConicProgram finish(Strengths strengths) {
     const int lack = program_.variables - 1;
+    for (const RowForm& equation : supports_.equations) {
+      add_form(equation);
+      program_.equations += 1;
+    }
+    for (const auto& cone : supports_.cones) {
+      for (const RowForm& row : cone) add_form(row);
+      program_.cones.push_back(static_cast<int>(cone.size()));
+    }
     visit_cones(problem_, factor_, units_, strengths,
                 [&](std::size_t e, std::size_t i, const Cone& cone) { add_cone(e, i, cone, lack); });
     return std::move(program_);
   }
 
  private:
+  /// Adds the row s = form, or form = 0.
+  void add_form(const RowForm& form) {
+    const auto find_number = [&](int number) { return number == lacking ? program_.variables - 1 : number; };
+    RowRate rate{program_.rows.count(), form.constant_rate, {}};
+    for (const auto& [number, value] : form.rates) rate.entries.emplace_back(find_number(number), -value);
+    if (rate.right != 0 || !rate.entries.empty()) program_.rates.push_back(std::move(rate));
+    for (const auto& [number, value] : form.entries) entries_.emplace_back(find_number(number), -value);
+    program_.add_row(entries_, form.constant);
+  }
+
   /// Adds coefficients of the mean stress, half the difference and the shear stress.
   void add_unknowns(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
     for (int d = 0; d < 3; ++d)
@@ -155,8 +179,9 @@ class ProgramBuilder {
   const Problem& problem_;
   double factor_;
   Units units_;
+  SupportRows supports_;
   ConicProgram program_;
-  std::vector<std::pair<int, double>> entries_;
+  std::vector<std::pair<int, double>> entries_, rates_;
 };
 
 /// Normal and shear traction on an edge as coefficients of a stress.
@@ -171,7 +196,8 @@ EdgeRows find_rows(const Vec<2>& from, const Vec<2>& to) {
 }
 
 ConicProgram make_static_program(const Problem& problem, double factor, const Units& units) {
-  ProgramBuilder builder(problem, factor, units);
+  ProgramBuilder builder(problem, factor, units, make_static_rows(problem, factor, units));
+  const WallKeys walls(problem);
   const double unit = units.stress;
   for (std::size_t e = 0; e < problem.size(); ++e) {
     // div σ' = ∇p − b, times the length of the section.
@@ -188,19 +214,10 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     }
   }
   const auto sides = index_sides(problem);
-  struct Traction {
-    Vec<2> now{}, rate{};
-  };
-  std::map<EdgeKey, Traction> of_supports;
-  for (const LineForce& force : list_line_forces(problem)) {
-    Traction& at = of_supports[make_key(force.from, force.to)];
-    for (std::size_t d = 0; d < 2; ++d) {
-      const double now = force.traction[d] / force.find_divisor(factor) / unit;
-      at.now[d] += now;
-      if (force.is_reduced) at.rate[d] -= now / factor;
-    }
-  }
+  std::map<EdgeKey, std::vector<LineForce>> of_supports;
+  for (const LineForce& force : list_line_forces(problem)) of_supports[make_key(force.from, force.to)].push_back(force);
   for (const Edge& edge : list_edges(problem.triangles)) {
+    if (walls.contains(edge.from, edge.to)) continue;
     const Vec<2>&from = problem.nodes[static_cast<std::size_t>(edge.from)],
           &to = problem.nodes[static_cast<std::size_t>(edge.to)];
     const EdgeRows rows = find_rows(from, to);
@@ -208,9 +225,13 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
     const auto found = sides.find(make_key(edge.from, edge.to));
     const Side* side = edge.other < 0 && found != sides.end() ? found->second : nullptr;
     const auto support = of_supports.find(make_key(edge.from, edge.to));
-    const Traction given = support != of_supports.end() ? support->second : Traction{};
-    const double push = dot(given.now, rows.n), push_rate = dot(given.rate, rows.n), drag = dot(given.now, rows.t),
-                 drag_rate = dot(given.rate, rows.t);
+    const auto add_supports = [&](const Vec<2>& direction) {
+      if (support == of_supports.end()) return;
+      for (const LineForce& force : support->second) {
+        const double value = -dot(force.traction, direction) / force.find_divisor(factor) / unit;
+        builder.add_unknown(find_bar_unknown(problem, force.bar), value, force.is_reduced ? -value / factor : 0);
+      }
+    };
     for (const int node : {edge.from, edge.to}) {
       const std::size_t i = find_corner(problem.triangles[e], node);
       double normal = problem.pore_pressure[e][i], along = 0;
@@ -218,10 +239,10 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
         const auto o = static_cast<std::size_t>(edge.other);
         const std::size_t j = find_corner(problem.triangles[o], node);
         normal -= problem.pore_pressure[o][j];
-        builder.add(e, i, rows.normal), builder.add(o, j, rows.normal, -1);
-        builder.end_equation(normal / unit + push, push_rate);
-        builder.add(e, i, rows.along), builder.add(o, j, rows.along, -1);
-        builder.end_equation(drag, drag_rate);
+        builder.add(e, i, rows.normal), builder.add(o, j, rows.normal, -1), add_supports(rows.n);
+        builder.end_equation(normal / unit);
+        builder.add(e, i, rows.along), builder.add(o, j, rows.along, -1), add_supports(rows.t);
+        builder.end_equation(0);
         continue;
       }
       if (side) {
@@ -229,9 +250,9 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
         normal += dot(t, rows.n), along += dot(t, rows.t);
       }
       if (!side || !side->holds_normal)
-        builder.add(e, i, rows.normal), builder.end_equation(normal / unit + push, push_rate);
+        builder.add(e, i, rows.normal), add_supports(rows.n), builder.end_equation(normal / unit);
       if (!side || !side->holds_along)
-        builder.add(e, i, rows.along), builder.end_equation(along / unit + drag, drag_rate);
+        builder.add(e, i, rows.along), add_supports(rows.t), builder.end_equation(along / unit);
     }
   }
   return builder.finish(Strengths::own);
@@ -244,7 +265,7 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
     Row row;
   };
   std::vector<std::vector<Use>> uses(static_cast<std::size_t>(v.count));
-  std::vector<double> work(static_cast<std::size_t>(v.count), 0), work_rate = work;
+  std::vector<double> work(static_cast<std::size_t>(v.count), 0);
   auto each = [&](int node, auto&& give) {
     for (const auto& f : v.freedoms[static_cast<std::size_t>(node)])
       give(static_cast<std::size_t>(f.number), f.direction);
@@ -270,33 +291,28 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
         });
     }
   }
+  const WallKeys keys(problem);
   for (const Side& side : problem.sides) {
+    if (keys.contains(side.from, side.to)) continue;  // its load acts on the wall
     const Vec<2>&a = problem.nodes[static_cast<std::size_t>(side.from)],
           &b = problem.nodes[static_cast<std::size_t>(side.to)];
     const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-    const int middle = v.middles.at(make_key(side.from, side.to));
+    const auto [from, middle, to] = v.find_nodes(side.from, side.to);
     const auto& t = side.traction;
-    each(side.from,
-         [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[0], d) / 6 / force_unit; });
-    each(side.to, [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[1], d) / 6 / force_unit; });
+    each(from, [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[0], d) / 6 / force_unit; });
+    each(to, [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[1], d) / 6 / force_unit; });
     each(middle, [&](std::size_t number, const Vec<2>& d) {
       work[number] += length * (dot(t[0], d) + dot(t[1], d)) / 3 / force_unit;
     });
   }
-  for (const LineForce& force : list_line_forces(problem)) {
-    const auto add = [&](int node, double share) {
-      each(node, [&](std::size_t number, const Vec<2>& d) {
-        const double own = share * force.length * dot(force.traction, d) / force.find_divisor(factor) / force_unit;
-        work[number] += own;
-        if (force.is_reduced) work_rate[number] -= own / factor;
-      });
-    };
-    add(force.from, 1.0 / 6), add(v.middles.at(make_key(force.from, force.to)), 4.0 / 6), add(force.to, 1.0 / 6);
-  }
-  ProgramBuilder builder(problem, factor, units);
+  SupportWork supports = make_support_work(problem, v, factor, units);
+  std::vector<std::vector<SupportWork::Use>> of_supports(uses.size());
+  for (const SupportWork::Use& use : supports.uses) of_supports[static_cast<std::size_t>(use.number)].push_back(use);
+  ProgramBuilder builder(problem, factor, units, std::move(supports.rows));
   for (std::size_t number = 0; number < uses.size(); ++number) {
     for (const Use& use : uses[number]) builder.add(use.triangle, use.corner, use.row);
-    builder.end_equation(work[number], work_rate[number]);
+    for (const SupportWork::Use& use : of_supports[number]) builder.add_unknown(use.unknown, use.value, use.rate);
+    builder.end_equation(work[number] + supports.work[number]);
   }
   return builder.finish(Strengths::weighted);
 }
@@ -310,7 +326,11 @@ double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound
     for (const Strength& soil : strengths) row -= soil.count_rows();
   const double lack = solution.x.back();
   double rate = 0;
-  for (std::size_t i = 0; i < program.right_rate.size(); ++i) rate -= solution.z[i] * program.right_rate[i];
+  for (const RowRate& of : program.rates) {
+    double change = -of.right;
+    for (const auto& [variable, value] : of.entries) change += value * solution.x[static_cast<std::size_t>(variable)];
+    rate += solution.z[static_cast<std::size_t>(of.row)] * change;
+  }
   visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
               [&](std::size_t e, std::size_t i, const Cone& cone) {
                 const double* stress = &solution.x[9 * e + 3 * i];
@@ -347,87 +367,6 @@ double use_room(const ConicProgram& program, double room, ConicSolution& solutio
   double lack = 0;
   for (std::size_t i = 0; i < program.right.size(); ++i) lack -= program.right[i] * solution.z[i];
   return lack;
-}
-
-// Smallest changes that turn a solution into an admissible field.
-
-namespace {
-
-/// Adds the smallest multiple of the opening field with which every corner satisfies the flow rule of this factor.
-void open_soil(const Problem& problem, const Velocities& mesh, double factor, double length, OpeningSearch& openings,
-               std::vector<double>& numbers) {
-  const auto get_soil = [&](std::size_t i) -> const Strength& { return problem.strength[i / 3][i % 3]; };
-  const Units units = find_units(problem);
-  const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
-  bool lacks = false;
-  for (std::size_t i = 0; i < strains.size(); ++i)
-    lacks = lacks || (may_open(problem, i / 3, i % 3, units) && find_lack(get_soil(i), factor, strains[i]) > 0);
-  if (!lacks) return;
-  const std::vector<double>* opening = openings.find(problem, mesh, factor, length);
-  if (!opening) return;
-  const std::vector<Strain> own = find_strains(problem, mesh, *opening);
-  constexpr double rounding_of_sums = 1e-13;
-  double share = 0;
-  // The field opens the soil itself, and what slips on weak planes lacks no more with it.
-  for (std::size_t i = 0; i < strains.size(); ++i)
-    if (may_open(problem, i / 3, i % 3, units)) {
-      const double opens = own[i].opening - find_sine(get_soil(i), factor) * own[i].find_shear();
-      share = std::max(
-          share, (find_lack(get_soil(i), factor, strains[i]) + rounding_of_sums * strains[i].find_shear()) / opens);
-    }
-  for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] += share * (*opening)[n];
-}
-
-/// Returns the weights of the changes of velocities. Changes that also affect soil with friction are penalised, since
-/// its flow rule would then need more opening.
-std::vector<double> weigh_changes(const Problem& problem, const Velocities& mesh) {
-  constexpr double weight_of_friction = 1e6;
-  const Units units = find_units(problem);
-  std::vector<double> weights(static_cast<std::size_t>(mesh.count), 1);
-  for (std::size_t e = 0; e < problem.size(); ++e) {
-    if (!may_open(problem, e, 0, units) && !may_open(problem, e, 1, units) && !may_open(problem, e, 2, units)) continue;
-    for (const int node : mesh.triangles[e])
-      for (const auto& f : mesh.freedoms[static_cast<std::size_t>(node)])
-        weights[static_cast<std::size_t>(f.number)] = weight_of_friction;
-  }
-  return weights;
-}
-
-}  // namespace
-
-StressField read_stress(const Problem& problem, const ConicProgram& program, double factor,
-                        const ConicSolution& solution, const Units& units) {
-  std::vector<double> stress(solution.x.begin(), solution.x.end() - 1);
-  fulfil(program.rows, program.equations, program.right, stress);
-  StressField field;
-  field.factor = factor;
-  field.stress.resize(problem.size());
-  for (std::size_t e = 0; e < problem.size(); ++e)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double *at = &stress[9 * e + 3 * i], mean = at[0], half_difference = at[1], shear = at[2];
-      field.stress[e][i] = {units.stress * (mean + half_difference), units.stress * (mean - half_difference),
-                            units.stress * shear};
-    }
-  return field;
-}
-
-VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution,
-                            OpeningSearch& opening) {
-  const Units units = find_units(problem);
-  VelocityField field{number_velocities(problem, units), {}};
-  const double length = units.length;
-  std::vector<double> numbers(solution.z.begin(), solution.z.begin() + field.mesh.count);
-  for (double& u : numbers) u = -u;
-  const SparseRows closed = list_openings(problem, field.mesh, length);
-  fulfil(closed, closed.count(), std::vector<double>(static_cast<std::size_t>(closed.count()), 0), numbers,
-         weigh_changes(problem, field.mesh));
-  open_soil(problem, field.mesh, factor, length, opening, numbers);
-  field.velocity.assign(field.mesh.nodes.size(), {0, 0});
-  for (std::size_t n = 0; n < field.velocity.size(); ++n)
-    for (const auto& f : field.mesh.freedoms[n])
-      for (std::size_t d = 0; d < 2; ++d)
-        field.velocity[n][d] += f.direction[d] * numbers[static_cast<std::size_t>(f.number)];
-  return field;
 }
 
 }  // namespace talus::bounds

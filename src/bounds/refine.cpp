@@ -75,6 +75,7 @@ class Refiner {
       to_.sides.push_back(first), to_.sides.push_back(second);
     }
     split_bars();
+    split_walls();
     return std::move(to_);
   }
 
@@ -99,6 +100,22 @@ class Refiner {
         sides.push_back({found != middles_.end() ? found->second : from, to});
       }
       head.sides = std::move(sides);
+    }
+  }
+
+  void split_walls() {
+    for (Wall& wall : to_.walls) {
+      std::vector<int> nodes{wall.nodes.front()};
+      std::vector<std::array<InterfaceStrength, 2>> interface;
+      for (std::size_t i = 0; i < wall.size(); ++i) {
+        const auto found = middles_.find(make_key(wall.nodes[i], wall.nodes[i + 1]));
+        for (const int node : {found != middles_.end() ? found->second : -1, wall.nodes[i + 1]}) {
+          if (node < 0) continue;
+          nodes.push_back(node);
+          interface.push_back(wall.interface[i]);
+        }
+      }
+      wall.nodes = std::move(nodes), wall.interface = std::move(interface);
     }
   }
 
@@ -219,6 +236,7 @@ std::vector<int> find_corners(const Problem& problem) {
   std::map<int, int> uses;
   for (const BarEdge& bar : problem.bars) ++uses[bar.from], ++uses[bar.to];
   add_ends(uses);
+  for (const Wall& wall : problem.walls) corners.push_back(wall.nodes.back());
   for (const BarHead& head : problem.heads) {
     uses.clear();
     for (const auto& [from, to] : head.sides) ++uses[from], ++uses[to];

@@ -10,6 +10,7 @@
 
 #include "bounds/conic/solve.hpp"
 #include "bounds/problem.hpp"
+#include "bounds/wall_motion.hpp"
 
 namespace talus::bounds {
 
@@ -36,6 +37,35 @@ std::vector<int> find_bodies(const Problem& problem, const Velocities& v, const 
   return body;
 }
 
+/// Places the nodes of the six-node triangles. Those around a node that a wall separates have copies of it.
+std::vector<std::array<int, 6>> place_nodes(const Problem& problem, Velocities& v) {
+  const WallKeys walls(problem);
+  std::vector<std::array<int, 6>> triangles(problem.size());
+  for (std::size_t e = 0; e < problem.size(); ++e) std::copy_n(problem.triangles[e].begin(), 3, triangles[e].begin());
+  const std::vector<Edge> edges = list_edges(problem.triangles);
+  separate_at_walls(problem, edges, triangles, v.nodes);
+  for (const Edge& edge : edges) {
+    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
+          &b = problem.nodes[static_cast<std::size_t>(edge.to)];
+    const bool is_cut = edge.other >= 0 && walls.contains(edge.from, edge.to);
+    int middle = -1;
+    for (const int e : {edge.triangle, edge.other}) {
+      if (e < 0) continue;
+      if (middle < 0 || is_cut) {
+        middle = static_cast<int>(v.nodes.size());
+        v.nodes.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
+      }
+      const Triangle& t = problem.triangles[static_cast<std::size_t>(e)];
+      auto& own = triangles[static_cast<std::size_t>(e)];
+      const std::size_t i = find_corner(t, edge.from), j = find_corner(t, edge.to);
+      own[3 + ((i + 1) % 3 == j ? i : j)] = middle;
+      const auto [low, high] = std::minmax(edge.from, edge.to);
+      v.edges[{low, high}] = {own[find_corner(t, low)], middle, own[find_corner(t, high)]};
+    }
+  }
+  return triangles;
+}
+
 /// Motions that the supports leave to a rigid body. `held`: directions in which some of its nodes are fixed.
 struct BodyMotion {
   std::vector<Vec<2>> held;
@@ -48,7 +78,7 @@ bool are_parallel(const Vec<2>& a, const Vec<2>& b) {
 }
 
 /// Returns the degrees of freedom of a node at `x` that moves with its body.
-std::vector<Velocities::Freedom> move_with(const BodyMotion& body, const Vec<2>& x, double length) {
+std::vector<Freedom> move_with(const BodyMotion& body, const Vec<2>& x, double length) {
   if (body.held.size() > 1) return {};
   if (body.held.size() == 1) return {{{-body.held[0][1], body.held[0][0]}, body.first}};
   return {{{1, 0}, body.first},
@@ -61,21 +91,7 @@ std::vector<Velocities::Freedom> move_with(const BodyMotion& body, const Vec<2>&
 Velocities number_velocities(const Problem& problem, const Units& units) {
   Velocities v;
   v.nodes = problem.nodes;
-  v.triangles.resize(problem.size());
-  const std::vector<Edge> edges = list_edges(problem.triangles);
-  auto& middles = v.middles;
-  for (const Edge& edge : edges) {
-    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
-          &b = problem.nodes[static_cast<std::size_t>(edge.to)];
-    middles[make_key(edge.from, edge.to)] = static_cast<int>(v.nodes.size());
-    v.nodes.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
-  }
-  for (std::size_t e = 0; e < problem.size(); ++e)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int a = problem.triangles[e][i], b = problem.triangles[e][(i + 1) % 3];
-      v.triangles[e][i] = a;
-      v.triangles[e][3 + i] = middles.at(make_key(a, b));
-    }
+  v.triangles = place_nodes(problem, v);
   // Fixed directions of each node, at most two different ones.
   std::vector<std::vector<Vec<2>>> held(v.nodes.size());
   auto hold = [&](int node, const Vec<2>& direction) {
@@ -88,7 +104,7 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
           &to = problem.nodes[static_cast<std::size_t>(side.to)];
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     const Vec<2> along{(to[0] - from[0]) / length, (to[1] - from[1]) / length}, normal{along[1], -along[0]};
-    for (const int node : {side.from, side.to, middles.at(make_key(side.from, side.to))}) {
+    for (const int node : v.find_nodes(side.from, side.to)) {
       if (side.holds_normal) hold(node, normal);
       if (side.holds_along) hold(node, along);
     }
@@ -103,7 +119,11 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
       if (motion.held.empty() || !are_parallel(motion.held.front(), h)) motion.held.push_back(h);
   }
   v.freedoms.resize(v.nodes.size());
+  std::vector<bool> has_soil(v.nodes.size(), false);  // nodes of a wall may lie in the air
+  for (const auto& t : v.triangles)
+    for (const int n : t) has_soil[static_cast<std::size_t>(n)] = true;
   for (std::size_t n = 0; n < v.nodes.size(); ++n) {
+    if (!has_soil[n]) continue;
     if (bodies[n] >= 0) {
       BodyMotion& motion = motions.at(bodies[n]);
       if (motion.first < 0) {
@@ -118,6 +138,7 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
       v.freedoms[n] = {{{-held[n][0][1], held[n][0][0]}, v.count++}};
     }
   }
+  number_walls(problem, units, v);
   return v;
 }
 
@@ -135,8 +156,8 @@ void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e
     }
 }
 
-/// Returns the program of the largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, where the mean of their
-/// ε_v is one.
+/// Returns the program of the largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, and as much at the
+/// contacts with walls, where the sum of the means of both is one.
 ConicProgram make_program(const Problem& problem, const Velocities& mesh, double factor, double length) {
   const Units units = find_units(problem);
   ConicProgram program;
@@ -159,6 +180,10 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
         mean.push_back({n, share * (row[0] + row[1])});
       });
     }
+  const std::vector<OpeningLimit> limits = list_opening_limits(problem, mesh);
+  for (const OpeningLimit& limit : limits)
+    for (const auto& [number, value] : limit.opening)
+      mean.push_back({number, value / static_cast<double>(limits.size())});
   program.add_row(mean, 1);
   program.equations = program.rows.count();
   for (std::size_t e = 0; e < problem.size(); ++e)
@@ -181,6 +206,14 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
       });
       program.add_row(entries, 0);
     }
+  for (const OpeningLimit& limit : limits) {
+    for (const auto& [number, value] : limit.opening) entries.push_back({number, -value});
+    entries.push_back({margin, 1});
+    program.add_row(entries, 0);
+    for (const auto& [number, value] : limit.slip) entries.push_back({number, limit.tan_friction / factor * value});
+    program.add_row(entries, 0);
+    program.cones.push_back(2);
+  }
   return program;
 }
 
@@ -201,6 +234,10 @@ bool opens_everywhere(const Problem& problem, const Velocities& mesh, double fac
                                                : std::abs(strains[i].opening) > rounding_of_volume * largest)
       return false;
   }
+  for (const OpeningLimit& limit : list_opening_limits(problem, mesh))
+    if (evaluate(limit.opening, numbers) - limit.tan_friction / factor * std::abs(evaluate(limit.slip, numbers)) <
+        least)
+      return false;
   return true;
 }
 

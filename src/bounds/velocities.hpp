@@ -13,22 +13,45 @@
 
 namespace talus::bounds {
 
-struct Velocities {
-  std::vector<Vec<2>> nodes;                  ///< corners, then middles of edges
-  std::vector<std::array<int, 6>> triangles;  ///< corners, then the middles of 0–1, 1–2, 2–0
-  /// A direction in which a node may move, with the number of the degree of freedom; a fixed node has none. The nodes
-  /// of a rigid body share its translations and its rotation.
-  struct Freedom {
-    Vec<2> direction;
-    int number;
-  };
-  std::vector<std::vector<Freedom>> freedoms;
-  std::map<EdgeKey, int> middles;  ///< node at the middle of each edge
-  int count = 0;
+/// Coefficients of degrees of freedom, by increasing number.
+using MotionForm = std::vector<std::pair<int, double>>;
+
+/// A direction in which a node may move, with the number of the degree of freedom.
+struct Freedom {
+  Vec<2> direction;
+  int number;
 };
 
-/// Numbers the degrees of freedom that the supports leave. Adjoining rigid triangles (is_rigid()) form one body: one
-/// that is fixed in a single direction moves across it without rotation, and one that is fixed otherwise does not move.
+/// The motion of a wall: rigid edges, and hinges between them.
+struct WallMotion {
+  std::vector<std::array<std::vector<Freedom>, 2>> ends;  ///< of each edge: velocities of its upper and lower end
+  std::vector<MotionForm> rotation;                       ///< of each edge, times the length of the section
+  std::size_t free = 0;                                   ///< edges from the head on that are not clamped
+  /// Of each node between two edges: numbers of the velocities of the upper part relative to the lower one along and
+  /// across the upper edge; −1: none.
+  std::vector<std::array<int, 2>> jump;
+};
+
+struct Velocities {
+  std::vector<Vec<2>> nodes;                  ///< corners, those that walls double, then middles of edges
+  std::vector<std::array<int, 6>> triangles;  ///< corners, then the middles of 0–1, 1–2, 2–0
+  /// Of each node: a fixed one has none, and those of a rigid body share its translations and its rotation.
+  std::vector<std::vector<Freedom>> freedoms;
+  /// Nodes of each edge of the problem: at its node of the smaller number, in the middle, at the other.
+  std::map<EdgeKey, std::array<int, 3>> edges;
+  std::vector<WallMotion> walls;
+  int count = 0;
+
+  /// Returns the nodes of an edge, in this direction. At a wall only those of one side.
+  std::array<int, 3> find_nodes(int from, int to) const {
+    const std::array<int, 3>& own = edges.at(make_key(from, to));
+    return from < to ? own : std::array<int, 3>{own[2], own[1], own[0]};
+  }
+};
+
+/// Numbers the degrees of freedom that the supports leave. Triangles on both sides of a wall have nodes of their own.
+/// Adjoining rigid triangles (is_rigid()) form one body: one that is fixed in a single direction moves across it
+/// without rotation, and one that is fixed otherwise does not move.
 Velocities number_velocities(const Problem& problem, const Units& units);
 
 // Fields that open the soil. A small multiple of one restores the flow rule where rounding violates it.

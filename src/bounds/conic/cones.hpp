@@ -30,6 +30,13 @@ struct SparseRows {
   void end_row() { first.push_back(static_cast<int>(column.size())); }
 };
 
+/// Derivatives by the factor of safety of the entries and of the right-hand side of a row.
+struct RowRate {
+  int row = 0;
+  double right = 0;
+  std::vector<std::pair<int, double>> entries{};
+};
+
 /// Minimises qᵀx over all x and s with A x + s = b. The first rows are equations (s = 0), then follow the rows of the
 /// cones: s ≥ 0 for a cone of one row, s₀ ≥ |(s₁, s₂, …)| for one of more. The dual program maximises −bᵀz with Aᵀz + q
 /// = 0 and z in the same cones.
@@ -40,8 +47,8 @@ struct ConicProgram {
   std::vector<double> cost;   ///< q
   SparseRows rows;            ///< A
   std::vector<double> right;  ///< b
-  /// Derivatives of b of the equations by the factor; empty: zero.
-  std::vector<double> right_rate;
+  /// Rows whose coefficients depend on the factor, other than those of the criterion of the soil.
+  std::vector<RowRate> rates;
 
   /// Adds a row from entries in any order; entries of the same variable are summed. Clears `entries`.
   void add_row(std::vector<std::pair<int, double>>& entries, double right_side) {
