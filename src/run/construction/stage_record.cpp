@@ -14,7 +14,7 @@
 namespace talus::run {
 namespace {
 
-constexpr std::size_t points = input::KnownStress::points;
+constexpr std::size_t element_points = input::KnownStress::points;
 constexpr int line_places = 60;  ///< intervals of a section line
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -101,7 +101,7 @@ class StageRecord::Reader {
       }
     }
     const auto nearest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
-    values.stress = solid_.stress[k * points + nearest];
+    values.stress = solid_.stress[k * element_points + nearest];
     return values;
   }
 
@@ -180,8 +180,8 @@ void StageRecord::add_stage(const std::string& name, const StageModel& stage, co
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
     fields.elements.push_back(mesh.linear_element[k]);
     int yields = 0;
-    for (std::size_t q = 0; q < points; ++q) yields += state.solid.yields[k * points + q] != 0;
-    fields.yields.push_back(yields / static_cast<double>(points));
+    for (std::size_t q = 0; q < element_points; ++q) yields += state.solid.yields[k * element_points + q] != 0;
+    fields.yields.push_back(yields / static_cast<double>(element_points));
   }
   fields.pressure.assign(mesh_->nodes.size(), 0);
   fields.excess.assign(mesh_->nodes.size(), 0);
