@@ -219,8 +219,13 @@ TEST(Supports, WallsAreRefusedWhereTheyAreNotTaken) {
   expect_one_fault(with_elements + base + sheet + "axial_stiffness = 1e6\ninterface_strength = 0.7\n",
                    "FEM needs its 'bending_stiffness', E I of a metre of wall");
   EXPECT_TRUE(find_faults(with_elements + base + sheet + stiffness + "interface_strength = 0.7\n").empty());
-  expect_one_fault(change(with_elements, "[\"lem\", \"fem\"]", "[\"lem\", \"bounds\"]") + base + sheet,
-                   "support 'sheet' is a wall, and limit analysis takes nails, anchors and geosynthetics");
+  const std::string with_bounds = change(with_elements, "[\"lem\", \"fem\"]", "[\"lem\", \"bounds\"]") + base;
+  expect_one_fault(with_bounds + sheet, "limit analysis needs its 'interface_strength'");
+  EXPECT_TRUE(find_faults(with_bounds + sheet + "interface_strength = 0.7\n").empty());
+  expect_one_fault(with_bounds +
+                       "[support.row]\nkind = \"pile\"\nx = [40]\nlength = 8\nout_of_plane_spacing = 2\n"
+                       "lateral_resistance = 50\n",
+                   "support 'row' is a pile, and limit analysis takes nails, anchors, geosynthetics and walls");
 }
 
 TEST(Supports, LooseHeadOnAWallBringsAWarning) {

@@ -333,11 +333,19 @@ void check_stiffness(const Case& data, Findings& findings) {
            support.kind == SupportKind::wall ? "E A of a metre of wall" : "E A of one bar");
     if (support.kind == SupportKind::pile)
       need("bending_stiffness", support.bending_stiffness.has_value(), "E I of one pile");
-    if (support.kind == SupportKind::wall) {
+    if (support.kind == SupportKind::wall)
       need("bending_stiffness", support.bending_stiffness.has_value(), "E I of a metre of wall");
-      need("interface_strength", support.interface_strength || support.bond_adhesion || support.bond_friction,
-           "the strength of its interface over that of the soil, or 'bond_adhesion' and 'bond_friction'");
-    }
+  }
+}
+
+void check_interfaces(const Case& data, Findings& findings) {
+  for (const auto& [name, support] : data.supports) {
+    const BlockFindings block(findings, "support." + name);
+    if (!block.is_sound("kind") || support.kind != SupportKind::wall || !block.is_sound("interface_strength")) continue;
+    if (!support.interface_strength && !support.bond_adhesion && !support.bond_friction)
+      findings.add(block.path, fmt::format("support '{}': {} needs its 'interface_strength', the strength of its "
+                                           "interface over that of the soil, or 'bond_adhesion' and 'bond_friction'",
+                                           name, uses(data, Method::fem) ? "FEM" : "limit analysis"));
   }
 }
 
@@ -395,6 +403,7 @@ void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
   check_walls(data, findings);
   if (uses(data, Method::fem) || uses(data, Method::mpm)) check_stiffness(data, findings);
+  if (uses(data, Method::fem) || uses(data, Method::bounds)) check_interfaces(data, findings);
   if (const auto why = find_support_obstacle(data); why && uses(data, Method::bounds))
     findings.add("analysis.methods", "{}; take \"bounds\" out of 'methods'", *why);
   if (uses(data, Method::mpm))

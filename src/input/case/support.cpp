@@ -468,9 +468,10 @@ bool has_passive_supports(const Case& data) {
 std::optional<std::string> find_support_obstacle(const Case& data) {
   for (const auto& [name, support] : data.supports) {
     using K = SupportKind;
-    if (const K kind = support.kind; kind == K::pile || kind == K::wall || kind == K::bolt)
-      return fmt::format("support '{}' is a {}, and limit analysis takes nails, anchors and geosynthetics", name,
+    if (support.kind == K::pile || support.kind == K::bolt)
+      return fmt::format("support '{}' is a {}, and limit analysis takes nails, anchors, geosynthetics and walls", name,
                          get_word(support.kind));
+    if (support.kind == K::wall) continue;
     if (support.find_direction() != SupportDirection::axial)
       return fmt::format("the force of support '{}' is not axial, as that of a bar in limit analysis is", name);
   }

@@ -228,20 +228,22 @@ void describe_wall(auto& v, Support& s) {
         "Slip surfaces of LEM that cross the wall.");
   v.key("interface_strength", s.interface_strength,
         plain().above(0).at_most(1).allowed_with("kind", s.kind, K::wall).example("0.67"),
-        "R_inter: cohesion and tan φ of the interface over those of the soil beside it, for FEM, instead of "
+        "R_inter: cohesion and tan φ of the interface over those of the soil beside it, for FEM and limit analysis, "
+        "instead of "
         "`bond_adhesion` and `bond_friction`.");
   v.key("plastic_force", s.plastic_force, quantity("kN").above(0).allowed_with("kind", s.kind, K::wall).example("2500"),
-        "N_p of a metre of wall, for FEM: its axial strength in tension and compression. With `plastic_moment` too, "
+        "N_p of a metre of wall, for FEM and limit analysis: its axial strength in tension and compression. With "
+        "`plastic_moment` too, "
         "axial "
         "force and moment interact: |N|/N_p + |M|/M_p ≤ 1.");
   v.key("weight", s.weight, quantity("kPa").at_least(0).allowed_with("kind", s.kind, K::wall).example("8"),
-        "Weight of a square metre of wall, kN/m², less that of the soil that it replaces, for LEM and FEM. Not given: "
+        "Weight of a square metre of wall, kN/m², less that of the soil that it replaces, for all methods. Not given: "
         "the "
         "wall weighs as much as that soil.");
   v.key("permeable", s.permeable, plain().allowed_with("kind", s.kind, K::wall).example("false"),
         "false: no water seeps through the wall. Required with a wall where pore pressures follow from seepage.");
   v.key("strut_levels", s.strut_levels, quantity("m").allowed_with("kind", s.kind, K::wall).example("[5, 2]"),
-        "y of horizontal struts on the side of the wall without soil, for FEM.");
+        "y of horizontal struts on the side of the wall without soil, for FEM and limit analysis.");
   v.key("strut_stiffness", s.strut_stiffness,
         quantity("kN/m").above(0).allowed_with("kind", s.kind, K::wall).example("5e4"),
         "E A over the free length of a strut, per metre of wall.");
@@ -282,7 +284,7 @@ void describe(auto& v, Support& s) {
         "E I of one bar or of a metre of wall, for FEM.");
   v.key("plastic_moment", s.plastic_moment,
         quantity("kN.m").above(0).allowed_with("kind", s.kind, {K::nail, K::pile, K::wall}).example("150"),
-        "Plastic moment M_p of one bar or of a metre of wall, for FEM.");
+        "Plastic moment M_p of one bar or of a metre of wall, for FEM; that of walls for limit analysis too.");
   v.key("rupture_strain", s.rupture_strain,
         plain()
             .above(0)

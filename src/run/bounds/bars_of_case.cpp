@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "run/common/section_of_case.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "site/mesh_sides.hpp"
 
 namespace talus::run {
@@ -34,8 +35,13 @@ double BarsOfCase::Line::find_force(double s) const {
 BarsOfCase::BarsOfCase(const site::Site& site) {
   if (site.data().supports.empty()) return;
   const lem::Slope slope(make_section(site).section);
-  for (const lem::Bar& bar : slope.section().bars) {
-    Line line{bar, lem::make_bar_diagram(slope, bar), fmt::format("support {} {}", bar.name, lines_.size() + 1), 0, {}};
+  const std::vector<WallLine> walls = list_walls(site);
+  for (lem::Bar bar : slope.section().bars) {
+    if (site.data().supports.at(bar.name).kind == input::SupportKind::wall) continue;
+    const auto wall = find_wall(site, walls, bar.head);
+    if (wall) bar.head = find_nearest(walls[*wall].points, bar.head);
+    Line line{bar, lem::make_bar_diagram(slope, bar), fmt::format("support {} {}", bar.name, lines_.size() + 1), 0, {},
+              wall};
     const double dx = bar.end[0] - bar.head[0], dy = bar.end[1] - bar.head[1];
     line.length = std::hypot(dx, dy);
     line.direction = {dx / line.length, dy / line.length};
@@ -79,9 +85,11 @@ mesh::Plan BarsOfCase::conform(mesh::Plan plan) const {
 }
 
 bounds::BarHead BarsOfCase::make_head(const Line& line, int node, const bounds::Problem& problem) const {
-  bounds::BarHead head{node, line.direction, line.find_force(0), !line.bar.is_active, {}};
+  bounds::BarHead head{node, line.direction, line.find_force(0), !line.bar.is_active, {}, line.wall};
+  if (line.wall) return head;
+  const bounds::WallKeys walls(problem);
   for (const bounds::Edge& edge : bounds::list_edges(problem.triangles)) {
-    if (edge.other >= 0) continue;
+    if (edge.other >= 0 || walls.contains(edge.from, edge.to)) continue;
     const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
           &b = problem.nodes[static_cast<std::size_t>(edge.to)];
     const double x = 0.5 * (a[0] + b[0]) - line.bar.head[0], y = 0.5 * (a[1] + b[1]) - line.bar.head[1];
@@ -92,7 +100,8 @@ bounds::BarHead BarsOfCase::make_head(const Line& line, int node, const bounds::
 }
 
 void BarsOfCase::add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, bounds::Problem& problem) const {
-  for (const Line& line : lines_) {
+  for (std::size_t bar = 0; bar < lines_.size(); ++bar) {
+    const Line& line = lines_[bar];
     const auto measure = [&](int node) {
       const Vec<2>& x = problem.nodes[static_cast<std::size_t>(node)];
       return (x[0] - line.bar.head[0]) * line.direction[0] + (x[1] - line.bar.head[1]) * line.direction[1];
@@ -105,14 +114,15 @@ void BarsOfCase::add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, 
       if (from < 0 || to < 0) continue;
       if (measure(from) > measure(to)) std::swap(from, to);
       problem.bars.push_back(
-          {from, to, {line.find_force(measure(from)), line.find_force(measure(to))}, !line.bar.is_active});
+          {from, to, {line.find_force(measure(from)), line.find_force(measure(to))}, !line.bar.is_active, bar});
       if (measure(from) < nearest) nearest = measure(from), first = from;
     }
     if (first < 0 || !(line.find_force(0) > 0)) continue;
-    const bounds::BarHead head = make_head(line, first, problem);
-    const bool is_at_border = std::any_of(head.sides.begin(), head.sides.end(),
-                                          [&](const auto& s) { return s[0] == first || s[1] == first; });
-    if (is_at_border) {
+    bounds::BarHead head = make_head(line, first, problem);
+    head.bar = bar;
+    const bool is_held = head.wall || std::any_of(head.sides.begin(), head.sides.end(),
+                                                  [&](const auto& s) { return s[0] == first || s[1] == first; });
+    if (is_held) {
       problem.heads.push_back(head);
       continue;
     }

@@ -3,6 +3,7 @@
 // Supports in limit analysis: bars in tension, whose largest force along their length is that of LEM.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class BarsOfCase {
     std::string name;
     double length = 0;
     Vec<2> direction{};
+    std::optional<std::size_t> wall{};  ///< on which the head lies
 
     Vec<2> at(double s) const { return {bar.head[0] + s * direction[0], bar.head[1] + s * direction[1]}; }
     /// Tensile strength, resistance in front and behind [N/m].

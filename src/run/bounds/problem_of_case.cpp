@@ -12,9 +12,11 @@
 #include "base/numbers.hpp"
 #include "bounds/envelope.hpp"
 #include "run/bounds/bars_of_case.hpp"
+#include "run/bounds/problem_walls.hpp"
 #include "run/common/bedding_lines.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/soil_column.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
 #include "site/pore_water.hpp"
@@ -50,6 +52,7 @@ class ProblemBuilder {
     add_triangles();
     enclose_envelopes();
     add_strengths();
+    add_walls(site_, mesh_, number_, made_.problem);
     add_sides();
     bars_.add(mesh_, number_, made_.problem);
     enclose_strengths();
@@ -58,8 +61,8 @@ class ProblemBuilder {
 
  private:
   mesh::Mesh<2> make_mesh() {
-    const mesh::Plan plan =
-        bars_.conform(site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_))));
+    const mesh::Plan plan = bars_.conform(conform_to_loaded_walls(
+        site_, site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_)))));
     return generate_with_bedding(data_, plan, bedding_spacing, mesh_notes_);
   }
 
@@ -79,7 +82,9 @@ class ProblemBuilder {
 
   /// Adds the triangles with soil, with nodes numbered anew.
   void add_triangles() {
-    const site::HeldWater<2> water = site::find_held_water<2>(data_, mesh_, &made_.water);
+    // The elements of a mesh that is cut at walls have the same order.
+    const site::HeldWater<2> water = site::find_held_water<2>(
+        data_, has_impermeable_walls(data_) ? cut_at_walls(site_, mesh_) : mesh_, &made_.water);
     const Vec<2> direction = site_.find_body_force<2>();
     number_.assign(mesh_.nodes.size(), -1);
     bounds::Problem& p = made_.problem;
@@ -235,10 +240,25 @@ class ProblemBuilder {
       add_load(load, is_named ? named : border);
     }
     check_loads(border);
+    refuse_held_walls(border);
     for (auto& [key, side] : border)
       for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t d = 0; d < 2; ++d) side.traction[k][d] += named.at(key).traction[k][d];
     for (const auto& [key, side] : border) p.sides.push_back(side);
+  }
+
+  /// A wall on a fixed side would be held by it, and its beam not.
+  void refuse_held_walls(const std::map<bounds::EdgeKey, bounds::Side>& border) const {
+    for (const bounds::Wall& wall : made_.problem.walls)
+      for (std::size_t i = 0; i < wall.size(); ++i) {
+        const auto side = border.find(bounds::make_key(wall.nodes[i], wall.nodes[i + 1]));
+        if (side == border.end() || (!side->second.holds_normal && !side->second.holds_along)) continue;
+        throw Error(ExitCode::wrong_input,
+                    fmt::format("a wall lies on a fixed side of the section at {}: limit analysis takes walls in the "
+                                "soil or on its surface",
+                                format_point(made_.problem.nodes[static_cast<std::size_t>(wall.nodes[i])],
+                                             data_.units().length)));
+      }
   }
 
   void add_load(const fem::SurfaceLoad<2>& load, std::map<bounds::EdgeKey, bounds::Side>& border) const {

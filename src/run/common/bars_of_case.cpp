@@ -29,8 +29,6 @@ constexpr double strong = 2;
 constexpr double shear_share = 5.0 / 6 / 2.4;
 /// Width of the facing that a head presses on, where no other head is nearer [m].
 constexpr double widest_plate = 1;
-/// A head within this fraction of the width of the section lies on a wall.
-constexpr double near_wall = 1e-3;
 /// Forces are rounded to this many parts of one newton per metre.
 constexpr double force_digits = 10;
 
@@ -129,17 +127,9 @@ class BarMaker {
       out.plate = std::min(bar.plate, strong * bar.tensile);
       out.plate_stiffness = std::min(bar.plate, bar.tensile) / yield_slip;
       out.plate_line = cut_ground(site_.ground(), bar.head, find_plate_width(bars_, i));
-      out.wall = find_wall(bar.head).value_or(-1);
+      if (const auto wall = find_wall(site_, walls_, bar.head)) out.wall = static_cast<int>(*wall);
     }
     return out;
-  }
-
-  /// Returns the number of the wall on which a head lies.
-  std::optional<int> find_wall(const Vec<2>& head) const {
-    const double near = near_wall * (site_.ground().back()[0] - site_.ground().front()[0]);
-    for (std::size_t w = 0; w < walls_.size(); ++w)
-      if (mesh::compute_distance(head, walls_[w].points) <= near) return static_cast<int>(w);
-    return std::nullopt;
   }
 
   void make_beam(const site::Bar& bar, fem::Bar& out) const {

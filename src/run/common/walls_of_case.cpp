@@ -21,8 +21,9 @@ namespace talus::run {
 
 namespace {
 
-/// A point of a wall within this fraction of the width of the section lies on the ground.
-constexpr double near_ground = 1e-3;
+/// A point of a wall within this fraction of the width of the section lies on the ground, and the head of a bar on a
+/// wall.
+constexpr double near_ground = 1e-3, near_wall = 1e-3;
 /// Distance of nodes from the line of a wall, over the extent of the mesh, at which they lie on it.
 constexpr double on_line = 1e-7;
 /// Stiffness of an interface over Young's modulus of the softest soil beside it [1/m]: that of a layer of 10 mm.
@@ -40,14 +41,20 @@ site::Point snap(const site::Point& p, const site::Polyline& ground) {
   const double near = near_ground * (ground.back()[0] - ground.front()[0]);
   for (const site::Point& corner : ground)
     if (std::hypot(p[0] - corner[0], p[1] - corner[1]) <= near) return corner;
-  for (std::size_t i = 1; i < ground.size(); ++i) {
-    const site::Point &a = ground[i - 1], &b = ground[i];
-    const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-    if (!(square > 0) || mesh::compute_distance(p, a, b) > near) continue;
-    const double t = std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0);
-    return {a[0] + t * dx, a[1] + t * dy};
+  const site::Point foot = find_nearest(ground, p);
+  return std::hypot(p[0] - foot[0], p[1] - foot[1]) <= near ? foot : p;
+}
+
+/// Adds a place to a line, between its points; one that nearly coincides with a point is left out.
+void insert(site::Polyline& line, const site::Point& place, double near) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (mesh::compute_distance(place, line[i - 1], line[i]) > near) continue;
+    if (std::hypot(place[0] - line[i - 1][0], place[1] - line[i - 1][1]) <= near ||
+        std::hypot(place[0] - line[i][0], place[1] - line[i][1]) <= near)
+      return;
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(i), place);
+    return;
   }
-  return p;
 }
 
 /// Returns the nodes of a mesh on a line, in its direction.
@@ -143,14 +150,37 @@ std::vector<WallLine> list_walls(const site::Site& site) {
   return walls;
 }
 
-mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan) {
+std::optional<std::size_t> find_wall(const site::Site& site, const std::vector<WallLine>& walls, const site::Point& p) {
+  const double near = near_wall * (site.ground().back()[0] - site.ground().front()[0]);
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (mesh::compute_distance(p, walls[w].points) <= near) return w;
+  return std::nullopt;
+}
+
+site::Point find_nearest(const site::Polyline& line, const site::Point& p) {
+  site::Point nearest = line.front();
+  double least = fem::unlimited;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const site::Point &a = line[i - 1], &b = line[i];
+    const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+    const double t = square > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0) : 0;
+    const site::Point foot{a[0] + t * dx, a[1] + t * dy};
+    const double distance = std::hypot(p[0] - foot[0], p[1] - foot[1]);
+    if (distance < least) least = distance, nearest = foot;
+  }
+  return nearest;
+}
+
+mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::vector<site::Point>& more) {
   if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;
   const std::vector<WallLine> walls = list_walls(site);
   if (walls.empty()) return plan;
   std::vector<site::Point> places;
   for (const WallLine& wall : walls) {
-    places.insert(places.end(), wall.points.begin(), wall.points.end());
-    plan.lines.push_back({fmt::format("[support.{}] {}", wall.support, wall.row), wall.points});
+    site::Polyline points = wall.points;
+    for (const site::Point& place : more) insert(points, place, mesh::get_tolerance(plan));
+    places.insert(places.end(), points.begin(), points.end());
+    plan.lines.push_back({fmt::format("[support.{}] {}", wall.support, wall.row), points});
   }
   return site::add_corners(std::move(plan), places, 1e-9 * (site.ground().back()[0] - site.ground().front()[0]));
 }

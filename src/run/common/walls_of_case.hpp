@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The walls of a case in FEM: lines of the mesh, beams with interfaces, and their forces as results.
+// The walls of a case in FEM and limit analysis: lines of the mesh, beams with interfaces, and their forces as results.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,15 @@ struct WallLine {
 /// Returns the walls of a case in the order of their names. Throws as site::list_bars().
 std::vector<WallLine> list_walls(const site::Site& site);
 
-/// Returns `plan` with the walls as lines, and their ends on the ground as corners.
-mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan);
+/// Returns the index of the wall on which a point lies, within 1e-3 of the width of the section.
+std::optional<std::size_t> find_wall(const site::Site& site, const std::vector<WallLine>& walls, const site::Point& p);
+
+/// Returns the place of a line that is nearest to a point.
+site::Point find_nearest(const site::Polyline& line, const site::Point& p);
+
+/// Returns `plan` with the walls as lines, which also have those of `places` that lie on them as points, and their ends
+/// on the ground as corners.
+mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::vector<site::Point>& places = {});
 
 /// Returns true if the case has walls through which no water seeps.
 bool has_impermeable_walls(const input::Case& data);
@@ -38,8 +46,8 @@ inline mesh::Mesh<3> cut_at_walls(const site::Site&, mesh::Mesh<3> mesh) {
 template <int D>
 mesh::Mesh<D> generate_for_seepage(const site::Site& site);
 
-/// Makes the walls on a mesh that conforms to them. Throws Error (wrong_input) if it does not, or if the strength of
-/// the soil does not give that of the interface.
+/// Makes the walls on a mesh that conforms to them, without the stiffness of those that have none. Throws Error
+/// (wrong_input) if it does not, or if the strength of the soil does not give that of the interface.
 std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& mesh);
 inline std::vector<fem::Wall> make_walls(const site::Site&, const mesh::Mesh<3>&) {
   return {};
