@@ -247,7 +247,13 @@ class KinematicSum {
       const double start = std::max(0.0, -3 * first + 4 * middle - last),
                    end = std::max(0.0, first - 4 * middle + 3 * last);
       const auto& n = bar.force;
-      (bar.is_reduced ? passive_ : active_) += (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
+      double dissipation = (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
+      // Where the bar passes through a wall, soil on both sides of it may part.
+      if (const auto above = find_bar_above(problem_, bar)) {
+        const int before = find_edge_nodes(above->from, above->to)[2];
+        if (before != nodes[0]) dissipation += n[0] * std::max(0.0, first - dot(get_velocity(before), e));
+      }
+      (bar.is_reduced ? passive_ : active_) += dissipation;
     }
     // Between a head and the end of its bar there is no more tension either.
     for (const BarHead& head : problem_.heads) {

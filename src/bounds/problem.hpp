@@ -155,6 +155,13 @@ struct LineForce {
   double find_divisor(double factor) const { return is_reduced ? factor : 1; }
 };
 
+/// Returns the part of the same bar that ends where a part begins.
+inline std::optional<BarEdge> find_bar_above(const Problem& problem, const BarEdge& part) {
+  for (const BarEdge& other : problem.bars)
+    if (other.bar == part.bar && other.to == part.from) return other;
+  return std::nullopt;
+}
+
 /// Returns the tractions of bars, by which their tension grows along them, and of their heads.
 std::vector<LineForce> list_line_forces(const Problem& problem);
 

@@ -286,6 +286,12 @@ class KinematicRows {
     };
     add_end({-3, 4, -1}, (2 * bar.force[0] + bar.force[1]) / 6);
     add_end({1, -4, 3}, (bar.force[0] + 2 * bar.force[1]) / 6);
+    const auto above = find_bar_above(problem_, bar);
+    const int before = above ? v_.find_nodes(above->from, above->to)[2] : nodes[0];
+    if (before == nodes[0]) return;
+    MotionForm gap = find_component(v_.freedoms[static_cast<std::size_t>(nodes[0])], along);
+    add_form(gap, find_component(v_.freedoms[static_cast<std::size_t>(before)], along, -1));
+    resist(gap, bar.force[0], bar.is_reduced);
   }
 
   void add_head(const BarHead& head) {

@@ -29,12 +29,22 @@ std::array<int, 3> find_face_nodes(const Velocities& v, const WallFace& face) {
   return {t[i], t[3 + ((i + 1) % 3 == j ? i : j)], t[j]};
 }
 
-/// Returns the freedoms of the toe: those of the soil if both sides meet there, else translations of its own.
-std::vector<Freedom> start_at_toe(const WallEdge& last, Velocities& v) {
-  if (last.face[0] && last.face[1]) {
-    const int left = find_face_nodes(v, *last.face[0])[2], right = find_face_nodes(v, *last.face[1])[2];
-    if (left == right) return v.freedoms[static_cast<std::size_t>(left)];
+/// Returns the velocity of the soil at an end of an edge, if that on both sides is the same; else nullptr.
+const std::vector<Freedom>* find_common(const WallEdge& edge, const Velocities& v, std::size_t end) {
+  std::array<const std::vector<Freedom>*, 2> of{};
+  for (const std::size_t side : {0, 1}) {
+    const auto& face = edge.face[side];
+    if (!face) return nullptr;
+    of[side] = &v.freedoms[static_cast<std::size_t>(find_face_nodes(v, *face)[2 * end])];
   }
+  const auto is_same = [](const Freedom& a, const Freedom& b) { return a.number == b.number; };
+  return std::equal(of[0]->begin(), of[0]->end(), of[1]->begin(), of[1]->end(), is_same) ? of[0] : nullptr;
+}
+
+/// Returns the freedoms of the toe: those of the soil if that of both sides is one or fixed, else translations of its
+/// own.
+std::vector<Freedom> start_at_toe(const WallEdge& last, Velocities& v) {
+  if (const auto soil = find_common(last, v, 1)) return *soil;
   v.count += 2;
   return {{{1, 0}, v.count - 2}, {{0, 1}, v.count - 1}};
 }
@@ -42,14 +52,9 @@ std::vector<Freedom> start_at_toe(const WallEdge& last, Velocities& v) {
 /// Returns the velocity of the upper end of an edge between rigid soil of one body; nullptr: the soil is another.
 const std::vector<Freedom>* find_clamp(const Problem& problem, const WallEdge& edge, const Velocities& v,
                                        const Units& units) {
-  std::array<const std::vector<Freedom>*, 2> of{};
-  for (const std::size_t side : {0, 1}) {
-    const auto& face = edge.face[side];
+  for (const auto& face : edge.face)
     if (!face || !is_rigid(problem.strength[face->triangle], units)) return nullptr;
-    of[side] = &v.freedoms[static_cast<std::size_t>(find_face_nodes(v, *face)[0])];
-  }
-  const auto is_same = [](const Freedom& a, const Freedom& b) { return a.number == b.number; };
-  return std::equal(of[0]->begin(), of[0]->end(), of[1]->begin(), of[1]->end(), is_same) ? of[0] : nullptr;
+  return find_common(edge, v, 0);
 }
 
 }  // namespace

@@ -145,6 +145,38 @@ TEST(BoundsWalls, BarsHoldTheWall) {
   }
 }
 
+/// A bar through a wall in the ground holds both sides together: that of a wall without strength changes nothing.
+TEST(BoundsWalls, BarsPassThroughWalls) {
+  Problem bare = make_columns(divide(0, {{4, 8}}), 4, -2, [](double) { return 0.0; });
+  fill(bare, 10e3, 0, 0);
+  std::erase_if(bare.sides, [](const Side& s) { return s.holds_normal && !s.holds_along; });
+  for (const Edge& edge : list_edges(bare.triangles)) {
+    const Vec<2>& a = bare.nodes[static_cast<std::size_t>(edge.from)];
+    const Vec<2>& b = bare.nodes[static_cast<std::size_t>(edge.to)];
+    if (edge.other < 0 && a[0] > 4 - 1e-9 && b[0] > 4 - 1e-9)  // it is pulled away
+      bare.sides.push_back({edge.from, edge.to, false, false, {{{12e3, 0}, {12e3, 0}}}});
+  }
+  const auto add_bar = [](Problem& p) {
+    for (double x = 0; x < 3.9; x += 0.5) {
+      const auto find_force = [&](double at) { return 8e3 * std::min({1.0, at, 4 - at}); };
+      p.bars.push_back(
+          {find_node(p, x, -1), find_node(p, x + 0.5, -1), {find_force(x), find_force(x + 0.5)}, false, 0});
+    }
+  };
+  const auto add_joint = [](Problem& p) {
+    Wall& wall = p.walls.emplace_back();
+    for (int i = 0; i <= 4; ++i) wall.nodes.push_back(find_node(p, 2, -0.5 * i));
+    wall.interface.assign(4, {InterfaceStrength{5e3, 0}, InterfaceStrength{5e3, 0}});
+    wall.moment = 1;
+  };
+  Problem joined = bare, tied = bare;
+  add_joint(joined), add_joint(tied), add_bar(tied), add_bar(bare);
+  const BoundsResult whole = search(bare, 400), cut = search(joined, 400), held = search(tied, 400);
+  EXPECT_GT(held.lower, cut.upper * 1.05);
+  EXPECT_LE(held.lower, whole.upper);
+  EXPECT_LE(held.lower, held.upper);
+}
+
 /// Water of one pressure over everything, in the soil and in the gaps, changes nothing.
 TEST(BoundsWalls, PressureOverEverythingChangesNothing) {
   Problem p = make_retained(0.5);
