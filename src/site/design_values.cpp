@@ -99,7 +99,10 @@ void factor_support(const std::string& name, input::Support& s, const input::Par
   values.divide(s.lateral_resistance, v.lateral, "lateral resistance", "R", "kN", kN);
   values.divide(s.shear_strength, v.lateral, "shear strength", "V", "kN", kN);
   values.divide(s.plastic_moment, v.lateral, "plastic moment", "M_p", "kN.m", kN);
+  values.divide(s.plastic_force, v.lateral, "axial strength", "N_p", "kN", kN);
+  values.divide(s.strut_strength, v.lateral, "strength of a strut", "S", "kN", kN);
   values.divide(s.prestress, permanent_load, "prestress", "P", "kN", kN);
+  values.divide(s.strut_prestress, permanent_load, "prestress of a strut", "P", "kN", kN);
 }
 
 /// Returns the design values of the supports as one sentence; empty without any.

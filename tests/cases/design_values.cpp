@@ -204,6 +204,35 @@ TEST(DesignValues, DivideTheResistancesOfSupports) {
             std::string::npos);
 }
 
+/// A wall on the bench below the dry slope.
+TEST(DesignValues, DivideTheResistancesOfWalls) {
+  const std::string wall = R"(
+[support.sheet]
+kind = "wall"
+line = [[12, 15], [12, 8]]
+bond_adhesion = 5
+plastic_moment = 100
+plastic_force = 700
+shear_strength = 280
+strut_levels = [14]
+strut_stiffness = 1e4
+strut_strength = 140
+strut_prestress = 27
+)";
+  const DesignValues d =
+      apply_partial_factors(read(wall + "[partial_factors]\nset = \"by_hand\"\nlateral = 1.4\nbond = 1.25\n"));
+  const input::Support& sheet = d.data.supports.at("sheet");
+  EXPECT_NEAR(*sheet.plastic_moment, 100e3 / 1.4, 1e-6);
+  EXPECT_NEAR(*sheet.plastic_force, 500e3, 1e-6);
+  EXPECT_NEAR(*sheet.shear_strength, 200e3, 1e-6);
+  EXPECT_NEAR(sheet.strut_strength, 100e3, 1e-6);
+  EXPECT_NEAR(sheet.strut_prestress, 27e3, 1e-6);
+  EXPECT_NEAR(*sheet.bond_adhesion, 4e3, 1e-6);
+  const DesignValues heavy = apply_partial_factors(read(wall + "[partial_factors]\nset = \"DA1-1\"\n"));
+  EXPECT_NEAR(heavy.data.supports.at("sheet").strut_prestress, 20e3, 1e-6);
+  EXPECT_NEAR(heavy.data.supports.at("sheet").strut_strength, 140e3 / 1.35, 1e-6);
+}
+
 /// γ_G multiplies the weight. Resistances and prestress, which it does not, are divided by it instead; friction of the
 /// bond follows the weight.
 TEST(DesignValues, PermanentActionsLeaveForcesOfSupportsAlone) {
