@@ -320,7 +320,8 @@ class KinematicSum {
     const auto moves = [&](double factor) { return flows(factor) && find_dissipation(factor) < found_.work; };
     double low = smallest_factor, high = largest_factor;
     found_.factor = std::numeric_limits<double>::infinity();
-    if (!is_finite || !is_continuous_ || held_ > rounding_of_velocity * fastest_ || !moves(high)) return found_;
+    if (!walls_.is_sound || !is_finite || !is_continuous_ || held_ > rounding_of_velocity * fastest_ || !moves(high))
+      return found_;
     while (high > low * (1 + 1e-12)) {
       const double middle = std::sqrt(low * high);
       (moves(middle) ? high : low) = middle;

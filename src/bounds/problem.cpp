@@ -80,6 +80,28 @@ std::vector<std::vector<WallEdge>> list_wall_edges(const Problem& problem) {
   return walls;
 }
 
+bool are_walls_sound(const Problem& problem) {
+  if (problem.walls.empty()) return true;
+  std::set<EdgeKey> keys;
+  for (const Wall& wall : problem.walls) {
+    for (std::size_t i = 0; i < wall.size(); ++i)
+      if (!keys.insert(make_key(wall.nodes[i], wall.nodes[i + 1])).second) return false;
+    for (const Strut& strut : wall.struts)
+      if (find_wall_node(wall, strut.node) == wall.nodes.size()) return false;
+  }
+  for (const BarEdge& bar : problem.bars)
+    if (keys.contains(make_key(bar.from, bar.to))) return false;
+  for (const BarHead& head : problem.heads) {
+    if (head.wall && find_wall_node(problem.walls[*head.wall], head.node) == problem.walls[*head.wall].nodes.size())
+      return false;
+    for (const auto& [from, to] : head.sides)
+      if (keys.contains(make_key(from, to))) return false;
+  }
+  return std::none_of(problem.sides.begin(), problem.sides.end(), [&](const Side& s) {
+    return (s.holds_normal || s.holds_along) && keys.contains(make_key(s.from, s.to));
+  });
+}
+
 std::size_t find_wall_node(const Wall& wall, int node) {
   return static_cast<std::size_t>(std::find(wall.nodes.begin(), wall.nodes.end(), node) - wall.nodes.begin());
 }

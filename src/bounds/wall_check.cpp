@@ -114,6 +114,8 @@ class Beam {
 
 WallStatics check_walls(const Problem& problem, const StressField& field, double extent, double least) {
   WallStatics found;
+  found.holds = are_walls_sound(problem);
+  if (!found.holds) return found;
   const auto edges = list_wall_edges(problem);
   for (std::size_t w = 0; w < problem.walls.size(); ++w) {
     Beam beam(problem, field, w);
@@ -136,6 +138,8 @@ class Motion {
   Motion(const Problem& problem, const VelocityField& field) : problem_(problem), field_(field) {}
 
   WallKinematics run() {
+    found_.is_sound = are_walls_sound(problem_);
+    if (!found_.is_sound) return std::move(found_);
     const auto edges = list_wall_edges(problem_);
     for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
       const Wall& wall = problem_.walls[w];
@@ -143,7 +147,8 @@ class Motion {
         add_edge(wall, edges[w][i], field_.walls[w][i]);
         for (const std::size_t side : {0, 1})
           if (edges[w][i].face[side])
-            add_face(wall.interface[i][side], edges[w][i], *edges[w][i].face[side], side, field_.walls[w][i]);
+            add_face(wall.interface[i][side].find_largest(), edges[w][i], *edges[w][i].face[side], side,
+                     field_.walls[w][i]);
         if (i > 0) add_hinge(wall, w, i, edges[w]);
       }
       for (const Strut& strut : wall.struts) {

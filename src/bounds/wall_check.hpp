@@ -12,7 +12,7 @@ namespace talus::bounds {
 struct WallStatics {
   double factor = unlimited;  ///< of the interfaces
   double imbalance = 0;       ///< force and moment at the toes, over the extent of the section [Pa]
-  bool holds = true;          ///< no beam or strut exceeds its strength
+  bool holds = true;          ///< the walls are sound, and no beam or strut exceeds its strength
 };
 
 /// Integrates the tractions on each wall from its head on, and compares force and moment with the strength of the beam.
@@ -33,6 +33,7 @@ struct WallKinematics {
   /// Largest velocity of what does not yield: elongation, rotation and jump of a beam, and shortening of a strut,
   /// without a limit of the force for it.
   double held = 0;
+  bool is_sound = true;
 };
 
 /// Evaluates the motion of the walls and of the soil beside them.

@@ -173,7 +173,7 @@ std::vector<Contact> list_contacts(const Problem& problem, const Velocities& v) 
         const Vec<2> outward{sign * edge.normal[0], sign * edge.normal[1]};
         const auto& ends = v.walls[w].ends[i];
         for (std::size_t k = 0; k < 3; ++k) {
-          Contact contact{w, problem.walls[w].interface[i][side], edge.length / 3, 0, {}, {}};
+          Contact contact{w, problem.walls[w].interface[i][side].find_largest(), edge.length / 3, 0, {}, {}};
           for (std::size_t p = 0; p < 2; ++p)
             contact.pressure +=
                 3 * bernstein[k][p] * problem.pore_pressure[edge.face[side]->triangle][edge.face[side]->corner[p]];

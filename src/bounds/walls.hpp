@@ -16,8 +16,11 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Strength of the soil at the face of a wall, which F divides: |τ| ≤ c − σ' tan φ, and no effective tension.
 struct InterfaceStrength {
-  double cohesion = 0;  ///< [Pa]
+  double cohesion = 0;  ///< the least on the edge [Pa]
   double tan_friction = 0;
+  double more_cohesion = 0;  ///< the largest on the edge over the least, for the upper bound [Pa]
+
+  InterfaceStrength find_largest() const { return {cohesion + more_cohesion, tan_friction}; }
 };
 
 /// A horizontal prop beside a node of a wall, in compression only.
@@ -67,6 +70,9 @@ struct WallForce {
 
 struct Problem;
 
+/// Returns false if two walls share an edge, a strut or the head of a bar lies beside its wall, a bar or its head on an
+/// edge of a wall, or a wall on a fixed side: certificates do not cover that.
+bool are_walls_sound(const Problem& problem);
 /// Returns the edges of each wall.
 std::vector<std::vector<WallEdge>> list_wall_edges(const Problem& problem);
 /// Returns the forces of bars on each wall.

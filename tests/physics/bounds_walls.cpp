@@ -261,5 +261,35 @@ TEST(BoundsWalls, ChecksFindWhatWasChanged) {
   EXPECT_GT(check(weaker, found.velocity).factor, found.upper * 1.01);
 }
 
+/// Certificates refuse what they do not cover, whatever the fields.
+TEST(BoundsWalls, WallsThatAreNotCoveredProveNothing) {
+  Problem p = make_retained(0.5);
+  Wall& wall = add_wall(p, -1);
+  wall.moment = 50e3;
+  EXPECT_TRUE(are_walls_sound(p));
+  Problem twice = p;
+  twice.walls.push_back(p.walls[0]);
+  EXPECT_FALSE(are_walls_sound(twice));
+  Problem along = p;
+  along.bars.push_back({p.walls[0].nodes[1], p.walls[0].nodes[2], {1e3, 1e3}, false, 0});
+  EXPECT_FALSE(are_walls_sound(along));
+  Problem beside = p;
+  beside.walls[0].struts.push_back({find_node(p, 1, 1), -1, 1e3});
+  EXPECT_FALSE(are_walls_sound(beside));
+  beside = p;
+  beside.heads.push_back({find_node(p, 1, 1), {1, 0}, 1e3, false, {}, 0});
+  EXPECT_FALSE(are_walls_sound(beside));
+  Problem held = p;
+  held.sides.push_back({p.walls[0].nodes[0], p.walls[0].nodes[1], true, false, {}});
+  EXPECT_FALSE(are_walls_sound(held));
+  const BoundsResult found = search(p, 100);
+  held = found.stress_problem;
+  held.walls.push_back(held.walls[0]);
+  EXPECT_FALSE(check(held, found.stress).holds);
+  held = found.velocity_problem;
+  held.walls.push_back(held.walls[0]);
+  EXPECT_FALSE(check(held, found.velocity).holds);
+}
+
 }  // namespace
 }  // namespace talus::bounds

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/mesh_sides.hpp"
@@ -100,6 +101,7 @@ bounds::BarHead BarsOfCase::make_head(const Line& line, int node, const bounds::
 }
 
 void BarsOfCase::add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, bounds::Problem& problem) const {
+  const bounds::WallKeys walls(problem);
   for (std::size_t bar = 0; bar < lines_.size(); ++bar) {
     const Line& line = lines_[bar];
     const auto measure = [&](int node) {
@@ -113,6 +115,10 @@ void BarsOfCase::add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, 
       int from = number[static_cast<std::size_t>(side[0])], to = number[static_cast<std::size_t>(side[1])];
       if (from < 0 || to < 0) continue;
       if (measure(from) > measure(to)) std::swap(from, to);
+      if (walls.contains(from, to))
+        throw Error(
+            ExitCode::wrong_input,
+            fmt::format("a bar of support '{}' lies along a wall, which limit analysis does not take", line.bar.name));
       problem.bars.push_back(
           {from, to, {line.find_force(measure(from)), line.find_force(measure(to))}, !line.bar.is_active, bar});
       if (measure(from) < nearest) nearest = measure(from), first = from;

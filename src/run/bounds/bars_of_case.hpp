@@ -21,7 +21,8 @@ class BarsOfCase {
 
   /// Returns the plan with a line along each bar, and a point on it wherever its force changes its gradient.
   mesh::Plan conform(mesh::Plan plan) const;
-  /// Adds bars and heads on a mesh of that plan; `number`: of its nodes in the problem.
+  /// Adds bars and heads on a mesh of that plan to a problem with its walls; `number`: of its nodes in the problem.
+  /// Throws Error (wrong_input) for a bar along a wall.
   void add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, bounds::Problem& problem) const;
 
  private:
