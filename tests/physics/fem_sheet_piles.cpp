@@ -221,6 +221,26 @@ TEST(SheetPiles, WeightIsALoadInLimitEquilibriumAndFem) {
   EXPECT_TRUE(run::make_section(read_site(write_sheet(6))).section.surcharges.empty());
 }
 
+TEST(SheetPiles, InterfaceIsAFractionOfTheSoilBesideIt) {
+  const auto find = [](const std::string& soil, const Vec<2>& place) {
+    std::string text = write_sheet(6, "interface_strength = 0.6\n");
+    text.replace(text.find("bond_friction = 0\n"), 18, "");
+    const auto from = text.find("model ="), to = text.find("unit_weight");
+    text.replace(from, to - from, soil);
+    const auto cohesion = text.find("cohesion = 0.2"), young = text.find("young_modulus");
+    if (soil.find("tresca") != std::string::npos) text.replace(cohesion, young - cohesion, "");
+    const site::Site site = read_site(text);
+    return run::make_walls(site, *run::make_solid<2>(site, 2).mesh)[0].interface(0, place);
+  };
+  const std::string clay = "model = \"tresca\"\nundrained_strength = 20\n";
+  EXPECT_NEAR(find(clay, {12, 2}).adhesion, 12e3, 1e-6);
+  EXPECT_EQ(find(clay, {12, 2}).friction, 0);
+  const std::string deeper = "undrained_gradient = 3\nundrained_level = 1\n";
+  EXPECT_NEAR(find(clay + deeper, {12, -2}).adhesion, 0.6 * 29e3, 1e-6);
+  EXPECT_NEAR(find("model = \"mohr_coulomb\"\n", {12, 2}).adhesion, 120, 1e-6);
+  EXPECT_NEAR(find("model = \"mohr_coulomb\"\n", {12, 2}).friction, 0.6 * std::tan(35 * pi / 180), 1e-9);
+}
+
 TEST(SheetPiles, LimitEquilibriumSearchesBelowTheToe) {
   const auto search = [](const std::string& text) {
     const site::Site site = read_site(text);

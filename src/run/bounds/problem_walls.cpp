@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "base/error.hpp"
 #include "run/common/walls_of_case.hpp"
@@ -46,6 +47,16 @@ bounds::Strut make_strut(const fem::Strut& strut, const fem::Wall& wall, const s
   return made;
 }
 
+void refuse_shared_edges(const bounds::Problem& problem, const ShownUnit& unit) {
+  std::set<bounds::EdgeKey> keys;
+  for (const bounds::Wall& wall : problem.walls)
+    for (std::size_t i = 0; i < wall.size(); ++i)
+      if (!keys.insert(bounds::make_key(wall.nodes[i], wall.nodes[i + 1])).second)
+        throw Error(ExitCode::wrong_input,
+                    fmt::format("two walls lie on each other at {}, which limit analysis does not take",
+                                format_point(problem.nodes[static_cast<std::size_t>(wall.nodes[i])], unit)));
+}
+
 }  // namespace
 
 mesh::Plan conform_to_loaded_walls(const site::Site& site, mesh::Plan plan) {
@@ -79,15 +90,23 @@ void add_walls(const site::Site& site, const mesh::Mesh<2>& mesh, std::vector<in
     wall.moment = given.moment, wall.axial = given.axial, wall.shear = given.shear;
     wall.line_load = given.line_load;
   }
+  refuse_shared_edges(problem, site.data().units().length);
+  const bool is_davis = site.data().bounds.flow == input::BoundsFlow::davis;
   const auto edges = bounds::list_wall_edges(problem);
   for (std::size_t w = 0; w < walls.size(); ++w) {
     for (std::size_t i = 0; i < edges[w].size(); ++i)
       for (const std::size_t side : {0, 1}) {
         const auto& face = edges[w][i].face[side];
         if (!face) continue;
-        const Vec<2>& place = problem.nodes[static_cast<std::size_t>(edges[w][i].node[0])];
-        const fem::InterfaceStrength strength = walls[w].interface(problem.region[face->triangle], place);
-        problem.walls[w].interface[i][side] = {strength.adhesion, strength.friction};
+        const auto find = [&](std::size_t end) {
+          return walls[w].interface(problem.region[face->triangle],
+                                    problem.nodes[static_cast<std::size_t>(edges[w][i].node[end])]);
+        };
+        const fem::InterfaceStrength upper = find(0), lower = find(1);
+        // An interface does not dilate in FEM; Davis' strength is that of ψ = 0.
+        const double share = is_davis ? 1 / std::hypot(1, upper.friction) : 1;
+        const auto [least, most] = std::minmax(upper.adhesion, lower.adhesion);
+        problem.walls[w].interface[i][side] = {share * least, share * upper.friction, share * (most - least)};
       }
     for (const fem::Strut& strut : walls[w].struts)
       problem.walls[w].struts.push_back(make_strut(strut, walls[w], edges[w], problem, site.data().units().length));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "base/error.hpp"
@@ -94,27 +95,35 @@ std::vector<int> list_nodes(const WallLine& wall, const mesh::Mesh<2>& mesh, con
   return nodes;
 }
 
+using InterfaceLaw = std::function<fem::InterfaceStrength(const Vec<2>&)>;
+
 /// Returns the strength of the interface to each region of a mesh.
-std::vector<fem::InterfaceStrength> list_strengths(const site::Site& site, const input::Support& support,
-                                                   const std::string& name, const std::vector<std::string>& regions) {
-  std::vector<fem::InterfaceStrength> strengths;
+std::vector<InterfaceLaw> list_interfaces(const site::Site& site, const input::Support& support,
+                                          const std::string& name, const std::vector<std::string>& regions) {
+  std::vector<InterfaceLaw> laws;
   for (const std::string& region : regions) {
     if (!support.interface_strength) {
-      strengths.push_back(
-          {support.bond_adhesion.value_or(0), support.bond_scale * std::tan(support.bond_friction.value_or(0))});
+      const fem::InterfaceStrength given{support.bond_adhesion.value_or(0),
+                                         support.bond_scale * std::tan(support.bond_friction.value_or(0))};
+      laws.emplace_back([given](const Vec<2>&) { return given; });
       continue;
     }
     const input::Material soil = input::find_limit_soil(site.get_soil(region));
     const std::string model = soil.traits().word;
-    if (model != "mohr_coulomb" && model != "tresca")
+    const bool has_strength = model == "mohr_coulomb" || model == "tresca";
+    const site::PlaneStrength own = has_strength ? site::find_plane_strength(soil) : site::PlaneStrength{};
+    if (!has_strength || own.law)
       throw Error(ExitCode::wrong_input,
-                  fmt::format("wall '{}': 'interface_strength' is a fraction of c and φ, which material '{}' with the "
-                              "model {} does not have; give 'bond_adhesion' and 'bond_friction'",
-                              name, site.data().regions.at(region), model));
-    strengths.push_back({*support.interface_strength * soil.cohesion,
-                         *support.interface_strength * (model == "tresca" ? 0 : std::tan(soil.friction_angle))});
+                  fmt::format("wall '{}': 'interface_strength' is a fraction of c and φ, which material '{}' with {} "
+                              "does not have; give 'bond_adhesion' and 'bond_friction'",
+                              name, site.data().regions.at(region),
+                              has_strength ? "a profile of strengths" : "the model " + model));
+    laws.emplace_back([own, share = *support.interface_strength](const Vec<2>& x) {
+      const double cohesion = own.cohesion + own.cohesion_gradient * std::max(0.0, own.cohesion_level - x[1]);
+      return fem::InterfaceStrength{share * cohesion, share * std::tan(own.friction_angle)};
+    });
   }
-  return strengths;
+  return laws;
 }
 
 double find_softest(const site::Site& site) {
@@ -191,6 +200,14 @@ bool has_impermeable_walls(const input::Case& data) {
   });
 }
 
+bool has_rough_walls(const input::Case& data) {
+  return std::any_of(data.supports.begin(), data.supports.end(), [](const auto& entry) {
+    const input::Support& s = entry.second;
+    return s.kind == input::SupportKind::wall &&
+           (s.interface_strength || s.bond_adhesion.value_or(0) > 0 || s.bond_friction.value_or(0) > 0);
+  });
+}
+
 mesh::Mesh<2> cut_at_walls(const site::Site& site, mesh::Mesh<2> mesh) {
   if (!has_impermeable_walls(site.data())) return mesh;
   mesh::Cuts cuts;
@@ -228,8 +245,8 @@ std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& m
     wall.tangential_stiffness = shear_joint * wall.normal_stiffness;
     const Vec<2> pull = site.find_body_force<2>();
     for (std::size_t d = 0; d < 2; ++d) wall.line_load[d] = support.weight.value_or(0) * pull[d];
-    wall.interface = [strengths = list_strengths(site, support, line.support, mesh.region_names)](
-                         int region, const Vec<2>&) { return strengths[static_cast<std::size_t>(region)]; };
+    wall.interface = [laws = list_interfaces(site, support, line.support, mesh.region_names)](
+                         int region, const Vec<2>& x) { return laws[static_cast<std::size_t>(region)](x); };
     for (const double level : support.strut_levels)
       wall.struts.push_back({level, *support.strut_stiffness, support.strut_strength, support.strut_prestress});
   }

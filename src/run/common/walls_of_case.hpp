@@ -35,6 +35,9 @@ mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::
 /// Returns true if the case has walls through which no water seeps.
 bool has_impermeable_walls(const input::Case& data);
 
+/// Returns true if an interface of a wall has a strength.
+bool has_rough_walls(const input::Case& data);
+
 /// Returns `mesh` with its nodes doubled along the impermeable walls, to which it must conform. Throws as make_walls()
 /// and mesh::split().
 mesh::Mesh<2> cut_at_walls(const site::Site& site, mesh::Mesh<2> mesh);
