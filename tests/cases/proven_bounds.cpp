@@ -203,6 +203,51 @@ poisson_ratio = 0.3
   EXPECT_EQ(find_text(with_lem.at("warnings"), "above the upper bound"), "");
 }
 
+/// Smooth walls are the same in FEM and in limit analysis. Rough interfaces dilate and keep their adhesion in the
+/// latter only.
+TEST_F(BoundsTest, JudgeFemBesideWalls) {
+  const auto write = [](const char* methods, const char* more) {
+    return std::string(R"(title = "Sheet pile"
+geometry.ground = [[0, 3], [9, 3], [9, 0], [18, 0]]
+geometry.layer = [{ name = "sand", level = -6 }]
+regions.sand = "sand"
+boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
+[materials.sand]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 2
+friction_angle = 32
+dilatancy_angle = 32
+tensile_strength = 0
+young_modulus = "30 MPa"
+poisson_ratio = 0.3
+[fem]
+size = 1
+[support.sheet]
+kind = "wall"
+line = [[9, 3], [9, -3]]
+axial_stiffness = 2e6
+bending_stiffness = 5e4
+[analysis]
+methods = [)") +
+           methods + "]\n" + more;
+  };
+  const json summary = run(write("\"fem\", \"bounds\"", rough.c_str()), {{"support.sheet.bond_friction", "0"}});
+  const auto [lower, upper] = read_interval(summary);
+  const json& fem = summary.at("fem").at("runs").at(0);
+  EXPECT_GT(fem.at("factor").get<double>(), lower);
+  EXPECT_LT(fem.at("factor").get<double>(), 1.05 * upper) << "FEM converges from above";
+  EXPECT_TRUE(fem.contains("verdict"));
+  EXPECT_FALSE(summary.at("methods").contains("unjudged"));
+  const auto explain = [&](const char* methods, const std::string& more) {
+    const json rough_wall = run(write(methods, (more + rough).c_str()), {{"support.sheet.interface_strength", "0.67"}});
+    return rough_wall.at("methods").at("unjudged").get<std::string>();
+  };
+  EXPECT_NE(explain("\"fem\", \"bounds\"", "").find("interfaces of walls dilate"), std::string::npos);
+  EXPECT_NE(explain("\"lem\", \"bounds\"", "[lem]\nmethods = [\"bishop\"]\n").find("soil slips along walls"),
+            std::string::npos);
+}
+
 TEST_F(BoundsTest, OfSoilThatSoftensAreThoseOfItsLimitStrength) {
   const std::string flow = "dilatancy_angle = 10\ntensile_strength = 4\nlimit_strength = ";
   const std::string soft =

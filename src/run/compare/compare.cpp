@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"
@@ -334,6 +335,25 @@ std::string describe_flow(const results::ElementRun& run) {
 results::MethodComparison compare_methods(const input::Case& data, const lem::Slope* slope,
                                           const results::RunResult& run, const fs::path& folder, int threads) {
   return Comparison(data, slope, run, folder, threads).make();
+}
+
+std::optional<std::string> find_judging_obstacle(const input::Case& data) {
+  const bool has_bars = std::any_of(data.supports.begin(), data.supports.end(),
+                                    [](const auto& entry) { return entry.second.kind != input::SupportKind::wall; });
+  if (!has_bars && !data.supports.empty() && input::uses(data, Method::lem))
+    return "in limit analysis soil slips along walls and bends them, which slip surfaces of LEM do not show";
+  if (has_rough_walls(data))
+    return "the interfaces of walls dilate as they slip, and keep their adhesion as they open, in limit analysis alone";
+  if (has_bars)
+    return fmt::format(
+        "in limit analysis the soil below the heads of supports may fail{}",
+        input::has_passive_supports(data)
+            ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM and MPM"
+            : "");
+  for (const auto& [region, name] : data.regions)
+    if (input::uses(data, Method::lem) && data.materials.at(name).model == material::model_of<material::Bedding>)
+      return fmt::format("in LEM the bedding of '{}' has a range of directions, in limit analysis one", name);
+  return std::nullopt;
 }
 
 }  // namespace talus::run

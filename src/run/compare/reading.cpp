@@ -467,23 +467,6 @@ class Reading {
 
 }  // namespace
 
-std::optional<std::string> find_judging_obstacle(const input::Case& data) {
-  const bool has_bars = std::any_of(data.supports.begin(), data.supports.end(),
-                                    [](const auto& entry) { return entry.second.kind != input::SupportKind::wall; });
-  if (!has_bars && !data.supports.empty() && input::uses(data, Method::lem))
-    return "in limit analysis soil slips along walls and bends them, which slip surfaces of LEM do not show";
-  if (has_bars)
-    return fmt::format(
-        "in limit analysis the soil below the heads of supports may fail{}",
-        input::has_passive_supports(data)
-            ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM and MPM"
-            : "");
-  for (const auto& [region, name] : data.regions)
-    if (input::uses(data, Method::lem) && data.materials.at(name).model == material::model_of<material::Bedding>)
-      return fmt::format("in LEM the bedding of '{}' has a range of directions, in limit analysis one", name);
-  return std::nullopt;
-}
-
 bool is_nonassociated(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const input::Material m = input::find_limit_soil(data.materials.at(region.second));

@@ -116,8 +116,11 @@ StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input
     if (!input::uses(later, method)) continue;
     results::StageFactor& out = all.factors.emplace_back();
     out = {method, fmt::format("{}, failure without drainage", name), {}, {}, {}, {}, true};
-    if (!strengths.fault().empty()) {
-      out.error = strengths.fault();
+    const bool has_walls = std::any_of(later.supports.begin(), later.supports.end(),
+                                       [](const auto& s) { return s.second.kind == input::SupportKind::wall; });
+    if (!strengths.fault().empty() || (has_walls && method == Method::bounds)) {
+      out.error = !strengths.fault().empty() ? strengths.fault()
+                                             : "the strength of the interfaces of walls without drainage is not known";
       continue;
     }
     RunOptions own = options;
