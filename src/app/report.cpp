@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
 #include "base/folder_lock.hpp"
@@ -22,11 +23,16 @@ namespace talus::app {
 
 void add_report(CLI::App& app) {
   const Command command(app, "report", "Write a report of a run or a study as one HTML file");
-  const auto folder = std::make_shared<std::string>();
+  const auto folder = std::make_shared<std::string>(), data = std::make_shared<std::string>();
   command.take("DIR", *folder, "Folder of the results of a run or a study; report.html is written there").required();
-  command.act([folder] {
+  command.take("--data", *data, "Write only the data of the page, as JSON, into FILE; the run may be in progress")
+      .shown_as("FILE");
+  command.act([folder, data] {
     catch_interrupts();
-    print(stdout, fmt::format("{}\n", report::write_report(*folder).string()));
+    if (data->empty())
+      print(stdout, fmt::format("{}\n", report::write_report(*folder).string()));
+    else
+      write_atomically(*data, report::write_data(*folder));
   });
 }
 

@@ -33,7 +33,8 @@ struct RunCommand {
   std::string folder;
   int threads = 0;
   std::string device = "cpu";
-  bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false, progress_lines = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false, progress_lines = false,
+       live = false;
 };
 
 /// Throws Error if, with --strict, a stage did not come to rest as required; called when all results are written.
@@ -140,6 +141,7 @@ void run(RunCommand command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
+  options.keeps_present = command.live && ranks.rank() == 0;
   lead_ranks([&] { run::check_folder(loaded, options); });
   const OwnFolder own(options);
   results::RunResult result;
@@ -168,6 +170,7 @@ void add_run(CLI::App& app) {
   command.flag("-q,--quiet", options->quiet, "Print errors only");
   command.flag("--progress-lines", options->progress_lines,
                "Print progress as lines of JSON to standard error, for programs that start runs");
+  command.flag("--live", options->live, "Store the results so far during the run, for talus report DIR --data FILE");
   command.act([options] { run(*options); });
 }
 

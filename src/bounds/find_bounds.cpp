@@ -144,8 +144,7 @@ std::vector<bool> mark(const std::vector<double>& parts, double most) {
 
 class BoundsSearch {
  public:
-  BoundsSearch(const Problem& problem, const BoundsOptions& options,
-               const std::function<void(const BoundsLevel&)>& report)
+  BoundsSearch(const Problem& problem, const BoundsOptions& options, const BoundsReport& report)
       : options_(options), report_(report) {
     result_.problem = fan_out(problem, find_corners(problem), widest_fan);
     result_.upper = none;
@@ -322,11 +321,11 @@ class BoundsSearch {
     result_.levels.push_back({static_cast<int>(result_.problem.size()), result_.lower, result_.upper,
                               holding.programs() + moving.programs(), holding.iterations() + moving.iterations(),
                               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()});
-    if (report_) report_(result_.levels.back());
+    if (report_) report_(result_);
   }
 
   const BoundsOptions& options_;
-  const std::function<void(const BoundsLevel&)>& report_;
+  const BoundsReport& report_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   BoundsResult result_;
   Units units_;
@@ -337,8 +336,7 @@ class BoundsSearch {
 
 }  // namespace
 
-BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options,
-                         const std::function<void(const BoundsLevel&)>& report) {
+BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options, const BoundsReport& report) {
   return BoundsSearch(problem, options, report).run();
 }
 

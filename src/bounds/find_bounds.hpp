@@ -93,7 +93,9 @@ struct BoundsResult {
   std::vector<BoundsLevel> levels;
 };
 
-BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options,
-                         const std::function<void(const BoundsLevel&)>& report = {});
+/// Receives the result so far after every mesh; its level is the last one.
+using BoundsReport = std::function<void(const BoundsResult&)>;
+
+BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options, const BoundsReport& report = {});
 
 }  // namespace talus::bounds

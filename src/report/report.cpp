@@ -114,6 +114,7 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   add("methods_read", read_methods(folder));
   add("slices", pack_slices(folder, packer, document["warnings"]));
   add("finite_elements", pack_finite_elements(folder, packer, document["warnings"]));
+  add("reduction", pack_reduction(folder, packer));
   add("proven_bounds", pack_proven_bounds(folder, packer, document["warnings"]));
 }
 
@@ -216,6 +217,15 @@ Content collect_report(const fs::path& path) {
   }
   content.arrays = packer.compress(default_threads());
   return content;
+}
+
+std::string write_data(const fs::path& folder) {
+  const Content content = collect_report(folder);
+  json arrays = json::object();
+  for (const PackedText& array : content.arrays) arrays[array.id] = array.base64;
+  const json data{
+      {"report", content.document.get()}, {"results", content.results.get()}, {"arrays", std::move(arrays)}};
+  return data.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 fs::path write_report(const fs::path& folder) {

@@ -3,6 +3,7 @@
 // The report of a results folder as one self-contained HTML file (docs/manual/report.md).
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "base/json_tree.hpp"
@@ -23,5 +24,9 @@ Content collect_report(const std::filesystem::path& folder);
 
 /// Writes `folder`/report.html atomically and returns its path. Throws as collect_report(), and Error (cannot_write).
 std::filesystem::path write_report(const std::filesystem::path& folder);
+
+/// Returns the report as JSON, {"report", "results", "arrays": {id: base64}}, for a page that is already open. The run
+/// may be in progress, because no file of its folder is written. Throws as collect_report().
+std::string write_data(const std::filesystem::path& folder);
 
 }  // namespace talus::report

@@ -8,6 +8,7 @@
 #include "results/construction_restart.hpp"
 #include "results/json_visitors.hpp"
 #include "results/laboratory.hpp"
+#include "results/present.hpp"
 #include "results/run.hpp"
 #include "results/study.hpp"
 
@@ -73,6 +74,8 @@ TALUS_JSON(TimelineFile)
 TALUS_JSON(ConstructionFile)
 TALUS_JSON(ConstructionRestart)
 TALUS_JSON(ElementFile)
+TALUS_JSON(PresentReduction)
+TALUS_JSON(ElementTrial)
 TALUS_JSON(BoundsFile)
 TALUS_JSON(FlowFile)
 TALUS_JSON(WaterFields)

@@ -4,6 +4,7 @@
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
+#include "results/present.hpp"
 #include "run/check_case.hpp"
 #include "run/common/head.hpp"
 #include "run/common/section_of_case.hpp"
@@ -64,7 +65,28 @@ void compare(const CaseContext& context, const CaseMethods<D>& m, results::RunRe
     site::state_over_design(*run.methods->partial_factors, design.resistance, *factor);
 }
 
+/// Adds the results of the methods other than MPM.
+template <int D>
+void add_methods(const input::Case& data, const CaseMethods<D>& m, results::RunResult& run) {
+  if (m.slices) m.slices->write_result(run);
+  if (m.elements) m.elements->write_result(run);
+  if (m.bounds && m.bounds->has_result()) m.bounds->write_result(run);
+  if (m.seepage && m.seepage->has_result()) m.seepage->write_result(run);
+  judge_elements(data, run);
+  if (m.construction) m.construction->write_result(run);
+}
+
 }  // namespace
+
+template <int D>
+void write_present_results(const CaseContext& context, const CaseMethods<D>& m, results::RunResult run) {
+  add_methods(context.design.data, m, run);
+  if (m.timeline) m.timeline->write_result(run);
+  keep_water(context.options.folder, m);
+  compare(context, m, run);
+  run.results = list_results(context.loaded.data, run);
+  results::write_file(context.options.folder / results::present_summary_file, run);
+}
 
 template <int D>
 void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<D>& releases, const RunStart& start,
@@ -81,12 +103,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
     timing.stage_steps = m.points->get_stage_seconds();
     timing.parts = m.points->list_parts(*timing.cpu);
   }
-  if (m.slices) m.slices->write_result(run);
-  if (m.elements) m.elements->write_result(run);
-  if (m.bounds) m.bounds->write_result(run);
-  if (m.seepage) m.seepage->write_result(run);
-  judge_elements(data, run);
-  if (m.construction) m.construction->write_result(run);
+  add_methods(data, m, run);
   if (m.timeline) {
     releases.add_results(run, has_points);
     m.timeline->write_result(run);
@@ -97,12 +114,15 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   run.results = list_results(context.loaded.data, run);
   run.comparisons = compare_results(context.loaded.data, run);
   results::write_file(context.options.folder / summary_file, run);
+  remove_present(context.options);
   if (run.status != results::Status::finished) return;
   if (m.points) m.points->forget();
   if (m.timeline) m.timeline->forget();
   if (m.construction) m.construction->forget();
 }
 
+template void write_present_results<2>(const CaseContext&, const CaseMethods<2>&, results::RunResult);
+template void write_present_results<3>(const CaseContext&, const CaseMethods<3>&, results::RunResult);
 template void write_case_results<2>(const CaseContext&, CaseMethods<2>&, Releases<2>&, const RunStart&, bool,
                                     results::RunResult&);
 template void write_case_results<3>(const CaseContext&, CaseMethods<3>&, Releases<3>&, const RunStart&, bool,

@@ -23,4 +23,8 @@ template <int D>
 void write_case_results(const CaseContext& context, CaseMethods<D>& methods, Releases<D>& releases,
                         const RunStart& start, bool has_points, results::RunResult& run);
 
+/// Writes the results so far of a run in progress.
+template <int D>
+void write_present_results(const CaseContext& context, const CaseMethods<D>& methods, results::RunResult run);
+
 }  // namespace talus::run

@@ -13,6 +13,7 @@
 #include "input/echo.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
+#include "results/present.hpp"
 #include "run/bounds/referee.hpp"
 #include "run/case_results.hpp"
 #include "run/common/head.hpp"
@@ -70,13 +71,15 @@ class CaseRun {
       if (methods_.points) calculate_slices();
       methods_.slices->keep();
     }
-    if (methods_.construction) methods_.construction->calculate();
-    if (methods_.timeline) methods_.timeline->calculate(methods_.slices->prepared(), methods_.slices->result());
+    keep_present();
+    if (methods_.construction) methods_.construction->calculate(), keep_present();
+    if (methods_.timeline)
+      methods_.timeline->calculate(methods_.slices->prepared(), methods_.slices->result()), keep_present();
     if (methods_.timeline && methods_.elements) reduce_in_time();
     if (is_released(data_)) releases_.prepare(run_);
-    if (methods_.elements) methods_.elements->calculate();
-    if (methods_.bounds) methods_.bounds->calculate(find_start());
-    if (methods_.seepage) methods_.seepage->calculate();
+    if (methods_.elements) methods_.elements->calculate(), keep_present();
+    if (methods_.bounds) methods_.bounds->calculate(find_start()), keep_present();
+    if (methods_.seepage) methods_.seepage->calculate(), keep_present();
     if (methods_.points) {
       methods_.points->calculate(run_);
       has_points_ = true;
@@ -132,7 +135,14 @@ class CaseRun {
       replace_folder(
           options.folder, [&](const auto& file) { return is_of_run(loaded.data, file); }, options.progress);
     files_.emplace(options.folder);
+    remove_present(options);
+    if (options.keeps_present) make_folder(options.folder / results::present_folder);
     if (methods_.points) methods_.points->open();
+  }
+
+  /// Stores what the methods have found so far.
+  void keep_present() {
+    if (context_.options.keeps_present) write_present_results(context_, methods_, run_);
   }
 
   void finish() { write_case_results(context_, methods_, releases_, start_, has_points_, run_); }

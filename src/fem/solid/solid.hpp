@@ -172,11 +172,15 @@ template <int D>
 SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& options, double factor = 1,
                                 const SolidState<D>* start = nullptr);
 
+/// Receives every trial with its last state, whose displacements and strains are those since full strength.
+template <int D>
+using ReductionReport = std::function<void(const ReductionTrial&, const SolidState<D>&)>;
+
 /// Reduces the strength by bracketing. Throws Error (wrong_input) if there is no equilibrium at any factor, or if an
 /// element is inverted, which the message names.
 template <int D>
 ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
-                                   const std::function<void(const ReductionTrial&)>& report = {});
+                                   const ReductionReport<D>& report = {});
 
 /// Returns true if there is equilibrium with the strengths divided by `factor`. Throws as reduce_strength().
 template <int D>

@@ -45,8 +45,7 @@ double find_flowing(const std::vector<ReductionTrial>& trials) {
 template <int D>
 class Reduction {
  public:
-  Reduction(const SolidModel<D>& model, const ReductionOptions& options,
-            const std::function<void(const ReductionTrial&)>& report)
+  Reduction(const SolidModel<D>& model, const ReductionOptions& options, const ReductionReport<D>& report)
       : model_(model),
         options_(options),
         report_(report),
@@ -146,19 +145,19 @@ class Reduction {
         0,      out.softenings};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
+    if (report_) report_(trial, end);
     if (!out.converged) {  // the failed trials come in the order of decreasing factors
       result_.at_failure = std::move(end);
       result_.mechanism = newton_.last_motion();
     }
     result_.iterations += out.iterations;
     result_.trials.push_back(trial);
-    if (report_) report_(trial);
     return out.converged;
   }
 
   const SolidModel<D>& model_;
   ReductionOptions options_;
-  std::function<void(const ReductionTrial&)> report_;
+  ReductionReport<D> report_;
   SolidSystem<D> system_;
   SolidNewton<D> newton_;
   SolidSoftening<D> softening_;
@@ -171,7 +170,7 @@ class Reduction {
 
 template <int D>
 ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
-                                   const std::function<void(const ReductionTrial&)>& report) {
+                                   const ReductionReport<D>& report) {
   return Reduction<D>(model, options, report).run();
 }
 
@@ -183,8 +182,8 @@ bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, doub
 template bool is_stable<2>(const SolidModel<2>&, const ReductionOptions&, double);
 template bool is_stable<3>(const SolidModel<3>&, const ReductionOptions&, double);
 template ReductionResult<2> reduce_strength<2>(const SolidModel<2>&, const ReductionOptions&,
-                                               const std::function<void(const ReductionTrial&)>&);
+                                               const ReductionReport<2>&);
 template ReductionResult<3> reduce_strength<3>(const SolidModel<3>&, const ReductionOptions&,
-                                               const std::function<void(const ReductionTrial&)>&);
+                                               const ReductionReport<3>&);
 
 }  // namespace talus::fem

@@ -164,6 +164,22 @@ json pack_finite_elements(const ResultFolder& folder, Packer& packer, json& warn
   }
 }
 
+json pack_reduction(const ResultFolder& folder, Packer& packer) {
+  if (!folder.reduction) return {};
+  const results::PresentReduction& reduction = *folder.reduction;
+  json block{{"title", reduction.title}, {"trials", json::array()}};
+  if (reduction.stable) block["stable"] = *reduction.stable;
+  if (reduction.failed) block["failed"] = *reduction.failed;
+  for (const results::ElementTrial& trial : reduction.trials) block["trials"].push_back(results::to_json(trial));
+  json mesh = pack_mesh(reduction.mesh, packer);
+  if (mesh.is_null()) return block;
+  json fields = pack_fields(reduction.mesh, results::Flow::as_given, packer);
+  if (fields.is_null()) return block;
+  block["mesh"] = std::move(mesh);
+  block["fields"] = std::move(fields);
+  return block;
+}
+
 namespace {
 
 /// Limit on the mesh in the report; a finer mesh would dominate the file size and could not be resolved on the page.

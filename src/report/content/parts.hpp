@@ -74,6 +74,8 @@ std::vector<std::string> list_point_assumptions();
 nlohmann::json pack_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_proven_bounds(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
+/// Packs the strength reduction in progress, `ReductionSoFar`; returns null without one.
+nlohmann::json pack_reduction(const ResultFolder& folder, Packer& packer);
 
 // States of the pore water up to the initial state of the methods (`WaterShown` in web/src/contract/): titles and
 // fields.

@@ -65,6 +65,28 @@ results::RunResult make_run_of_tests(const results::PointTests& tests) {
   return run;
 }
 
+std::optional<ResultFolder> open_summary(const fs::path& path, const char* name) {
+  auto run = results::read_file<results::RunResult>(path / name);
+  if (!run) return std::nullopt;
+  ResultFolder folder;
+  folder.path = path;
+  folder.run = std::move(*run);
+  folder.data = input::read_echo(folder.run.input);
+  return folder;
+}
+
+/// Opens what a run in progress has found so far.
+std::optional<ResultFolder> open_present(const fs::path& path) {
+  std::optional<ResultFolder> folder = open_summary(path, results::present_summary_file);
+  if (!folder) return folder;
+  if (!folder->run.elements)
+    folder->reduction = results::read_file<results::PresentReduction>(path / results::present_reduction_file);
+  if (!folder->run.bounds)
+    if (auto file = results::read_file<results::BoundsFile>(path / results::present_bounds_file))
+      folder->run.bounds = std::move(file->summary);
+  return folder;
+}
+
 }  // namespace
 
 std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder) {
@@ -76,18 +98,14 @@ std::size_t get_dimension(const results::RunResult& run) {
 }
 
 std::optional<ResultFolder> open_run(const fs::path& path) {
-  auto run = results::read_file<results::RunResult>(path / "summary.json");
-  if (!run) return std::nullopt;
-  ResultFolder folder;
-  folder.path = path;
-  folder.run = std::move(*run);
-  folder.data = input::read_echo(folder.run.input);
-  return folder;
+  return open_summary(path, "summary.json");
 }
 
 ResultFolder open_folder(const fs::path& path) {
   if (!fs::is_directory(path)) fail(fmt::format("there is no folder '{}'", path.string()));
   std::optional<ResultFolder> run = open_run(path);
+  const bool has_ended = run.has_value();
+  if (!run) run = open_present(path);
   ResultFolder folder = run ? std::move(*run) : ResultFolder{};
   folder.path = path;
   folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
@@ -105,11 +123,11 @@ ResultFolder open_folder(const fs::path& path) {
     fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
                      path.string()));
   }
-  if (!run) {
-    // A killed run has the reports of its finished stages and their warnings in stages.json.
+  if (!has_ended) {
+    // A run that is killed or in progress has the reports of its finished stages and their warnings in stages.json.
     if (auto record = results::read_file<results::StageRecord>(path / "stages.json")) {
       folder.run.stages = std::move(record->stages);
-      folder.run.warnings = std::move(record->warnings);
+      folder.run.warnings.insert(folder.run.warnings.end(), record->warnings.begin(), record->warnings.end());
     }
   }
   note_dimension(folder);

@@ -11,6 +11,7 @@
 #include "input/case/case.hpp"
 #include "output/files/frames_reader.hpp"
 #include "results/laboratory.hpp"
+#include "results/present.hpp"
 #include "results/run.hpp"
 #include "results/study.hpp"
 
@@ -29,9 +30,10 @@ struct TrialFolder {
 
 struct ResultFolder {
   std::filesystem::path path;
-  results::RunResult run;           ///< from summary.json; without one, from the other files of the run
-  input::Case data;                 ///< case of `run`
-  std::vector<TrialFolder> trials;  ///< in order of the factor
+  results::RunResult run;  ///< from summary.json; without one, from the other files of the run
+  std::optional<results::PresentReduction> reduction;   ///< in progress
+  input::Case data;                                     ///< case of `run`
+  std::vector<TrialFolder> trials;                      ///< in order of the factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr if there are none
   std::optional<results::StudyResult> study_result;     ///< study.json
   std::optional<results::PointTests> tests;             ///< point/point.json

@@ -193,12 +193,13 @@ void BoundsRun::prepare() {
   if (!is_made) made_.reset();
 }
 
-results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) const {
+results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) {
   show(fmt::format("{} triangles", made.problem.size()));
   ProgressValues values{.method = "bounds"};
   return make_bounds_result(
       find_case_bounds(made, options,
-                       [&](const bounds::BoundsLevel& level) {
+                       [&](const bounds::BoundsResult& found) {
+                         const bounds::BoundsLevel& level = found.levels.back();
                          // With a second problem each of the two has one bound of this case, and another that is not.
                          if (!made.stronger && level.lower > 0)
                            values.lower = std::max(values.lower.value_or(0), level.lower);
@@ -206,8 +207,17 @@ results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::B
                            values.upper = std::min(values.upper.value_or(level.upper), level.upper);
                          show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper),
                               values);
+                         // The other problem has its own bound, and its meshes none of both.
+                         if (options_.keeps_present && !made.stronger) clock_.update([&] { keep_present(found); });
                        }),
       data_.bounds.gap);
+}
+
+void BoundsRun::keep_present(const bounds::BoundsResult& found) const {
+  results::BoundsFile file = make_bounds_result(found, data_.bounds.gap);
+  file.summary.warnings.clear();  // they are those of the end
+  file.summary.fields_file = results::present_bounds_file;
+  results::write_file(options_.folder / results::present_bounds_file, file, -1);
 }
 
 /// Searches the other direction of the earthquake. The result is that of the direction with the smaller upper bound;

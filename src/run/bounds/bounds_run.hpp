@@ -7,6 +7,7 @@
 
 #include "bounds/find_bounds.hpp"
 #include "results/bounds.hpp"
+#include "results/present.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/method_run.hpp"
@@ -31,13 +32,16 @@ class BoundsRun : public MethodRun<results::BoundsFile> {
   void write_result(results::RunResult& run) const;
 
  private:
-  results::BoundsFile search(const ProblemOfCase& made, const bounds::BoundsOptions& options) const;
+  results::BoundsFile search(const ProblemOfCase& made, const bounds::BoundsOptions& options);
+  /// Stores the bounds so far.
+  void keep_present(const bounds::BoundsResult& found) const;
   void search_other_direction(const bounds::BoundsOptions& options);
 
   const site::Site site_;
   const input::Case& data_;
   std::optional<ProblemOfCase> made_;
   bool is_known_ = false;  ///< of an interrupted run
+  results::PresentClock clock_;
 };
 
 }  // namespace talus::run

@@ -351,7 +351,7 @@ void check_bounds(const input::Case& data) {
 }
 
 bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
-                                      const std::function<void(const bounds::BoundsLevel&)>& report) {
+                                      const bounds::BoundsReport& report) {
   bounds::BoundsResult found = bounds::find_bounds(made.problem, options, report);
   if (!made.stronger) return found;
   bounds::BoundsResult other = bounds::find_bounds(*made.stronger, options, report);

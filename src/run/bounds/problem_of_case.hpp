@@ -39,7 +39,7 @@ ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports = Su
 
 /// Returns the bounds of a case; those of `problem`, with the upper bound of `stronger` where there is one.
 bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
-                                      const std::function<void(const bounds::BoundsLevel&)>& report = {});
+                                      const bounds::BoundsReport& report = {});
 
 /// Throws Error (wrong_input) if the size of [bounds] gives more triangles than its limit.
 void check_bounds(const input::Case& data);

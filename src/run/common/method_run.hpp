@@ -36,6 +36,8 @@ class MethodRun {
  public:
   /// Fields of the water that gives the pore pressures; nullptr in dry ground.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
+  /// Returns false before calculate() has ended.
+  bool has_result() const { return !file_.input_hash.empty() || file_.summary.error; }
 
  protected:
   /// `alone`: the case has no other method.

@@ -14,6 +14,7 @@
 #include "input/read.hpp"
 #include "output/files/results_folder.hpp"
 #include "results/json.hpp"
+#include "results/present.hpp"
 
 namespace talus::run {
 
@@ -52,8 +53,8 @@ const char* const run_files[] = {"results.vtkhdf",
                                  "construction_state.json",
                                  "construction_monitors.csv"};
 /// Folders in the folder of a run.
-const char* const run_folders[] = {"frames",           "trials",         "frozen",      "sections",
-                                   "released_earlier", "released_later", "coarser_mesh"};
+const char* const run_folders[] = {"frames",           "trials",         "frozen",       "sections",
+                                   "released_earlier", "released_later", "coarser_mesh", results::present_folder};
 
 template <class Names>
 bool has(const Names& names, const std::string& name) {
@@ -175,6 +176,14 @@ void replace_folder(const fs::path& folder, const IsWritten& is_written, Progres
                                (folder / files.foreign.front()).string(),
                                others == 0 ? "" : fmt::format(" and {} other file{}", others, others == 1 ? "" : "s")));
   });
+}
+
+void remove_present(const RunOptions& options) {
+  for (const char* file :
+       {results::present_summary_file, results::present_reduction_file, results::present_bounds_file})
+    remove_file(options.folder / file);
+  std::error_code ignored;
+  fs::remove(options.folder / results::present_folder, ignored);  // unless it has files of the user
 }
 
 void require_list(const fs::path& folder) {

@@ -33,6 +33,7 @@ struct RunOptions {
   DeviceKind device = DeviceKind::cpu;
   bool resume = false;           ///< resume from the checkpoint of the folder; a finished run is not repeated
   bool overwrite = false;        ///< replace existing results
+  bool keeps_present = false;    ///< write the results so far during the run (results/present.hpp)
   Progress* progress = nullptr;  ///< display of progress; null: none
   std::string label;             ///< precedes the name of a stage in the progress line
 };
@@ -54,6 +55,9 @@ void check_replaced(const input::LoadedCase& loaded, const std::filesystem::path
 /// Removes the files of runs from the folder (base/file_list.hpp) and records what else is there. Throws Error
 /// (folder_exists), before anything is removed, if a foreign file is in the way.
 void replace_folder(const std::filesystem::path& folder, const IsWritten& is_written, Progress* progress);
+
+/// Removes the results so far, those of an earlier run that was killed included.
+void remove_present(const RunOptions& options);
 
 /// Throws Error (folder_exists) if the folder has no list of files.
 void require_list(const std::filesystem::path& folder);

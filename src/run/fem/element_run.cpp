@@ -254,11 +254,24 @@ void ElementRun<D>::calculate() {
 }
 
 template <int D>
-fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) const {
+void ElementRun<D>::keep_present(const Model& model, const fem::ReductionTrial& trial,
+                                 const fem::SolidState<D>& state) {
+  if (!options_.keeps_present) return;
+  present_.trials.push_back(make_trial_result(trial));
+  clock_.update([&] {
+    present_.mesh.runs = {make_fields_result<D>(model.mesh, state, results::Flow::as_given)};
+    results::write_file(options_.folder / results::present_reduction_file, present_, -1);
+  });
+}
+
+template <int D>
+fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) {
   show(fmt::format("{}, equilibrium at full strength", words));
   std::optional<double> lower, upper;
+  present_ = {};
+  if (options_.keeps_present) present_.title = words, present_.mesh = make_mesh_result<D>(model.mesh);
   return fem::reduce_strength<D>(model.solid.model, make_options(data().fem, options_.threads),
-                                 [&](const fem::ReductionTrial& t) {
+                                 [&](const fem::ReductionTrial& t, const fem::SolidState<D>& state) {
                                    if (t.converged)
                                      lower = std::max(lower.value_or(t.factor), t.factor);
                                    else
@@ -272,6 +285,8 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
                                          .factor = t.factor,
                                          .holds = t.converged,
                                          .displacement = t.displacement});
+                                   present_.stable = lower, present_.failed = upper;
+                                   keep_present(model, t, state);
                                  });
 }
 
@@ -303,7 +318,7 @@ void ElementRun<D>::add_softening_warning(const Model& model, const fem::Reducti
 /// Searches on the coarser mesh, and extrapolates both factors to h = 0 with the interval.
 template <int D>
 void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
-                                results::ElementRun& run) const {
+                                results::ElementRun& run) {
   const std::unique_ptr<Model> model = make_model(coarse_ratio);
   set_trial_laws<D>(site_, model->solid, run.flow == results::Flow::associated);
   const auto found = search(*model, words + ", coarse mesh");

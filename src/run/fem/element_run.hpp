@@ -11,6 +11,7 @@
 #include "fem/solid/solid.hpp"
 #include "input/case/case.hpp"
 #include "results/elements.hpp"
+#include "results/present.hpp"
 #include "results/run.hpp"
 #include "run/common/method_run.hpp"
 #include "run/fem/solid_of_case.hpp"
@@ -82,7 +83,9 @@ class ElementRun : public MethodRun<results::ElementFile> {
   /// there if it fails. Afterwards model, `site_` and `found` are those of the governing direction.
   results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
                                              fem::ReductionResult<D>& found);
-  fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
+  fem::ReductionResult<D> search(const Model& model, const std::string& words);
+  /// Adds a trial to `present_` and stores it with the state of the trial.
+  void keep_present(const Model& model, const fem::ReductionTrial& trial, const fem::SolidState<D>& state);
   /// Returns false if the factor has no limit for elements of size zero too.
   bool has_two_meshes() const {
     return data().fem.meshes > 1 && data().mesh.file.empty() && (!softens_in_trials(data()) || data().softening_length);
@@ -92,7 +95,7 @@ class ElementRun : public MethodRun<results::ElementFile> {
   LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   /// Adds a warning if the factor on a mesh depends on its elements because soil softens.
   void add_softening_warning(const Model& model, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
-  void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
+  void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run);
   void keep() const;
 
   const input::Case& data() const { return site_.data(); }
@@ -101,6 +104,8 @@ class ElementRun : public MethodRun<results::ElementFile> {
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
   bool is_told_ = false;  ///< the file has results
+  results::PresentReduction present_;
+  results::PresentClock clock_;
 };
 
 }  // namespace talus::run

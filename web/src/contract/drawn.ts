@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What the report adds to `lem`, `fem` and `bounds` of the results: which surface governs, and the packed trials and fields. */
+import type { ElementTrial } from "./results";
 import type { PackedArray, PackedPlaces } from "./units";
 
 export interface Slices {
@@ -50,6 +51,19 @@ export interface PackedElementFields {
   strain_scale: [number, number];
   /** [element] u8: whether it yields. */
   yields: PackedArray;
+}
+
+/** A strength reduction by FEM in progress, with the fields of its last trial. */
+export interface ReductionSoFar {
+  /** Flow rule and mesh. */
+  title: string;
+  /** Largest factor with equilibrium, smallest one without. */
+  stable?: number;
+  failed?: number;
+  trials: ElementTrial[];
+  /** Absent as in ElementsDrawn. */
+  mesh?: ElementsDrawn["mesh"];
+  fields?: PackedElementFields;
 }
 
 export interface BoundsDrawn {

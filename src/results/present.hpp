@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a run in progress has found so far, in a folder of its own within that of the run: summary.json and the files of
+// the method that is being calculated. The folder is removed when the run ends.
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/elements.hpp"
+
+namespace talus::results {
+
+inline constexpr const char* present_folder = "present";
+inline constexpr const char* present_reduction_file = "present/fem.json";
+inline constexpr const char* present_bounds_file = "present/bounds.json";
+inline constexpr const char* present_summary_file = "present/summary.json";
+
+/// The strength reduction in progress, with the fields of its last trial.
+struct PresentReduction {
+  std::string title;                     ///< such as "ψ as given, coarse mesh"
+  std::optional<double> stable, failed;  ///< nullopt: no such trial yet
+  std::vector<ElementTrial> trials;      ///< in their sequence
+  ElementMesh mesh;
+};
+void describe(auto& v, As<PresentReduction> auto& r) {
+  v.key("title", r.title, {"", "flow rule and mesh"});
+  v.maybe("stable", r.stable, {"", "largest factor with equilibrium so far"});
+  v.maybe("failed", r.failed, {"", "smallest factor without equilibrium so far"});
+  v.key("trials", r.trials, {"", "trials so far"});
+  v.key("mesh", r.mesh, {"", "mesh, and fields of the last trial"});
+}
+
+/// Limits how often files are written that are overwritten each time: to a twentieth of the time of the run, and to
+/// once a second.
+class PresentClock {
+ public:
+  /// Calls `write` unless it was called a short time ago.
+  template <class Write>
+  void update(Write write) {
+    const auto begin = Clock::now();
+    if (begin < next_) return;
+    write();
+    constexpr int pause = 20;
+    const auto end = Clock::now();
+    next_ = end + std::max<Clock::duration>(std::chrono::seconds(1), pause * (end - begin));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_{};
+};
+
+}  // namespace talus::results
