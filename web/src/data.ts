@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: MIT
 /** Reads the document and its packed arrays from the page. */
-import type { PackedArray, PackedPlaces, Report } from "./contract";
+import type { PackedArray, PackedPlaces, Report, ReportDocument, Results } from "./contract";
 
 /** Packed array → text in base64. The page finds it in the document; a test reads it from a file. */
 export type Source = (id: string) => string;
 
+/** What `talus report DIR --data` writes. */
+export interface ReportData {
+  report: ReportDocument;
+  results: Results;
+  arrays: Record<string, string>;
+}
+
+let given: ReportData["arrays"] = {};
+
+/** Takes a report that the page does not hold. Returns the ids of its arrays that differ from those before. */
+export function takeArrays({ arrays }: ReportData): string[] {
+  const before = given;
+  given = arrays;
+  return Object.keys(before).filter((id) => before[id] !== arrays[id]);
+}
+
 const fromPage: Source = (id) => {
+  if (given[id] !== undefined) return given[id];
   const element = document.getElementById(id);
   if (!element) throw new Error(`the report holds no array '${id}'`);
   return element.textContent ?? "";

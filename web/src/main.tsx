@@ -9,16 +9,35 @@ import "./styles/bar.css";
 import "./styles/answer.css";
 import "./styles/parts.css";
 import "./styles/print.css";
-import { readReport } from "./data";
+import { type ReportData, readReport } from "./data";
 import { Page } from "./page/Page";
 import { preparePrinting } from "./page/TopBar";
-import { report } from "./state";
+import { followReport, report } from "./state";
 
 const root = document.getElementById("app")!;
+
+/** In a frame of the studio, which sends the report and its later states. */
+function follow() {
+  root.textContent = "";
+  document.documentElement.dataset.embedded = "";
+  addEventListener("message", ({ source, data }: MessageEvent<{ theme?: string; data?: ReportData }>) => {
+    if (source !== window.parent) return;
+    if (data.theme) document.documentElement.dataset.theme = data.theme;
+    if (!data.data) return;
+    const isFirst = report.peek() === null;
+    followReport(data.data);
+    document.title = `${report.value.title} – Talus report`;
+    if (!isFirst) return;
+    preparePrinting(report.value);
+    render(<Page />, root);
+  });
+  window.parent.postMessage("talus-report", "*");
+}
 
 function start() {
   const found = readReport();
   if (!found) {
+    if (window.parent !== window) return follow();
     root.textContent = "This page holds no report. It is filled by `talus report DIR`.";
     return;
   }

@@ -9,7 +9,8 @@ import { GroundKeys, LineSwatch, useOpacity } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
-import { flowRuns, paintField, useFields } from "../elements/fields";
+import { drawnReduction, flowRuns, paintField, useFields } from "../elements/fields";
+import { report } from "../state";
 import { formatCount } from "../page/format";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
@@ -22,9 +23,9 @@ import "./compared.css";
 type Shown = "strain" | "soils" | WaterQuantity;
 
 export function Overview() {
-  const run = flowRuns.value.find((r) => r.fields);
+  const run = drawnReduction.value ?? flowRuns.value.find((r) => r.fields);
   const fields = useFields(run);
-  const surfaces = useMemo(listSurfaces, []);
+  const surfaces = useMemo(listSurfaces, [report.value]);
   const [hidden, toggle] = useSwitches(() => surfaces.filter((s) => !s.first).map((s) => s.name));
   const [chosen, choose] = useState<Shown | null>(null);
   const shows: Shown = chosen ?? (fields ? "strain" : "soils");
@@ -104,7 +105,7 @@ export function Overview() {
             names,
           );
         }}
-        dependsOver={[hidden]}
+        dependsOver={[hidden, surfaces]}
       />
       <ul class="drawing-keys" aria-label="Legend">
         <GroundKeys />
@@ -120,7 +121,9 @@ export function Overview() {
       )}
       {layer.note && <p class="chart-note">{layer.note}</p>}
       {fields && run && shows === "strain" && (
-        <p class="chart-note">Colours: shear strain of FEM at failure ({run.title}).</p>
+        <p class="chart-note">
+          Colours: shear strain of FEM {drawnReduction.value ? "in the last trial" : "at failure"} ({run.title}).
+        </p>
       )}
     </div>
   );

@@ -15,7 +15,7 @@ import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
 import type { WaterQuantity } from "../water/waterFields";
-import { drawMesh, drawYielding, type FlowRun, moveNodes, paintField, useFields } from "./fields";
+import { type Drawn, drawMesh, drawYielding, type FlowRun, moveNodes, paintField, useFields } from "./fields";
 
 type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 
@@ -29,7 +29,10 @@ export function chooseMagnification(largest: number, height: number): number {
   return Math.max(1, ([5, 2, 1].find((k) => k * power <= rough) ?? 1) * power);
 }
 
-export function ElementsFigure({ run }: { run: FlowRun }) {
+/** A finished strength reduction at failure, or the last trial of one in progress. */
+export type PicturedRun = Drawn & Pick<FlowRun, "title" | "slip_lines"> & { factor?: number; heading: string; note: string };
+
+export function ElementsFigure({ run }: { run: PicturedRun }) {
   const fields = useFields(run);
   const [quantity, setQuantity] = useState<Quantity>("strain");
   const [on, toggle] = useToggles({ mesh: false, deformed: false, yields: false, slip: true });
@@ -76,10 +79,8 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
   );
   const values = quantity === "displacement" ? lengths : fields?.strain;
   return (
-    <figure class="chart-figure" aria-label="FEM at failure">
-      <h4>
-        At F = {run.failed.toFixed(3)}, without equilibrium ({run.title})
-      </h4>
+    <figure class="chart-figure" aria-label={run.heading}>
+      <h4>{run.heading}</h4>
       <div class="chart-bar">
         <Choice
           label="Field"
@@ -100,8 +101,8 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
         {run.slip_lines.length > 0 && toggle("slip", run.slip_lines.length > 1 ? "Slip surfaces" : "Slip surface")}
       </div>
       <SectionCanvas
-        label={`FEM, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]} at failure, ${run.title}`}
-        file={`finite_elements_${run.flow}_${quantity}`}
+        label={`FEM, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]}, ${run.heading}`}
+        file={`finite_elements_${quantity}`}
         box={box}
         bar={ofSolid ? bar : layer.bar}
         draw={(pen) => {
@@ -122,7 +123,7 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
           if (!on.slip) return;
           const lines = run.slip_lines.map((line) => line.map(pen.place));
           for (const line of lines) drawSurface(pen.context, line, bandLook, 2.4);
-          const text = run.factor.toFixed(3);
+          const text = run.factor?.toFixed(3) ?? "";
           const labels = lines.slice(0, 1).map((line) => ({ line, text, colour: bandLook.colour }));
           drawSurfaceLabels(pen.context, labels);
         }}
@@ -139,8 +140,7 @@ export function ElementsFigure({ run }: { run: FlowRun }) {
       </ul>
       {layer.note && <p class="chart-note">{layer.note}</p>}
       <p class="chart-note">
-        Displacements and strains since the equilibrium at full strength, in the last trial without equilibrium: their
-        pattern tells the mechanism, their size has no meaning.
+        {run.note}
       </p>
     </figure>
   );

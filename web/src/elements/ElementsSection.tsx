@@ -5,13 +5,14 @@ import { useState } from "preact/hooks";
 import { Choice, CsvButton } from "../charts/base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../charts/base/numbers";
 import { ChartTable } from "../page/DataTable";
-import { formatFactor, formatSentence } from "../page/format";
+import type { ReductionSoFar } from "../contract";
+import { formatCount, formatFactor, formatSentence } from "../page/format";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
 import { ReductionChart } from "./ReductionChart";
 import { type FlowRun, flowRuns } from "./fields";
 
-function TrialTable({ runs }: { runs: FlowRun[] }) {
+function TrialTable({ runs }: { runs: Pick<FlowRun, "title" | "trials">[] }) {
   const { displacement: unit } = report.value.units;
   const rows = runs.flatMap((run) => run.trials.map((trial) => ({ run, trial })));
   const take = <K extends keyof (typeof rows)[number]["trial"]>(key: K) => rows.map(({ trial }) => trial[key]);
@@ -95,10 +96,52 @@ function NotDrawn({ element }: { element: string }) {
   );
 }
 
+/** Why the size of the fields has no meaning. */
+const noteAtFailure =
+  "Displacements and strains since the equilibrium at full strength, in the last trial without equilibrium: their " +
+  "pattern tells the mechanism, their size has no meaning.";
+const noteOfTrial = "Displacements and strains since the equilibrium at full strength, in the last trial.";
+
+const atFailure = (run: FlowRun) => ({
+  ...run,
+  heading: `At F = ${run.failed.toFixed(3)}, without equilibrium (${run.title})`,
+  note: noteAtFailure,
+});
+
+/** The strength reduction of a run in progress. */
+function InProgress({ reduction }: { reduction: ReductionSoFar }) {
+  const { title, stable, failed, trials } = reduction;
+  const last = trials.at(-1);
+  const run = { flow: "as_given" as const, title, trials: trials.toSorted((a, b) => a.factor - b.factor), failed };
+  return (
+    <section class="chart-section" aria-labelledby="chart-elements-title">
+      <h3 id="chart-elements-title">Finite elements (FEM), in progress</h3>
+      <p>
+        {title}: {formatCount(trials.length, "trial", "trials")} so far; equilibrium{" "}
+        {stable === undefined ? "in none" : `up to F = ${stable.toFixed(3)}`}
+        {failed !== undefined && `, none at F = ${failed.toFixed(3)}`}.
+      </p>
+      {last && reduction.fields && (
+        <ElementsFigure
+          run={{
+            ...reduction,
+            slip_lines: [],
+            heading: `Trial at F = ${last.factor.toFixed(3)}, ${last.converged ? "in equilibrium" : "without equilibrium"}`,
+            note: noteOfTrial,
+          }}
+        />
+      )}
+      <ReductionChart runs={[run]} />
+      <TrialTable runs={[run]} />
+    </section>
+  );
+}
+
 export function ElementsSection() {
-  const elements = report.value.result.fem;
+  const { result, reduction } = report.value;
+  const elements = result.fem;
   const [flow, setFlow] = useState("");
-  if (!elements) return null;
+  if (!elements) return reduction ? <InProgress reduction={reduction} /> : null;
   const runs = flowRuns.value;
   const run = runs.find((r) => r.flow === flow) ?? runs[0];
   const { length } = report.value.units;
@@ -135,7 +178,7 @@ export function ElementsSection() {
           />
         </div>
       )}
-      {run?.fields ? <ElementsFigure run={run} /> : run && <NotDrawn element={elements.element} />}
+      {run?.fields ? <ElementsFigure run={atFailure(run)} /> : run && <NotDrawn element={elements.element} />}
       {runs.length > 0 && <ReductionChart runs={runs} />}
       {runs.length > 0 && <TrialTable runs={runs} />}
     </section>

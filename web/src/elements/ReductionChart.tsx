@@ -11,14 +11,17 @@ import { styleOf } from "../charts/base/styles";
 import { report } from "../state";
 import type { FlowRun } from "./fields";
 
-export function ReductionChart({ runs }: { runs: FlowRun[] }) {
+/** Without factors while it is in progress. */
+export type ChartedRun = Pick<FlowRun, "flow" | "title" | "trials"> & Partial<Pick<FlowRun, "factor" | "failed" | "by_displacement">>;
+
+export function ReductionChart({ runs }: { runs: ChartedRun[] }) {
   const { displacement: unit } = report.value.units;
   const [axis, setAxis] = useState<AxisKind>("linear");
   const [hidden, toggle] = useSwitches();
   // Failed trials far above the factor carry no information, and would compress the curve.
   const beyond = useMemo(() => {
     const least = Math.min(...runs.flatMap((r) => r.trials.map((t) => t.factor)));
-    const failed = Math.max(...runs.map((r) => r.failed));
+    const failed = Math.max(...runs.map((r) => r.failed ?? Infinity));
     return failed + 0.4 * Math.max(failed - least, 0.1);
   }, [runs]);
   const points = useMemo(
@@ -55,8 +58,8 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         const { colour, dash } = styleOf(k);
         const place = { x: "factor", y: "u", stroke: colour };
         return [
-          Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
-          run.by_displacement === null
+          run.factor === undefined ? null : Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
+          run.by_displacement === null || run.by_displacement === undefined
             ? null
             : Plot.ruleX([run.by_displacement], { stroke: colour, strokeDasharray: "1.5 3" }),
           Plot.line(settledOnes, { ...place, strokeWidth: 1.6, strokeDasharray: dash }),

@@ -16,9 +16,22 @@ export const flowRuns = computed(() => {
     trials: [...run.trials].sort((a, b) => a.factor - b.factor),
     /** One, or one of each side where the soil moves to both [m]. */
     slip_lines: run.sides?.map((side) => side.points) ?? (run.slip_line.length > 0 ? [run.slip_line] : []),
+    mesh: drawn?.mesh,
     fields: drawn?.fields[i] ?? undefined,
   }));
 });
+
+/** The strength reduction in progress, if its mesh can be drawn. */
+export const drawnReduction = computed(() => {
+  const { reduction } = report.value;
+  return reduction?.mesh && reduction.fields ? reduction : null;
+});
+
+/** A finished strength reduction, or that in progress. */
+export interface Drawn {
+  mesh?: ElementsDrawn["mesh"];
+  fields?: PackedElementFields;
+}
 
 /** One strength reduction: with the flow rule as given, or associated. */
 export type FlowRun = (typeof flowRuns.value)[number];
@@ -35,11 +48,8 @@ async function loadFields(mesh: ElementsDrawn["mesh"], { displacement, shear_str
 }
 
 /** Mesh and fields of the finite elements, decoded. */
-export const useFields = (run: FlowRun | undefined) =>
-  useLoaded(() => {
-    const mesh = report.value.finite_elements?.mesh;
-    return mesh && run?.fields && loadFields(mesh, run.fields);
-  }, run);
+export const useFields = (run: Drawn | undefined) =>
+  useLoaded(() => run?.mesh && run.fields && loadFields(run.mesh, run.fields), run);
 
 interface QuadraticMesh {
   /** [node][2], [element][6]: corners, then the middles of the sides 0–1, 1–2, 2–0. */

@@ -65,7 +65,7 @@ function filterBlocks(blocks: InputBlock[], text: string, onlyGiven: boolean): I
 function Echo() {
   const [text, setText] = useState("");
   const [onlyGiven, setOnlyGiven] = useState(false);
-  const blocks = useMemo(() => listBlocks(report.value.result.input), []);
+  const blocks = useMemo(() => listBlocks(report.value.result.input), [report.value]);
   const shown = filterBlocks(blocks, text, onlyGiven);
   const count = shown.flatMap((block) => block.groups).reduce((sum, group) => sum + group.rows.length, 0);
   const narrowed = text.trim() !== "" || onlyGiven;

@@ -56,8 +56,9 @@ function drawFirstFigure() {
 function hasSection(given: Report): boolean {
   const { dimension, polygons } = given.model;
   const hasSurfaces = (findMethods(given)?.surfaces.length ?? 0) > 0;
+  const hasFields = given.reduction?.fields !== undefined;
   const hasSoil = given.kind === "study" && polygons.length > 0;
-  return given.sequences.length > 0 || (dimension === 2 && (hasSurfaces || hasSoil));
+  return given.sequences.length > 0 || (dimension === 2 && (hasSurfaces || hasFields || hasSoil));
 }
 
 const hasTableOf = (given: Report, ...kinds: string[]) => given.tables.some(({ kind }) => kinds.includes(kind));
@@ -113,7 +114,7 @@ const sections: Section[] = [
   {
     id: "elements",
     label: "FEM",
-    has: ({ result }) => result.fem !== undefined,
+    has: ({ result, reduction }) => result.fem !== undefined || reduction !== undefined,
     draw: () => <ElementsSection />,
     chart: { title: "Finite elements (FEM)", height: 1400 },
   },

@@ -85,7 +85,7 @@ function Text({ paragraphs, cited }: { paragraphs: Paragraph[]; cited: string[] 
 const lead = "How this was calculated, in paragraphs that may be copied into a report. Only what was used is named.";
 
 export function MethodsPart() {
-  const { paragraphs, cited } = useMemo(() => writeMethods(report.value), []);
+  const { paragraphs, cited } = useMemo(() => writeMethods(report.value), [report.value]);
   const tools = (
     <>
       <CopyButton label="Copy as text" text={() => writePlainMethods(paragraphs, cited)} />
