@@ -19,4 +19,12 @@ std::string export_results(const Workspace& workspace, const std::filesystem::pa
 std::string export_case(const Workspace& workspace, const std::filesystem::path& program, const std::string& text,
                         const std::string& path);
 
+/// Returns a text that changes with any file of a folder of results, by their names, sizes and times.
+std::string stamp_results(const std::filesystem::path& results);
+
+/// Returns the data of the report of a run, which may be in progress, as `talus report RESULTS --data FILE` writes
+/// them. Throws Refusal if there are no results yet.
+std::string read_report_data(const Workspace& workspace, const std::filesystem::path& program,
+                             const std::filesystem::path& results);
+
 }  // namespace talus::studio

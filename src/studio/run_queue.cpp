@@ -255,6 +255,11 @@ fs::path RunQueue::find_folder(const std::string& id) const {
   return folder;
 }
 
+bool RunQueue::is_active(const std::string& id) const {
+  const RunState state = read(id).state;
+  return state == RunState::waiting || state == RunState::running;
+}
+
 fs::path RunQueue::find_report(const std::string& id) const {
   read(id);
   fs::path report = find_results(id) / "report.html";
@@ -331,6 +336,7 @@ void RunQueue::start(StudioRun& run) {
   const fs::path results = find_results(run.id), snapshot = find_snapshot(run), log = find_log(run.id);
   std::vector<std::string> arguments{
       "talus", run.is_study ? "study" : "run", snapshot.string(), "-o", results.string(), "--progress-lines"};
+  if (!run.is_study) arguments.emplace_back("--live");
   if (run.resumes && fs::exists(results)) arguments.emplace_back("--resume");
   if (run.threads > 0) {
     arguments.emplace_back("--threads");

@@ -62,6 +62,8 @@ class RunQueue {
   Response::Stream watch(const std::string& id) const;
   /// Returns the folder of results of a run. Throws Refusal (404) if there is none yet.
   std::filesystem::path find_folder(const std::string& id) const;
+  /// Returns true if a run waits or is in progress. Throws Refusal (404) if there is no such run.
+  bool is_active(const std::string& id) const;
   /// Returns the report of a run. Throws Refusal (404) if there is none yet.
   std::filesystem::path find_report(const std::string& id) const;
 

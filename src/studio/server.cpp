@@ -12,6 +12,7 @@
 #include "base/foreign_code.hpp"
 #include "base/text.hpp"
 #include "base/user_file.hpp"
+#include "report/pack/pack.hpp"
 #include "results/json.hpp"
 #include "results/run.hpp"
 #include "studio/comparison.hpp"
@@ -134,6 +135,8 @@ results::RunResult read_result(const fs::path& folder) {
 
 constexpr int most_searches = 4;  ///< at the same time, of calculations that take all cores
 constexpr std::string_view export_part = "export.";
+/// The page of the reports without data, which the studio sends to it.
+constexpr std::string_view report_page = "report.html";
 
 /// One of several requests at a time.
 class Place {
@@ -249,7 +252,7 @@ Response StudioServer::route(const Request& request) {
   if (path.starts_with(files)) return answer_file(method, path.substr(files.size()), request.body);
   if (path.starts_with(journal)) return answer_journal(method, path.substr(journal.size()), request.body);
   if (path.starts_with(aside)) return answer_aside(method, path.substr(aside.size()), request.body);
-  if (path == runs || path.starts_with(runs + "/")) return answer_runs(method, path.substr(runs.size()), request.body);
+  if (path == runs || path.starts_with(runs + "/")) return answer_runs(request, path.substr(runs.size()));
   throw Refusal(404, fmt::format("there is no {} {}", method, make_printable(path)));
 }
 
@@ -333,7 +336,28 @@ Response StudioServer::answer_aside(const std::string& method, const std::string
   return make_answer(200, json::object());
 }
 
-Response StudioServer::answer_runs(const std::string& method, const std::string& rest, const std::string& body) {
+Response StudioServer::answer_report_data(const std::string& id, const std::string& known) {
+  constexpr int most_reports = 2;
+  const Place place(reports_);
+  if (reports_ > most_reports) throw Refusal(503, "other reports are being made; wait for them");
+  json head{{"active", runs_.is_active(id)}};  // before the results, which are then complete for a run that has ended
+  try {
+    const fs::path results = runs_.find_folder(id);
+    const std::string stamp = stamp_results(results);
+    head["stamp"] = stamp;
+    if (stamp == known) return make_answer(200, head);
+    std::string answer = write_answer(head);
+    answer.pop_back();
+    return answer_engine(answer + ",\"data\":" + read_report_data(workspace_, options_.program, results) + "}");
+  } catch (const Refusal& refusal) {
+    if (refusal.status() >= 500) throw;
+    head["why"] = refusal.what();  // before its first results a run in progress has no report
+    return make_answer(200, head);
+  }
+}
+
+Response StudioServer::answer_runs(const Request& request, const std::string& rest) {
+  const std::string &method = request.method, &body = request.body;
   if (rest.empty() && method == "GET") return make_answer(200, {{"runs", runs_.list()}});
   if (rest.empty() && method == "POST") {
     const json given = read_object(body);
@@ -350,6 +374,8 @@ Response StudioServer::answer_runs(const std::string& method, const std::string&
     return watch_run(id);
   else if (method == "GET" && part == "values")
     return make_answer(200, list_run(read_result(runs_.find_folder(id))));
+  else if (method == "GET" && part == "report-data")
+    return answer_report_data(id, find(request.query, "known"));
   else if (method == "GET" && part.starts_with(export_part))
     return answer_run_export(id, part.substr(export_part.size()));
   else if (method == "GET" && part == "report") {
@@ -373,6 +399,11 @@ Response StudioServer::watch_run(const std::string& id) {
 
 Response StudioServer::answer_page(const std::string& path) const {
   const std::string name = path == "/" ? "index.html" : path.substr(1);
+  if (name == report_page) {
+    Response page{200, "text/html; charset=utf-8", std::string(report::get_page())};
+    add_headers(page, report_policy);
+    return page;
+  }
   if (options_.page.empty()) {
     if (name == "index.html") return {200, "text/html; charset=utf-8", no_page};
     throw Refusal(404, "there is no such page");

@@ -57,7 +57,10 @@ class StudioServer {
   Response answer_run_export(const std::string& id, const std::string& format);
   Response answer_file(const std::string& method, const std::string& path, const std::string& body);
   Response answer_journal(const std::string& method, const std::string& path, const std::string& body);
-  Response answer_runs(const std::string& method, const std::string& rest, const std::string& body);
+  Response answer_runs(const Request& request, const std::string& rest);
+  /// Returns {active, stamp, data}, the data of the report of a run; without them if the results still have the stamp
+  /// `known`, and with `why` if there are none yet.
+  Response answer_report_data(const std::string& id, const std::string& known);
   /// Imports dropped files: a few at a time, because each is a process.
   Response answer_import(const std::string& body);
   Response answer_aside(const std::string& method, const std::string& name, const std::string& body);
@@ -68,7 +71,7 @@ class StudioServer {
   const Workspace workspace_;
   RunQueue runs_;
   const Asides asides_;
-  std::atomic<int> streams_{0}, searches_{0}, imports_{0};
+  std::atomic<int> streams_{0}, searches_{0}, imports_{0}, reports_{0};
 };
 
 }  // namespace talus::studio

@@ -222,6 +222,23 @@ def check_asides(server, folder):
     check(server.ask("GET", "/api/aside/" + "x" * 2000)[0] == 404, "a long name of a note")
 
 
+def check_report_data(server, folder, program, run, hostile):
+    """The data are those of the command, and are sent once; the page for them is in a sandbox."""
+    status, report = server.ask("GET", f"/api/runs/{run}/report-data")
+    with tempfile.TemporaryDirectory() as name:
+        subprocess.run([program, "report", folder / "studio_runs" / run, "--data", f"{name}/data.json"], check=True)
+        data = json.loads(pathlib.Path(f"{name}/data.json").read_text())
+    check(status == 200 and not report["active"] and report["data"] == data, f"data of a report: {status}")
+    known = server.ask("GET", f"/api/runs/{run}/report-data?known={report['stamp']}")[1]
+    check(known == {"active": False, "stamp": report["stamp"]}, f"data that are known: {known}")
+    check("no results" in server.ask("GET", f"/api/runs/{hostile}/report-data")[1]["why"], "no data of a failed run")
+    for name in ("9999", "../0001", "x"):
+        check(server.ask("GET", f"/api/runs/{name}/report-data")[0] == 404, f"data of run {name!r}")
+    check(server.ask("GET", f"/api/runs/{run}/report-data", token=False)[0] == 401, "the data need the token")
+    status, page = server.ask("GET", "/report.html", token=False)
+    check(status == 200 and b"talus-results" in page and server.headers["Content-Security-Policy"].startswith("sandbox"), "the page of the reports")
+
+
 def check_runs(server, folder, program):
     check(server.ask("POST", "/api/runs", {"path": "absent.toml"})[0] == 404, "run of an absent file")
     check(server.ask("POST", "/api/runs", {"path": "slope.toml", "settings": {"threads": 0}})[0] == 400, "no threads")
@@ -241,6 +258,7 @@ def check_runs(server, folder, program):
     check(status == 200 and b"<html" in report, "report")
     check(server.headers["Content-Security-Policy"].startswith("sandbox"), "the report is in a sandbox")
     check(server.ask("GET", f"/api/runs/{hostile['id']}/report")[0] == 404, "no report of a failed run")
+    check_report_data(server, folder, program, run["id"], hostile["id"])
     for name in ("9999", "../0001", "0001%2f..", "x", ""):
         check(server.ask("POST", f"/api/runs/{name}/stop")[0] == 404, f"run {name!r}")
     check([r["state"] for r in server.ask("GET", "/api/runs")[1]["runs"]] == ["done", "failed"], "list of runs")
@@ -356,6 +374,9 @@ def check_study_and_frames(server, folder):
     check(frame["count"] > 100 and len(frame["x"]) == len(frame["y"]) == len(frame["displacement"]) <= 4000, "points of a frame")
     check(0 <= min(frame["x"]) and max(frame["x"]) <= 44 and 0 <= min(frame["y"]) and max(frame["y"]) <= 17, "points lie in the box")
     check(max(frame["displacement"]) > 0 and frame["stage"] == "long", "points have moved")
+    report = server.ask("GET", f"/api/runs/{run}/report-data")[1]
+    check(report["active"] and report["data"]["report"]["sequences"][0]["frames"], "the report of a run in progress has its frames")
+    check(report["data"]["results"]["result"]["status"] == "unfinished" and report["data"]["results"]["result"]["input"], "it has the input of the run")
     server.ask("POST", f"/api/runs/{run}/stop")
     check(server.watch(run)[-1][1]["state"] == "stopped", "the run with frames is stopped")
 

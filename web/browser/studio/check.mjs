@@ -12,6 +12,7 @@ import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawin
 import { editInTwoWindows, hostileCase, mergeTwoWindows, openHostile, recoverText, runCase } from "./files.mjs";
 import { useKeysAlone } from "./keyboard.mjs";
 import { changeShapes, drawSearch, findOwnEntry, importSurvey, pasteAndKeep, placePicture, switchUnits } from "./parts.mjs";
+import { readProgress, readResults, slowCase } from "./reading.mjs";
 import { compareRuns, exportAll, followRun, methodsCase } from "./runs.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
@@ -27,6 +28,7 @@ const folder = mkdtempSync(join(tmpdir(), "talus-studio-"));
 for (const name of ["embankment.toml", "second.toml", "third.toml", "parts.toml"]) copyFileSync(example, join(folder, name));
 writeFileSync(join(folder, "hostile.toml"), hostileCase);
 writeFileSync(join(folder, "methods.toml"), methodsCase);
+writeFileSync(join(folder, "slow.toml"), slowCase);
 
 const list = new Checklist();
 const browser = await startBrowser();
@@ -62,8 +64,11 @@ try {
   await closeAll();
   const methods = await open(addFile(studio.address, "methods.toml"));
   await list.group("Course of a run", () => followRun(list, methods, out));
+  await list.group("Report", () => readResults(list, methods, out));
   await list.group("Comparison", () => compareRuns(list, methods, out));
   await list.group("Exports", () => exportAll(list, methods, out));
+  await closeAll();
+  await list.group("Report in progress", async () => readProgress(list, await open(addFile(studio.address, "slow.toml")), out));
   await closeAll();
   await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
   await closeAll();

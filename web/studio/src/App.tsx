@@ -12,6 +12,7 @@ import { Messages } from "./panels/Messages";
 import { FurtherTools, Palette } from "./panels/Palette";
 import { Side } from "./panels/Side";
 import { StatusBar } from "./panels/StatusBar";
+import { isBeside, reported, ReportPane } from "./runs/ReportPane";
 import { isChanged, save } from "./session";
 import { redo, undo } from "./state";
 
@@ -48,16 +49,18 @@ export function App() {
       removeEventListener("beforeunload", warn);
     };
   }, []);
+  const stage = !reported.value ? "stage" : isBeside.value ? "stage beside-report" : "stage under-report";
   return (
     <div class="studio" onDragOver={(e) => e.preventDefault()} onDrop={dropFiles}>
       <Bar />
       <main class="workbench">
         <h1 class="unseen">Talus studio</h1>
         <Palette />
-        <section class="stage" aria-label="Section">
+        <section class={stage} aria-label="Section">
           <Canvas />
           <FactorBox />
           <FurtherTools />
+          <ReportPane />
         </section>
         <Side />
         <div class="below">

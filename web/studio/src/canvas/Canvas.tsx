@@ -26,6 +26,9 @@ export function Canvas() {
     const measure = () => {
       const { width, height } = host.current!.getBoundingClientRect();
       if (width < 20 || height < 20) return;
+      // Beside a report, and after a phone is turned, the same part of the section stays in sight.
+      const ratio = width / size.value.width;
+      if (Math.abs(ratio - 1) > 0.2) view.value = { ...view.value, scale: view.value.scale * ratio };
       size.value = { width: Math.round(width), height: Math.round(height) };
     };
     const observer = new ResizeObserver(measure);

@@ -62,6 +62,14 @@ export interface RunComparison {
   warnings: string[];
 }
 
+/** The report of a run as it is now: `data` if they differ from those of the known stamp, `why` if there are none yet. */
+export interface RunReport {
+  active: boolean;
+  stamp?: string;
+  data?: unknown;
+  why?: string;
+}
+
 /** Files and runs of the server; the static page has none. */
 export interface Workspace {
   path: string;
@@ -78,6 +86,9 @@ export interface Workspace {
   /** Calls back with every event; returns what ends that. */
   watchRun(id: string, listen: (event: RunEvent) => void): () => void;
   reportAddress(id: string): string;
+  /** The page of the reports, which shows what it is sent. */
+  readonly reportPage: string;
+  readReport(id: string, known: string): Promise<RunReport>;
   /** A case by `talus import`; `data` is base64. */
   importFiles(files: { name: string; data: string }[], options: Record<string, string | string[]>): Promise<{ text: string; remarks: string[] }>;
   /** A note of the page that belongs to no case file; null where there is none. */
@@ -214,6 +225,13 @@ export class HttpEngine implements Engine, Workspace {
     });
     if (!response.ok) openAnswer(await response.json());
     return response.blob();
+  }
+
+  readReport = (id: string, known: string) =>
+    this.get<RunReport>(`/api/runs/${encodeURIComponent(id)}/report-data?known=${encodeURIComponent(known)}`);
+
+  get reportPage(): string {
+    return `${this.base}/report.html`;
   }
 
   reportAddress(id: string): string {

@@ -9,6 +9,7 @@ import { writeCsv } from "../output/csv";
 import { downloadText } from "../output/download";
 import { addMotion, addValue, emptyRun, findSurface, listCurves, listFindings, type LiveRun } from "../runs/liveRun";
 import { Plot } from "../runs/Plot";
+import { reported, showReport } from "../runs/ReportPane";
 import { shown, showResults, showValue } from "../runs/shown";
 import * as state from "../state";
 
@@ -99,6 +100,7 @@ export function RunRow({ run, workspace, refresh, chosen, choose }: Props) {
         return;
       }
       progress.value = { ...progress.value, ...event.data };
+      if (event.data.state === "running" && run.state === "waiting") refresh();
       const { stage, time, values } = event.data;
       if (stage && time !== undefined && values?.displacement !== undefined && values.factor === undefined)
         live.value = addMotion(live.value, stage, time, values.displacement);
@@ -112,6 +114,7 @@ export function RunRow({ run, workspace, refresh, chosen, choose }: Props) {
   const message = (isActive && line) || run.message || "";
   const act = (what: Promise<void>) =>
     void what.then(refresh).catch((error) => (state.notice.value = { text: sentence(error), bad: true }));
+  const isReported = reported.value?.id === run.id;
   const name = `${run.path}, run ${run.id}`;
   return (
     <li class={`run ${run.state}`}>
@@ -144,6 +147,9 @@ export function RunRow({ run, workspace, refresh, chosen, choose }: Props) {
             Course
           </button>
         )}
+        <button type="button" aria-pressed={isReported} onClick={() => (isReported ? (reported.value = null) : showReport(run))}>
+          Read
+        </button>
         {run.state === "done" && (
           <a href={workspace.reportAddress(run.id)} target="_blank" rel="noopener">
             Report
