@@ -28,8 +28,7 @@ void Releases<D>::run_beside() {
 
 template <int D>
 void Releases<D>::run_one(ReleaseCase& other) {
-  RunOptions options = context_.options;
-  options.folder = join_name(options.folder, other.summary.folder);
+  const RunOptions options = context_.options.make_nested(join_name(context_.options.folder, other.summary.folder));
   const std::string hash = hash_text(fmt::format("{}{:a}", context_.hash, other.summary.time));
   std::vector<std::string> notes;
   std::unique_ptr<const input::Case> data;

@@ -33,7 +33,10 @@ results::Status find_status(ExitCode code) {
 template <int D>
 class CaseRun {
  public:
-  CaseRun(const CaseContext& context, FolderLock& lock) : context_(context), lock_(lock) {}
+  /// `options` are those of the context.
+  CaseRun(const CaseContext& context, RunOptions& options, FolderLock& lock) : context_(context), lock_(lock) {
+    if (options.keeps_present) options.store_present = [this] { clock_.update([this] { keep_present(); }); };
+  }
 
   results::RunResult run() {
     prepare_methods(context_, methods_, run_);
@@ -101,8 +104,8 @@ class CaseRun {
   /// Runs FEM at times of the timeline, each in a folder of its own.
   void reduce_in_time() {
     for (ReductionCase& reduction : methods_.timeline->list_reductions()) {
-      RunOptions options = context_.options;
-      options.folder = join_name(options.folder, reduction.summary.folder);
+      const RunOptions options =
+          context_.options.make_nested(join_name(context_.options.folder, reduction.summary.folder));
       make_folder(options.folder);
       results::RunResult found;
       ElementRun<D> elements(reduction.data, false, options,
@@ -160,6 +163,7 @@ class CaseRun {
   Releases<D> releases_{context_, methods_};
   bool has_points_ = false;  ///< MPM of the run itself was completed
   results::RunResult run_;
+  results::PresentClock clock_;
 };
 
 /// Renews the parts of a finished run that may have changed since and do not need the run again: comparisons, results
@@ -188,8 +192,9 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
   lock.take_existing();
   if (options.resume && has_list(options.folder)) check_kept(options.folder);
   if (auto finished = load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
-  const CaseContext context{loaded, std::move(design), options, hash};
-  return loaded.data.mesh.dimension == 2 ? CaseRun<2>(context, lock).run() : CaseRun<3>(context, lock).run();
+  RunOptions own = options;
+  const CaseContext context{loaded, std::move(design), own, hash};
+  return loaded.data.mesh.dimension == 2 ? CaseRun<2>(context, own, lock).run() : CaseRun<3>(context, own, lock).run();
 }
 
 }  // namespace talus::run

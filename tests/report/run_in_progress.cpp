@@ -72,6 +72,77 @@ TEST(RunInProgress, ReportHasTrialsFieldsAndBoundsSoFar) {
   EXPECT_EQ(ended.results.get()["result"]["status"], "finished");
 }
 
+/// A lift of a day on clay, by elements of 2 m, with the factor at its end.
+const char* const lift = R"(
+title = "Lift"
+[[geometry.polygon]]
+name = "clay"
+points = [[0, 0], [20, 0], [20, 6], [0, 6]]
+[[geometry.polygon]]
+name = "lift"
+points = [[0, 6], [10, 6], [7, 8], [0, 8]]
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 17
+porosity = 0.5
+cohesion = 12
+friction_angle = 24
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = "4 MPa"
+poisson_ratio = 0.33
+[materials.clay.water]
+retention = "saturated"
+conductivity = "2e-9 m/s"
+[materials.fill]
+model = "mohr_coulomb"
+unit_weight = 19
+cohesion = 4
+friction_angle = 33
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = "20 MPa"
+poisson_ratio = 0.3
+[regions]
+clay = "clay"
+lift = "fill"
+[initial]
+stress = "k0"
+k0 = 0.6
+pore_pressure = "water_table"
+water_table = [[0, 6], [20, 6]]
+[analysis]
+methods = ["fem"]
+[fem]
+size = 2
+meshes = 1
+resolution = 0.1
+[[construction]]
+name = "lift"
+duration = 10
+add = ["lift"]
+)";
+
+TEST(RunInProgress, ReportHasTheStepsOfAStage) {
+  const fs::path folder = support::make_scratch("stage_in_progress");
+  std::size_t steps = 0;
+  Progress progress(Progress::Listener([&](const ProgressReport&) {
+    if (steps > 0 || !fs::exists(folder / results::present_summary_file)) return;
+    const json result = collect_report(folder).results.get()["result"];
+    if (const auto found = result.find("construction"); found != result.end() && !(*found)["stages"].empty())
+      steps = (*found)["stages"][0]["steps"].size();
+  }));
+  run::RunOptions options;
+  options.folder = folder;
+  options.keeps_present = true;
+  options.progress = &progress;
+  const json result = support::run_case(input::read_case_text(lift, "lift.toml", {}), options);
+  EXPECT_GT(steps, 0u);
+  // FEM at the end of the stage is a run of its own, which keeps nothing.
+  EXPECT_GT(result["construction"]["least"], 0.5);
+  EXPECT_FALSE(fs::exists(folder / "stage_1" / results::present_folder));
+}
+
 TEST(RunInProgress, RunThatIsNotAskedKeepsNothing) {
   const fs::path folder = support::make_scratch("run_not_asked");
   run(folder, false, [&](const std::string&) { EXPECT_FALSE(fs::exists(folder / results::present_folder)); });

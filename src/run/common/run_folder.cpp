@@ -178,6 +178,14 @@ void replace_folder(const fs::path& folder, const IsWritten& is_written, Progres
   });
 }
 
+RunOptions RunOptions::make_nested(const fs::path& nested) const {
+  RunOptions options = *this;
+  options.folder = nested;
+  options.keeps_present = false;
+  options.store_present = {};
+  return options;
+}
+
 void remove_present(const RunOptions& options) {
   for (const char* file :
        {results::present_summary_file, results::present_reduction_file, results::present_bounds_file})

@@ -31,11 +31,19 @@ struct RunOptions {
   std::filesystem::path folder;  ///< results folder; created if it does not exist
   int threads = 1;
   DeviceKind device = DeviceKind::cpu;
-  bool resume = false;           ///< resume from the checkpoint of the folder; a finished run is not repeated
-  bool overwrite = false;        ///< replace existing results
-  bool keeps_present = false;    ///< write the results so far during the run (results/present.hpp)
-  Progress* progress = nullptr;  ///< display of progress; null: none
-  std::string label;             ///< precedes the name of a stage in the progress line
+  bool resume = false;                    ///< resume from the checkpoint of the folder; a finished run is not repeated
+  bool overwrite = false;                 ///< replace existing results
+  bool keeps_present = false;             ///< write the results so far during the run (results/present.hpp)
+  std::function<void()> store_present{};  ///< set by the run itself: stores the results so far, if it is time
+  Progress* progress = nullptr;           ///< display of progress; null: none
+  std::string label;                      ///< precedes the name of a stage in the progress line
+
+  /// Returns the options of a run in a folder below that of this one, which stores no results so far.
+  RunOptions make_nested(const std::filesystem::path& nested) const;
+  /// Calls store_present if there is one.
+  void store() const {
+    if (store_present) store_present();
+  }
 };
 
 /// Throws Error (folder_exists) if the folder is not empty and neither --overwrite nor --resume was given, if the case

@@ -166,6 +166,7 @@ void ConstructionRun::calculate() {
     factors += std::chrono::steady_clock::now() - before;
     if (!ended) break;
     keep_state();
+    options_.store();
   }
   find_least();
   summary_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start - factors).count();
@@ -220,6 +221,7 @@ bool ConstructionRun::run_stage(int number) {
       [&](const fem::ConsolidationStep& step, const fem::SolidState<2>& solid, const std::vector<double>& head) {
         add_step(*next, step, solid, head, result);
         show(fmt::format("stage '{}', {}", asked.name, units::format_time(step.time)));
+        options_.store();
       });
   result.converged = found.converged;
   result.reached = found.reached;
@@ -333,8 +335,7 @@ bool ConstructionRun::add_undrained_factors(const input::Case& later, int number
                                       : "no equilibrium at full strength without drainage";
   }
   result.factors.push_back(std::move(factor));
-  RunOptions options = options_;
-  options.folder = join_name(options_.folder, result.folder);
+  const RunOptions options = options_.make_nested(join_name(options_.folder, result.folder));
   StageFactors found =
       find_undrained_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
                              fmt::format("{}-{}-undrained", hash_, number), std::max(1.0, reduced.stable));
@@ -358,9 +359,8 @@ double ConstructionRun::find_most_displacement() const {
 }
 
 void ConstructionRun::add_factors(int number, results::ConstructionStage& result) {
-  RunOptions options = options_;
   result.folder = fmt::format("stage_{}", number + 1);
-  options.folder = join_name(options_.folder, result.folder);
+  const RunOptions options = options_.make_nested(join_name(options_.folder, result.folder));
   input::Case later = make_later_case();
   std::erase(later.methods, Method::mpm);
   StageFactors found =
@@ -381,8 +381,7 @@ void ConstructionRun::release(int number, results::ConstructionStage& result) {
   out.time = result.steps.empty() ? result.from : result.steps.back().time;
   out.factor = result.least;
   out.folder = fmt::format("released_{}", number + 1);
-  RunOptions options = options_;
-  options.folder = join_name(options_.folder, out.folder);
+  const RunOptions options = options_.make_nested(join_name(options_.folder, out.folder));
   // A case of its own, which knows nothing of regions that are gone.
   input::LoadedCase later = loaded_;
   later.data = make_later_case();

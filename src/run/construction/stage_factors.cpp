@@ -123,8 +123,8 @@ StageFactors find_undrained_factors(const input::LoadedCase& loaded, const input
                                              : "the strength of the interfaces of walls without drainage is not known";
       continue;
     }
-    RunOptions own = options;
-    own.folder = join_name(options.folder, std::string("undrained_") + results::to_word(method));
+    const RunOptions own =
+        options.make_nested(join_name(options.folder, std::string("undrained_") + results::to_word(method)));
     std::vector<std::string> warnings;
     double factor = guess;
     for (int k = 0; k < most_repetitions; ++k) {

@@ -55,8 +55,7 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
       data.output.runout_meshes >= 2 && has_moved(run) && data.mesh.file.empty() && data.initial.result.empty();
   broadcast(is_due);  // rank 0 alone may have the runout
   if (!is_due) return std::nullopt;
-  RunOptions beside = options;
-  beside.folder /= "coarser_mesh";
+  RunOptions beside = options.make_nested(options.folder / "coarser_mesh");
   beside.label = "coarser mesh: ";
   const std::string hash = hash_text(input_hash + "coarser mesh");
   const input::Case coarser = coarsen(data);
