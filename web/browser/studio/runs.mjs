@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs in the page: their course while they are computed, surfaces on the section, two runs side by side, exports, print.
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { checkAccessibility } from "../accessibility.mjs";
@@ -103,6 +103,8 @@ async function download(page, press) {
   return readFileSync(await found.path());
 }
 
+const countScripts = (page) => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => name.endsWith(".js")).length);
+
 /** Every export has the content of its format. */
 export async function exportAll(list, page, out) {
   const choose = (name) => async () => {
@@ -119,6 +121,11 @@ export async function exportAll(list, page, out) {
   list.expect(csv.startsWith("kind,name,x,y\r\n") && /region,soil,12,15/.test(csv) && /slip surface/.test(csv), "the points are a table", csv.slice(0, 200));
   const toml = (await download(page, choose("Case file, TOML"))).toString();
   list.expect(/cohesion = 14/.test(toml), "the case file is the text of the page");
+  const before = await countScripts(page);
+  const docx = await download(page, choose("Document, DOCX"));
+  writeFileSync(join(out, "summary.docx"), docx);
+  list.expect(docx.subarray(0, 2).toString() === "PK" && docx.length > 20_000, "the summary is a document", String(docx.length));
+  list.expect((await countScripts(page)) > before, "the library of documents is loaded with the first one");
   const dxf = (await download(page, choose("Drawing, DXF"))).toString();
   list.expect(/SECTION/.test(dxf) && /ENTITIES/.test(dxf), "the section is a drawing", dxf.slice(0, 60));
   const row = newest(page);

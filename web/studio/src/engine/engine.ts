@@ -22,6 +22,8 @@ export interface Section {
   loads?: { text: string; line: Point[]; load: Point[] }[];
   supports?: { name: string; head: Point; end: Point; free?: Point | number | null }[];
   conditions?: { kind: string; text: string; line: Point[]; outward?: Point }[];
+  /** Conditions of water on sides. */
+  water_sides?: { kind: string; text: string; line: Point[] }[];
   notes?: string[];
 }
 

@@ -12,6 +12,8 @@ export interface FileText {
 export interface Run {
   id: string;
   path: string;
+  /** Of the text that is run. */
+  revision: string;
   state: "waiting" | "running" | "done" | "failed" | "stopped";
   is_study?: boolean;
   is_stopping?: boolean;

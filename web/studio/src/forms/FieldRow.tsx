@@ -29,7 +29,8 @@ export function writeField(path: Path, field: Field, typed: string): boolean {
   });
 }
 
-const title = (key: string) => key.replaceAll("_", " ").replace(/^./, (c) => c.toUpperCase());
+/** "unit_weight" as "Unit weight". */
+export const titleOf = (key: string): string => key.replaceAll("_", " ").replace(/^./, (c) => c.toUpperCase());
 
 const units: Record<string, string> = { "kN/m3": "kN/m³", "kg/m3": "kg/m³", deg: "°", m2: "m²", "-": "", "1": "" };
 export const showUnit = (unit: string): string => units[unit] ?? unit;
@@ -90,8 +91,8 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
   const missing = field.required && typed === "";
   return (
     <div class={`field${isBad ? " bad-field" : ""}${missing ? " missing" : ""}`}>
-      {rows ? <span class="label" title={field.key}>{title(field.key)}{unit && ` [${showUnit(unit)}]`}</span> : <label for={id} title={field.key}>
-        {title(field.key)}
+      {rows ? <span class="label" title={field.key}>{titleOf(field.key)}{unit && ` [${showUnit(unit)}]`}</span> : <label for={id} title={field.key}>
+        {titleOf(field.key)}
         {field.required && <span class="mark" title="required"> *</span>}
       </label>}
       {field.kind === "choice" ? (
@@ -110,7 +111,7 @@ export function FieldRow({ path, field }: { path: Path; field: Field }) {
           <option value="false">false</option>
         </select>
       ) : rows ? (
-        <RowsField path={path} rows={rows} id={id} noteId={noteId} label={title(field.key)} />
+        <RowsField path={path} rows={rows} id={id} noteId={noteId} label={titleOf(field.key)} />
       ) : (
         <span class="input-with-unit" onPaste={(e) => columns > 0 && pasteWhole(e, path, columns as 1 | 2)}>
           <TextInput

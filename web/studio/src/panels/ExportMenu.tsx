@@ -7,6 +7,7 @@ import { pointsOf } from "../document/vertices";
 import { writePoints } from "../output/csv";
 import { downloadBlob, downloadText } from "../output/download";
 import { drawPng, writeSvg } from "../output/picture";
+import { summarise } from "../output/summary";
 import { file, setting } from "../session";
 import * as state from "../state";
 
@@ -22,6 +23,25 @@ function listRemarks(): string[] {
 }
 
 const makeSvg = () => writeSvg(state.title.value || stem(), listRemarks());
+
+/** A document is printed on paper: its picture has light colours. */
+function makeLightSvg(): string {
+  const { dataset } = document.documentElement;
+  const { theme } = dataset;
+  dataset.theme = "light";
+  try {
+    return writeSvg(state.title.value || stem(), []);
+  } finally {
+    dataset.theme = theme;
+  }
+}
+
+/** The library of documents is loaded with the first one. */
+async function makeDocument(): Promise<Blob> {
+  const [{ writeDocument }, summary, picture] = await Promise.all([import("../output/wordDocument"), summarise(), drawPng(makeLightSvg())]);
+  const { width, height } = await createImageBitmap(picture);
+  return writeDocument(summary, { data: new Uint8Array(await picture.arrayBuffer()), width, height });
+}
 
 function listLines(): { kind: string; name: string; points: readonly (readonly [number, number])[] }[] {
   const lines = state.chains.value.map((chain) => ({ kind: chain.kind as string, name: chain.name, points: pointsOf(chain) }));
@@ -55,6 +75,7 @@ export function ExportMenu() {
         {item("Picture, SVG", () => downloadText(`${stem()}.svg`, makeSvg(), "image/svg+xml"))}
         {item("Picture, PNG", async () => downloadBlob(`${stem()}.png`, await drawPng(makeSvg())))}
         {item("Print, or PDF by the browser …", () => print())}
+        {item("Document, DOCX", async () => downloadBlob(`${stem()}.docx`, await makeDocument()))}
         {item("Points, CSV", () => downloadText(`${stem()}.csv`, writePoints(listLines()), "text/csv"))}
         {workspace && item("Drawing, DXF", async () => downloadBlob(`${stem()}.dxf`, await workspace.exportCase(state.text.value)))}
         {item("Case file, TOML", () => downloadText(`${stem()}.toml`, state.text.value, "application/toml"))}
