@@ -19,6 +19,10 @@ interface Drawing {
   tallest: number;
 }
 
+/** From a picture that takes two frames as long on, its copy moves with the mouse, and it is drawn anew at rest [ms]. */
+const slowPicture = 60;
+const rest = 150;
+
 /** Width on paper [px]. */
 const paperWidth = 680;
 
@@ -30,6 +34,10 @@ export class View {
   private pending = { below: false, above: false, frame: 0 };
   private density = 1;
   private fitted = "";
+  /** The camera of the lower picture, and how long its two frames took [ms]. */
+  private painted = { target: [0, 0], centre: [0, 0], scale: 1 };
+  private cost = 0;
+  private settling: ReturnType<typeof setTimeout> | undefined;
   /** True after the reader moved the view. */
   touched = false;
 
@@ -38,6 +46,7 @@ export class View {
     private drawing: Drawing,
   ) {
     this.below.className = "drawing-below";
+    this.below.style.transformOrigin = "0 0";
     this.above.className = "drawing-above";
     host.append(this.below, this.above);
     // Its height is the drawing's own doing.
@@ -104,13 +113,37 @@ export class View {
   zoom(factor: number, x?: number, y?: number): void {
     this.camera.zoom(factor, x, y);
     this.setTouched(true);
-    this.request(true);
+    this.followCamera();
   }
 
   pan(dx: number, dy: number): void {
     this.camera.pan(dx, dy);
     this.setTouched(true);
-    this.request(true);
+    this.followCamera();
+  }
+
+  /** Moves the lower picture if drawing it takes long, such as thousands of arcs. */
+  private followCamera(): void {
+    if (this.cost < slowPicture) return this.request(true);
+    const { painted, camera } = this;
+    const k = camera.scale / painted.scale;
+    const [x, y] = [0, 1].map((d) => {
+      const moved = (painted.target[d]! - camera.target[d]!) * camera.scale;
+      return camera.centre[d]! - k * painted.centre[d]! + (d === 0 ? moved : -moved);
+    });
+    this.below.style.transform = `translate(${x}px, ${y}px) scale(${k})`;
+    this.request(false);
+    clearTimeout(this.settling);
+    this.settling = setTimeout(() => this.request(true), rest);
+  }
+
+  /** The browser draws after the script: the second frame after it shows how long that takes. */
+  private notePainting(): void {
+    const { target, scale, centre } = this.camera;
+    this.painted = { target: [...target], centre: [...centre], scale };
+    this.below.style.transform = "";
+    const from = performance.now();
+    requestAnimationFrame(() => requestAnimationFrame(() => (this.cost = performance.now() - from)));
   }
 
   /** A finger scrolls the page over a view that is whole; one that was zoomed follows the finger. */
@@ -152,8 +185,10 @@ export class View {
     if (!fresh) context.clearRect(0, 0, this.camera.width, this.camera.height);
     const pen = this.makePen(context, paper ?? readTheme(), !paper && isDark());
     context.lineJoin = context.lineCap = "round";
-    if (canvas === this.below) this.drawing.draw(pen);
-    else {
+    if (canvas === this.below) {
+      this.notePainting();
+      this.drawing.draw(pen);
+    } else {
       this.drawing.drawOver?.(pen);
       drawRulers(context, this.camera, pen.theme);
       const { bar } = this.drawing;
@@ -165,6 +200,7 @@ export class View {
   }
 
   save(name: string): void {
+    if (this.below.style.transform) this.paint(this.below, false);
     const picture = document.createElement("canvas");
     Object.assign(picture, { width: this.below.width, height: this.below.height });
     const context = picture.getContext("2d")!;
@@ -176,6 +212,7 @@ export class View {
 
   dispose(): void {
     cancelAnimationFrame(this.pending.frame);
+    clearTimeout(this.settling);
     this.ends.forEach((end) => end());
     this.host.replaceChildren();
   }
