@@ -3,6 +3,7 @@
 import { join } from "node:path";
 
 import { checkAccessibility } from "../accessibility.mjs";
+import { checkWidth } from "../layout.mjs";
 import { methodsCase } from "./runs.mjs";
 import { waitForFactor } from "./session.mjs";
 
@@ -67,4 +68,13 @@ export async function readResults(list, page, out) {
   await page.screenshot({ path: join(out, "beside-other-colours.png") });
   await page.getByRole("button", { name: /^Change to .* colours$/ }).click();
   await page.getByRole("button", { name: "Close the report" }).click();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await row.getByRole("button", { name: "Read" }).click();
+  await frame.locator("h1").first().waitFor();
+  const box = await page.locator(".report-pane").boundingBox();
+  list.expect(box.y >= 0 && box.y + 300 < 844, "on a phone the report comes into sight", JSON.stringify(box));
+  await checkWidth(list, page, "with a report at a width of 390");
+  await page.screenshot({ path: join(out, "reading-phone.png") });
+  await page.getByRole("button", { name: "Close the report" }).click();
+  await page.setViewportSize({ width: 1280, height: 800 });
 }

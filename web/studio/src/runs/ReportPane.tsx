@@ -75,9 +75,12 @@ function Frame({ run, workspace }: { run: Pick<Run, "id" | "path">; workspace: W
 export function ReportPane() {
   const workspace = setting.value?.workspace;
   const run = reported.value;
+  const pane = useRef<HTMLElement>(null);
+  // On a phone the list of runs is below it.
+  useEffect(() => pane.current?.scrollIntoView({ block: "nearest" }), [run?.id]);
   if (!workspace || !run) return null;
   return (
-    <section class="report-pane" aria-label="Report">
+    <section ref={pane} class="report-pane" aria-label="Report">
       <Frame key={run.id} run={run} workspace={workspace} />
     </section>
   );

@@ -2,8 +2,8 @@
 /** Asks for the report of a run again and again until the run has ended. */
 import type { RunReport } from "../engine/http";
 
-/** Between two questions [ms]; the answers take at most a fifth of the time, because the run needs the processor. */
-const [shortest, share] = [2000, 4];
+/** Between two questions [ms], and over the time of an answer: the run needs the processor more than the report does. */
+const [shortest, share] = [2000, 2];
 
 interface Listener {
   send: (data: unknown) => void;
