@@ -65,13 +65,13 @@ void compare(const CaseContext& context, const CaseMethods<D>& m, results::RunRe
     site::state_over_design(*run.methods->partial_factors, design.resistance, *factor);
 }
 
-/// Adds the results of the methods other than MPM.
+/// Adds the results of the methods other than MPM; `all`: also of those that have none yet.
 template <int D>
-void add_methods(const input::Case& data, const CaseMethods<D>& m, results::RunResult& run) {
+void add_methods(const input::Case& data, const CaseMethods<D>& m, bool all, results::RunResult& run) {
   if (m.slices) m.slices->write_result(run);
   if (m.elements) m.elements->write_result(run);
-  if (m.bounds && m.bounds->has_result()) m.bounds->write_result(run);
-  if (m.seepage && m.seepage->has_result()) m.seepage->write_result(run);
+  if (m.bounds && (all || m.bounds->has_result())) m.bounds->write_result(run);
+  if (m.seepage && (all || m.seepage->has_states())) m.seepage->write_result(run);
   judge_elements(data, run);
   if (m.construction) m.construction->write_result(run);
 }
@@ -80,8 +80,10 @@ void add_methods(const input::Case& data, const CaseMethods<D>& m, results::RunR
 
 template <int D>
 void write_present_results(const CaseContext& context, const CaseMethods<D>& m, results::RunResult run) {
-  add_methods(context.design.data, m, run);
+  add_methods(context.design.data, m, false, run);
   if (m.timeline) m.timeline->write_result(run);
+  if (run.construction && run.construction->stages.empty()) run.construction.reset();
+  if (run.timeline && run.timeline->factors.empty()) run.timeline.reset();
   keep_water(context.options.folder, m);
   compare(context, m, run);
   run.results = list_results(context.loaded.data, run);
@@ -103,7 +105,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
     timing.stage_steps = m.points->get_stage_seconds();
     timing.parts = m.points->list_parts(*timing.cpu);
   }
-  add_methods(data, m, run);
+  add_methods(data, m, true, run);
   if (m.timeline) {
     releases.add_results(run, has_points);
     m.timeline->write_result(run);

@@ -106,9 +106,10 @@ std::vector<double> find_pressures(const fem::SeepageModel<D>& model, const std:
 
 template <int D>
 fem::SeepageHistory<D> solve(const fem::SeepageModel<D>& model, const std::vector<double>& initial,
-                             const fem::SeepageSchedule& schedule, const std::string& key) {
+                             const fem::SeepageSchedule& schedule, const std::string& key,
+                             const fem::SeepageOutput<D>& on_output) {
   try {
-    return fem::solve_transient_seepage(model, initial, schedule);
+    return fem::solve_transient_seepage<D>(model, initial, schedule, {}, on_output);
   } catch (const Error& error) {
     if (error.code() != ExitCode::unstable) throw;
     throw Error(
@@ -142,11 +143,11 @@ double SeasonRecord::find_error() const {
 template <int D>
 FlowInTime<D> follow_flow(const input::Case& data, const fem::SeepageModel<D>& model,
                           const std::vector<double>& initial, const fem::SeepageSchedule& schedule,
-                          const std::string& key) {
+                          const std::string& key, const fem::SeepageOutput<D>& on_output) {
   const Layers layers = find_layers<D>(data, *model.mesh);
   fem::SeepageModel<D> growing = model;
   growing.sinks = make_root_sinks<D>(data, *model.mesh);
-  FlowInTime<D> flow{solve(growing, initial, schedule, key), {}};
+  FlowInTime<D> flow{solve(growing, initial, schedule, key, on_output), {}};
   const fem::SeepageHistory<D>& history = flow.history;
   SeasonRecord& record = flow.record;
   record.depths = layers.depths;
@@ -236,7 +237,8 @@ void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
 
 #define TALUS_INSTANTIATE(D)                                                                                         \
   template FlowInTime<D> follow_flow<D>(const input::Case&, const fem::SeepageModel<D>&, const std::vector<double>&, \
-                                        const fem::SeepageSchedule&, const std::string&);
+                                        const fem::SeepageSchedule&, const std::string&,                             \
+                                        const fem::SeepageOutput<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

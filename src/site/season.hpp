@@ -56,7 +56,7 @@ struct FlowInTime {
 template <int D>
 FlowInTime<D> follow_flow(const input::Case& data, const fem::SeepageModel<D>& model,
                           const std::vector<double>& initial, const fem::SeepageSchedule& schedule,
-                          const std::string& key);
+                          const std::string& key, const fem::SeepageOutput<D>& on_output = {});
 
 /// Error of a time step that controls the next one [m of water]: 0.1 kPa.
 inline constexpr double head_tolerance = 0.01;

@@ -143,6 +143,29 @@ TEST(RunInProgress, ReportHasTheStepsOfAStage) {
   EXPECT_FALSE(fs::exists(folder / "stage_1" / results::present_folder));
 }
 
+TEST(RunInProgress, SeepageStoresEveryState) {
+  int stored = 0;
+  run::RunOptions options;
+  options.folder = support::make_scratch("seepage_in_progress");
+  options.store_present = [&] { ++stored; };
+  const json result = support::run_case(input::read_case_text(R"(
+analysis.methods = ["seepage"]
+mesh.size = 0.5
+geometry.polygon = [{ name = "sand", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
+geometry.line = [{ name = "ground", points = [[0, 2], [4, 2]] }]
+regions.sand = "sand"
+materials.sand = { unit_weight = 20, porosity = 0.4, water = { retention = "saturated", conductivity = 1e-4 } }
+hydraulic = [
+  { on = "bottom", condition = "total_head", head = [[0, 3], ["2 day", 5]] },
+  { on = "ground", condition = "total_head", head = 2 }]
+seepage.times = [1, 2]
+)",
+                                                              "flow.toml", {}),
+                                        options);
+  EXPECT_EQ(result["flow"]["states"].size(), 3u);  // the first one is the steady state at the start
+  EXPECT_EQ(stored, 2);
+}
+
 TEST(RunInProgress, RunThatIsNotAskedKeepsNothing) {
   const fs::path folder = support::make_scratch("run_not_asked");
   run(folder, false, [&](const std::string&) { EXPECT_FALSE(fs::exists(folder / results::present_folder)); });

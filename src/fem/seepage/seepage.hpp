@@ -120,11 +120,16 @@ struct SeepageHistory {
   int steps = 0, rejected = 0, iterations = 0;
 };
 
+/// Receives the state of every output as soon as it is known.
+template <int D>
+using SeepageOutput = std::function<void(const SeepageResult<D>&)>;
+
 /// Solves transient flow from the heads `initial` (per node): implicit Euler in the mixed form, which conserves mass,
 /// with error-controlled steps. Throws as solve_steady_seepage().
 template <int D>
 SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const std::vector<double>& initial,
-                                          const SeepageSchedule& schedule, const SeepageOptions& options = {});
+                                          const SeepageSchedule& schedule, const SeepageOptions& options = {},
+                                          const SeepageOutput<D>& on_output = {});
 
 /// Returns the volume of water in the soil [m³] at the heads `head`.
 template <int D>

@@ -155,7 +155,8 @@ void keep_output(const SeepageNewton<D>& newton, SeepageResult<D> result, const 
 
 template <int D>
 SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const std::vector<double>& initial,
-                                          const SeepageSchedule& schedule, const SeepageOptions& options) {
+                                          const SeepageSchedule& schedule, const SeepageOptions& options,
+                                          const SeepageOutput<D>& on_output) {
   const SeepageSystem<D> system(model);
   check_storage(model);
   check_schedule(schedule);
@@ -223,6 +224,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     if (output < schedule.outputs.size() && stops[stop] == schedule.outputs[output]) {
       add_fields(system, state, input, result);
       keep_output(newton, std::move(result), volumes, drawn, history);
+      if (on_output) on_output(history.states.back());
       history.stored.push_back(sum(contents) - stored_at_start - pools.given());
       ++output;
     }
@@ -244,7 +246,8 @@ double find_stored_water(const SeepageModel<D>& model, const std::vector<double>
 
 #define TALUS_INSTANTIATE(D)                                                                                \
   template SeepageHistory<D> solve_transient_seepage<D>(const SeepageModel<D>&, const std::vector<double>&, \
-                                                        const SeepageSchedule&, const SeepageOptions&);     \
+                                                        const SeepageSchedule&, const SeepageOptions&,      \
+                                                        const SeepageOutput<D>&);                           \
   template double find_stored_water<D>(const SeepageModel<D>&, const std::vector<double>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -36,7 +36,7 @@ class MethodRun {
  public:
   /// Fields of the water that gives the pore pressures; nullptr in dry ground.
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
-  /// Returns false before calculate() has ended.
+  /// Returns false before the end of calculate().
   bool has_result() const { return !file_.input_hash.empty() || file_.summary.error; }
 
  protected:

@@ -83,10 +83,12 @@ void SeepageRun<D>::follow() {
          end,
          {.method = "seepage"}});
   };
-  const site::FlowInTime<D> flow = site::follow_flow<D>(data, model_, heads, schedule, "[seepage] times");
+  const site::FlowInTime<D> flow =
+      site::follow_flow<D>(data, model_, heads, schedule, "[seepage] times", [&](const fem::SeepageResult<D>& state) {
+        add_state(state, results::WaterFlow::transient, state.time);
+        options_.store();
+      });
   file_.summary.step_error = flow.history.largest_error;
-  for (std::size_t i = 0; i < schedule.outputs.size(); ++i)
-    add_state(flow.history.states[i], results::WaterFlow::transient, schedule.outputs[i]);
 }
 
 template <int D>

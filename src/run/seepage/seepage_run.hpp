@@ -28,6 +28,7 @@ class SeepageRun : public MethodRun<results::FlowFile> {
   /// Solves the flow and stores its measures. Throws as prepare(), and Error (unstable) without a solution.
   void calculate();
   void write_result(results::RunResult& run) const;
+  bool has_states() const { return !file_.summary.states.empty(); }
 
  private:
   void add_state(const fem::SeepageResult<D>& state, results::WaterFlow flow, double time);
