@@ -143,12 +143,13 @@ double sum(const std::vector<double>& values) {
 
 template <int D>
 void keep_output(const SeepageNewton<D>& newton, SeepageResult<D> result, const std::vector<Discharge>& volumes,
-                 const std::vector<Uptake>& drawn, SeepageHistory<D>& history) {
+                 const std::vector<Uptake>& drawn, const SeepageOutput<D>& on_output, SeepageHistory<D>& history) {
   result.iterations = newton.solves();
   result.undecided = newton.undecided();
   history.states.push_back(std::move(result));
   history.volumes.push_back(volumes);
   history.uptakes.push_back(drawn);
+  if (on_output) on_output(history.states.back());
 }
 
 }  // namespace
@@ -223,8 +224,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     if (!lands) continue;
     if (output < schedule.outputs.size() && stops[stop] == schedule.outputs[output]) {
       add_fields(system, state, input, result);
-      keep_output(newton, std::move(result), volumes, drawn, history);
-      if (on_output) on_output(history.states.back());
+      keep_output(newton, std::move(result), volumes, drawn, on_output, history);
       history.stored.push_back(sum(contents) - stored_at_start - pools.given());
       ++output;
     }
