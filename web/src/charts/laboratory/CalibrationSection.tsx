@@ -167,8 +167,10 @@ export function CalibrationSection() {
         <CsvButton part="calibration" what="parameters" columns={() => makeParameterCsv(calibration)} />
       </div>
       <p class="chart-note">
-        {starts.length} searches by least squares between the bounds, {converged} of which converged; number {best + 1}{" "}
-        came nearest, after {starts[best]!.iterations} iterations ({calibration.evaluations} sets of parameters,{" "}
+        {starts.length === 1
+          ? `One search by least squares between the bounds, which ${converged ? "converged" : "did not converge"},`
+          : `${starts.length} searches by least squares between the bounds, ${converged} of which converged; number ${best + 1} came nearest,`}{" "}
+        after {starts[best]!.iterations} iterations ({calibration.evaluations} sets of parameters,{" "}
         {calibration.tests} tests in all). The {calibration.values} measured values lie{" "}
         {formatNumber(calibration.scatter, 3)} times their stated errors from the fitted curves; the standard errors are
         scaled with that, and take the errors of all values as independent of each other.
