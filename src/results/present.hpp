@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a run in progress has found so far, in a folder of its own within that of the run: summary.json and the files of
+// Results so far of a run in progress, in a folder of its own within that of the run: summary.json and the files of
 // the method that is being calculated. The folder is removed when the run ends.
 
-#include <algorithm>
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,25 +30,5 @@ void describe(auto& v, As<PresentReduction> auto& r) {
   v.key("trials", r.trials, {"", "trials so far"});
   v.key("mesh", r.mesh, {"", "mesh, and fields of the last trial"});
 }
-
-/// Limits how often files are written that are overwritten each time: to a twentieth of the time of the run, and to
-/// once a second.
-class PresentClock {
- public:
-  /// Calls `write` unless it was called a short time ago.
-  template <class Write>
-  void update(Write write) {
-    const auto begin = Clock::now();
-    if (begin < next_) return;
-    write();
-    constexpr int pause = 20;
-    const auto end = Clock::now();
-    next_ = end + std::max<Clock::duration>(std::chrono::seconds(1), pause * (end - begin));
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point next_{};
-};
 
 }  // namespace talus::results

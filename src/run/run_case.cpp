@@ -17,6 +17,7 @@
 #include "run/bounds/referee.hpp"
 #include "run/case_results.hpp"
 #include "run/common/head.hpp"
+#include "run/common/method_run.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/coarser_mesh.hpp"
 #include "run/mpm/stage/stepper.hpp"
@@ -163,7 +164,7 @@ class CaseRun {
   Releases<D> releases_{context_, methods_};
   bool has_points_ = false;  ///< MPM of the run itself was completed
   results::RunResult run_;
-  results::PresentClock clock_;
+  PresentClock clock_;
 };
 
 /// Renews the parts of a finished run that may have changed since and do not need the run again: comparisons, results

@@ -35,16 +35,36 @@ resolution = 0.1
 gap = 0.05
 )";
 
-/// Runs the case; `look` receives the method of every value of progress.
-json run(const fs::path& folder, bool keeps_present, const std::function<void(const std::string&)>& look) {
+/// Runs the case; `look` receives every value of progress.
+json follow(const std::string& text, const fs::path& folder, bool keeps_present,
+            const std::function<void(const ProgressValues&)>& look) {
   Progress progress(Progress::Listener([&](const ProgressReport& report) {
-    if (!report.values.method.empty()) look(report.values.method);
+    if (!report.values.method.empty()) look(report.values);
   }));
   run::RunOptions options;
   options.folder = folder;
   options.keeps_present = keeps_present;
   options.progress = &progress;
-  return support::run_case(input::read_case_text(three_methods, "three.toml", {}), options);
+  return support::run_case(input::read_case_text(text, "three.toml", {}), options);
+}
+/// The same of the case with three methods; `look` receives the method.
+json run(const fs::path& folder, bool keeps_present, const std::function<void(const std::string&)>& look) {
+  return follow(three_methods, folder, keeps_present, [&](const ProgressValues& values) { look(values.method); });
+}
+
+/// An earthquake acts in both directions, one after the other: bounds of the first one are not those of the case.
+TEST(RunInProgress, BoundsOfOneDirectionAreNotThoseOfTheCase) {
+  const fs::path folder = support::make_scratch("directions_in_progress");
+  int meshes = 0;
+  const json result =
+      follow(three_methods + "[earthquake]\nhorizontal = 0.1\n", folder, true, [&](const ProgressValues& values) {
+        if (values.method != "bounds") return;
+        ++meshes;
+        EXPECT_FALSE(values.lower || values.upper);
+        EXPECT_FALSE(fs::exists(folder / results::present_bounds_file));
+      });
+  EXPECT_GT(meshes, 1);
+  EXPECT_LT(result["bounds"]["lower"], result["bounds"]["upper"]);
 }
 
 TEST(RunInProgress, ReportHasTrialsFieldsAndBoundsSoFar) {

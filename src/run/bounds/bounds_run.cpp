@@ -9,6 +9,7 @@
 
 #include "bounds/problem.hpp"
 #include "fem/solid/solid.hpp"
+#include "results/present.hpp"
 #include "run/common/head.hpp"
 
 namespace talus::run {
@@ -196,19 +197,20 @@ void BoundsRun::prepare() {
 results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) {
   show(fmt::format("{} triangles", made.problem.size()));
   ProgressValues values{.method = "bounds"};
+  // Of two problems each has one bound of the case, and another that is not; of two directions of an earthquake each
+  // has a lower bound that may not hold in the other.
+  const bool is_whole = !made.stronger && data_.earthquake.list_directions().size() == 1;
   return make_bounds_result(
       find_case_bounds(made, options,
                        [&](const bounds::BoundsResult& found) {
                          const bounds::BoundsLevel& level = found.levels.back();
-                         // With a second problem each of the two has one bound of this case, and another that is not.
-                         if (!made.stronger && level.lower > 0)
+                         if (is_whole && level.lower > 0)
                            values.lower = std::max(values.lower.value_or(0), level.lower);
-                         if (!made.stronger && std::isfinite(level.upper))
+                         if (is_whole && std::isfinite(level.upper))
                            values.upper = std::min(values.upper.value_or(level.upper), level.upper);
                          show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper),
                               values);
-                         // The other problem has its own bound, and its meshes none of both.
-                         if (options_.keeps_present && !made.stronger) clock_.update([&] { keep_present(found); });
+                         if (options_.keeps_present && is_whole) clock_.update([&] { keep_present(found); });
                        }),
       data_.bounds.gap);
 }

@@ -7,7 +7,6 @@
 
 #include "bounds/find_bounds.hpp"
 #include "results/bounds.hpp"
-#include "results/present.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/method_run.hpp"
@@ -41,7 +40,7 @@ class BoundsRun : public MethodRun<results::BoundsFile> {
   const input::Case& data_;
   std::optional<ProblemOfCase> made_;
   bool is_known_ = false;  ///< of an interrupted run
-  results::PresentClock clock_;
+  PresentClock clock_;
 };
 
 }  // namespace talus::run

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A method beside others in a run: its failure, its file, which a resumed run reads, and its part of the results.
+// A method beside others in a run: its failure, its file, which a resumed run reads, its part of the results, and the
+// pace of its results so far.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -29,6 +31,26 @@ std::optional<std::string> attempt(const RunOptions& options, bool alone, Part p
   }
   return std::nullopt;
 }
+
+/// Limits how often files are written that are overwritten each time: to a twentieth of the time of the run, and to
+/// once a second.
+class PresentClock {
+ public:
+  /// Calls `write` unless it was called a short time ago.
+  template <class Write>
+  void update(Write write) {
+    const auto begin = Clock::now();
+    if (begin < next_) return;
+    write();
+    constexpr int pause = 20;
+    const auto end = Clock::now();
+    next_ = end + std::max<Clock::duration>(std::chrono::seconds(1), pause * (end - begin));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_{};
+};
 
 /// LEM, FEM or limit analysis of a case. `File`: the struct of its file, with a summary that may have an error.
 template <class File>

@@ -105,7 +105,7 @@ class ElementRun : public MethodRun<results::ElementFile> {
   std::unique_ptr<Model> model_;
   bool is_told_ = false;  ///< the file has results
   results::PresentReduction present_;
-  results::PresentClock clock_;
+  PresentClock clock_;
 };
 
 }  // namespace talus::run
