@@ -248,7 +248,7 @@ class KinematicSum {
                    end = std::max(0.0, first - 4 * middle + 3 * last);
       const auto& n = bar.force;
       double dissipation = (n[0] * (2 * start + end) + n[1] * (start + 2 * end)) / 6;
-      // Where the bar passes through a wall, soil on both sides of it may part.
+      // Soil on both sides of a wall may part where the bar passes through it.
       if (const auto above = find_bar_above(problem_, bar)) {
         const int before = find_edge_nodes(above->from, above->to)[2];
         if (before != nodes[0]) dissipation += n[0] * std::max(0.0, first - dot(get_velocity(before), e));
@@ -312,7 +312,7 @@ class KinematicSum {
       is_finite = is_finite && std::isfinite(norm(v));
     }
     held_ = std::max(held_, walls_.held);
-    // Where blocks slide on walls nothing else strains.
+    // Blocks that slide on walls do not strain.
     largest_ = std::max(largest_, fastest_ / find_units(problem_).length);
     // The strain rates of a rigid triangle are rounding errors and are set to zero.
     for (Corner& c : corners_)

@@ -21,7 +21,7 @@ struct StressField {
 struct VelocityField {
   Velocities mesh;
   std::vector<Vec<2>> velocity;
-  /// Of each edge of each wall: at its upper and its lower end, between which it is linear.
+  /// Velocity of each edge of each wall at its upper and its lower end; it is linear between them.
   std::vector<std::vector<std::array<Vec<2>, 2>>> walls{};
 };
 

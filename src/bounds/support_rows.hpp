@@ -48,8 +48,8 @@ SupportRows make_static_rows(const Problem& problem, double factor, const Units&
 void add_hinges(const Problem& problem, const Units& units, const ConicSolution& solution, std::size_t soil,
                 std::vector<double>& contributions);
 
-/// What bars and walls add to the equation of each degree of freedom in the upper bound: coefficients of unknowns with
-/// their derivatives by the factor, and work of loads.
+/// Contributions of bars and walls to the equation of each degree of freedom in the upper bound: coefficients of
+/// unknowns with their derivatives by the factor, and work of loads.
 struct SupportWork {
   struct Use {
     int number, unknown;

@@ -27,7 +27,7 @@ struct WallMotion {
   std::vector<std::array<std::vector<Freedom>, 2>> ends;  ///< of each edge: velocities of its upper and lower end
   std::vector<MotionForm> rotation;                       ///< of each edge, times the length of the section
   std::size_t free = 0;                                   ///< edges from the head on that are not clamped
-  /// Of each node between two edges: numbers of the velocities of the upper part relative to the lower one along and
+  /// Numbers of the velocities of the upper part relative to the lower one at each node between two edges, along and
   /// across the upper edge; −1: none.
   std::vector<std::array<int, 2>> jump;
 };
@@ -35,7 +35,8 @@ struct WallMotion {
 struct Velocities {
   std::vector<Vec<2>> nodes;                  ///< corners, those that walls double, then middles of edges
   std::vector<std::array<int, 6>> triangles;  ///< corners, then the middles of 0–1, 1–2, 2–0
-  /// Of each node: a fixed one has none, and those of a rigid body share its translations and its rotation.
+  /// Degrees of freedom of each node. A fixed node has none, and those of a rigid body share its translations and its
+  /// rotation.
   std::vector<std::vector<Freedom>> freedoms;
   /// Nodes of each edge of the problem: at its node of the smaller number, in the middle, at the other.
   std::map<EdgeKey, std::array<int, 3>> edges;

@@ -45,7 +45,7 @@ std::vector<MotionForm> list_shortenings(const Wall& wall, const WallMotion& mot
 /// Returns the velocity of a wall at one of its nodes, of the part below.
 const std::vector<Freedom>& find_wall_velocity(const WallMotion& motion, std::size_t node);
 
-/// What limits an opening field beside the soil: `opening` ≥ tan_friction |slip| at a contact, and no shortening of a
+/// A limit of an opening field beside the soil: `opening` ≥ tan_friction |slip| at a contact, and no shortening of a
 /// strut that does not yield.
 struct OpeningLimit {
   MotionForm opening, slip;
