@@ -23,7 +23,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-using support::read_site, support::reduce, support::Reduced;
+using support::read_site, support::reduce, support::Reduced, support::write_sheet;
 
 std::string write_plate() {
   return support::write_torggler_slope(
@@ -45,43 +45,6 @@ TEST(SheetPiles, PlateOfTorgglerHasItsPublishedFactor) {
   EXPECT_GT(plate.moment, 1e3);
   EXPECT_GT(*plate.sliding, 0.05);
   EXPECT_EQ(plate.limit, results::ElementBarLimit::none);
-}
-
-/// A smooth sheet pile of `length` along a cut of 3 m in sand, φ = ψ = 35°.
-std::string write_sheet(double length, const std::string& more = "") {
-  return fmt::format(R"(
-title = "Cantilever sheet pile"
-[geometry]
-ground = [[0, 3], [12, 3], [12, 0], [24, 0]]
-[[geometry.layer]]
-name = "sand"
-level = -9
-[regions]
-sand = "sand"
-[materials.sand]
-model = "mohr_coulomb"
-unit_weight = 20
-cohesion = 0.2
-friction_angle = 35
-dilatancy_angle = 35
-tensile_strength = 0
-young_modulus = 30
-poisson_ratio = 0.3
-[analysis]
-methods = ["fem", "lem"]
-[lem]
-methods = ["bishop"]
-[fem]
-size = 0.5
-[support.sheet]
-kind = "wall"
-line = [[12, 3], [12, {}]]
-bond_friction = 0
-axial_stiffness = 2e6
-bending_stiffness = 5e4
-{}
-)",
-                     3 - length, more);
 }
 
 /// Factor of a smooth cantilever wall: Rankine's pressures of the reduced strength, which change sides at the point

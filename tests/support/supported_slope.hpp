@@ -2,6 +2,8 @@
 #pragma once
 // Supported slopes for FEM: strength reduction of a case from its text, and a published slope with a plate.
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -61,6 +63,44 @@ methods = ["fem"]
 size = 1
 )";
   return plate.empty() ? slope : slope + "[support.plate]\naxial_stiffness = 2e6\nbending_stiffness = 4e4\n" + plate;
+}
+
+/// A smooth sheet pile of `length` along a cut of 3 m in sand, φ = ψ = 35°. `more`: further keys of its table, and
+/// tables.
+inline std::string write_sheet(double length, const std::string& more = "") {
+  return fmt::format(R"(
+title = "Cantilever sheet pile"
+[geometry]
+ground = [[0, 3], [12, 3], [12, 0], [24, 0]]
+[[geometry.layer]]
+name = "sand"
+level = -9
+[regions]
+sand = "sand"
+[materials.sand]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 0.2
+friction_angle = 35
+dilatancy_angle = 35
+tensile_strength = 0
+young_modulus = 30
+poisson_ratio = 0.3
+[analysis]
+methods = ["fem", "lem"]
+[lem]
+methods = ["bishop"]
+[fem]
+size = 0.5
+[support.sheet]
+kind = "wall"
+line = [[12, 3], [12, {}]]
+bond_friction = 0
+axial_stiffness = 2e6
+bending_stiffness = 5e4
+{}
+)",
+                     3 - length, more);
 }
 
 }  // namespace talus::support
