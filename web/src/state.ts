@@ -64,7 +64,7 @@ export function followReport(data: ReportData): void {
 }
 
 /**
- * What `start` decodes for `of`; null until it is there, where it cannot be read, and where there is nothing to decode.
+ * Returns the value that `start` decodes for `of`; null until it is there, where it cannot be read, and where there is nothing to decode.
  * A page that follows a run keeps what it has until the next is decoded.
  */
 export function useLoaded<T>(start: () => Promise<T> | null | undefined, of: unknown): T | null {

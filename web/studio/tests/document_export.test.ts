@@ -56,12 +56,16 @@ describe("a document", () => {
       soils: [{ name: "clay (soil)", table: { head: ["Property", "Value", "Unit"], rows: [["Cohesion", "2", "kPa"]] } }],
       lists: [{ title: "Water", lines: ["Water table through (0, 11) m"] }],
       warnings: ["The mesh is coarse."],
+      noWarnings: "No warnings of the quick search.",
     };
     const picture = { data: new Uint8Array([137, 80, 78, 71]), width: 1200, height: 800 };
     const files = unzipSync(new Uint8Array(await (await writeDocument(summary, picture)).arrayBuffer()));
     const text = strFromU8(files["word/document.xml"]!);
     for (const part of ["Slope &lt;b&gt; &amp; ", "slope.toml", "1.440", "clay (soil)", "kPa", "Water table through (0, 11) m", "The mesh is coarse."])
       expect(text).toContain(part);
+    expect(text).not.toContain(summary.noWarnings);
     expect(Object.keys(files).some((name) => name.startsWith("word/media/"))).toBe(true);
+    const calm = unzipSync(new Uint8Array(await (await writeDocument({ ...summary, warnings: [] }, null)).arrayBuffer()));
+    expect(strFromU8(calm["word/document.xml"]!)).toContain(summary.noWarnings);
   });
 });

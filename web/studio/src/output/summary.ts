@@ -25,6 +25,8 @@ export interface Summary {
   soils: { name: string; table: Table }[];
   lists: { title: string; lines: string[] }[];
   warnings: string[];
+  /** In the place of warnings where there are none. */
+  noWarnings: string;
 }
 
 /** Values of a table of the case with their units, those of tables in it behind them. */
@@ -129,5 +131,8 @@ export async function summarise(): Promise<Summary> {
     soils: listSoils(),
     lists: listParts(),
     warnings: run ? run.report.warnings : quick.warnings,
+    noWarnings: run
+      ? "The run has no warnings."
+      : "The quick search has no warnings. It does not compare methods, nor does limit analysis judge its factor: a run does both.",
   };
 }

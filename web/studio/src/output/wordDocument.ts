@@ -56,7 +56,7 @@ function drawPicture({ data, width, height }: Picture, title: string): Paragraph
 }
 
 export function writeDocument(summary: Summary, picture: Picture | null): Promise<Blob> {
-  const { title, facts, factors, note, soils, lists, warnings } = summary;
+  const { title, facts, factors, note, soils, lists, warnings, noWarnings } = summary;
   const content = [
     new Paragraph({ text: title, heading: HeadingLevel.HEADING_1, spacing: { after: 160 } }),
     makeTable({ head: [], rows: facts }, [2, 7]),
@@ -71,7 +71,7 @@ export function writeDocument(summary: Summary, picture: Picture | null): Promis
     ]),
     ...lists.flatMap((list) => [heading(list.title), ...list.lines.map(bullet)]),
     heading("Warnings"),
-    ...(warnings.length ? warnings.map(bullet) : [sentence("None.")]),
+    ...(warnings.length ? warnings.map(bullet) : [sentence(noWarnings)]),
   ];
   const footer = new Footer({
     children: [
