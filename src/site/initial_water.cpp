@@ -28,7 +28,7 @@ bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
 
 /// Returns the level of zero pressure at `x` [m]: that of the water table, or the head of the grid.
 template <int D>
-double find_given_level(const input::Case& data, const Polyline& line, const Vec<D>& x) {
+double find_level_of(const input::Case& data, const Polyline& line, const Vec<D>& x) {
   return has_pressure_field(data) ? data.initial.water.field->find({x[0], x[1]}) : find_water_table(line, x[0]);
 }
 
@@ -76,7 +76,7 @@ std::vector<double> find_first_heads(const input::Case& data, const mesh::Mesh<D
   std::vector<double> heads;
   for (const Vec<D>& x : mesh.nodes) {
     const double level =
-        initial.pressure == input::InitialPressure::zero ? x[1] : find_given_level<D>(data, initial.water_table, x);
+        initial.pressure == input::InitialPressure::zero ? x[1] : find_level_of<D>(data, initial.water_table, x);
     heads.push_back(x[1] - std::min(x[1] - level, initial.largest_suction / weight));
   }
   return heads;
@@ -233,8 +233,13 @@ bool has_pressure_field(const input::Case& data) {
 }
 
 template <int D>
+double find_given_level(const input::Case& data, const input::Material& soil, const Vec<D>& x) {
+  return find_level_of<D>(data, find_piezometric_line(data, soil), x);
+}
+
+template <int D>
 double find_given_pressure(const input::Case& data, const input::Material& soil, const Vec<D>& x) {
-  const double level = find_given_level<D>(data, find_piezometric_line(data, soil), x);
+  const double level = find_given_level<D>(data, soil, x);
   return std::min(find_water_weight(data) * (x[1] - level), data.initial.water.largest_suction);
 }
 
@@ -253,6 +258,8 @@ bool has_pressure_ratio(const input::Case& data) {
                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
 }
 
+template double find_given_level<2>(const input::Case&, const input::Material&, const Vec<2>&);
+template double find_given_level<3>(const input::Case&, const input::Material&, const Vec<3>&);
 template double find_given_pressure<2>(const input::Case&, const input::Material&, const Vec<2>&);
 template double find_given_pressure<3>(const input::Case&, const input::Material&, const Vec<3>&);
 template double find_pressure_ratio<2>(const input::Case&, const input::Material&, const Vec<2>&);
@@ -304,8 +311,17 @@ bool needs_seepage(const input::Case& data) {
                              data.initial.water.season > 0 || data.initial.water.known || data.timeline);
 }
 
-bool takes_water(const input::Case& data, const input::Material& soil) {
-  return soil.water.is_wet() || !has_water(data);
+PressureSource find_pressure_source(const input::Case& data, const input::Material& soil) {
+  if (soil.water.is_wet() && needs_seepage(data)) return PressureSource::computed;
+  const input::InitialWater& water = data.initial.water;
+  const bool has_table = water.pressure == input::InitialPressure::water_table && !water.water_table.empty();
+  return has_table || has_pressure_field(data) ? PressureSource::given : PressureSource::none;
+}
+
+bool gives_levels(const input::Case& data) {
+  return std::any_of(data.hydraulics.begin(), data.hydraulics.end(), [](const input::Hydraulic& h) {
+    return h.condition == input::WaterCondition::total_head || h.condition == input::WaterCondition::pressure;
+  });
 }
 
 input::Case close_sides(input::Case data) {
@@ -335,8 +351,7 @@ std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mes
   const double weight = find_water_weight(data);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     const auto& x = mesh.nodes[i];
-    pressure[i] =
-        std::min(weight * (x[1] - find_given_level<D>(data, initial.water_table, x)), initial.largest_suction);
+    pressure[i] = std::min(weight * (x[1] - find_level_of<D>(data, initial.water_table, x)), initial.largest_suction);
   }
   return pressure;
 }
@@ -350,10 +365,11 @@ lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2
     const input::Material* soil = find_soil(data, mesh, e);
     if (soil == nullptr) continue;
     std::array<int, 3> nodes = mesh.elements[e];
-    if (!takes_water(data, *soil)) {  // separate nodes with zero pressure
+    if (const PressureSource source = find_pressure_source(data, *soil); source != PressureSource::computed) {
       for (int& i : nodes) {
-        grid.nodes.push_back(mesh.nodes[i]);
-        grid.pressure.push_back(0);
+        const Vec<2>& x = mesh.nodes[i];
+        grid.nodes.push_back(x);
+        grid.pressure.push_back(source == PressureSource::given ? -find_given_pressure<2>(data, *soil, x) : 0.0);
         i = static_cast<int>(grid.nodes.size()) - 1;
       }
     }

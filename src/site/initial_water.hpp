@@ -70,9 +70,22 @@ lem::PressureGrid make_given_grid(const Site& site);
 /// Returns true if pore pressures result from a flow calculation and therefore need a mesh.
 bool needs_seepage(const input::Case& data);
 
-/// Returns true if water acts in this material. If some soil of the case has pore water, it acts in those soils only,
-/// as in MPM; else in all.
-bool takes_water(const input::Case& data, const input::Material& soil);
+/// Origin of the pore pressure of a soil.
+enum class PressureSource {
+  none,      ///< the pressure is zero, but for r_u
+  computed,  ///< seepage, a season, a timeline, or an earlier calculation: in soil with pore water of its own
+  given      ///< a water table, a piezometric line or pressures at points: in every other soil
+};
+
+/// Returns the origin of the pore pressure of a soil of the case. It is the same in LEM, FEM and limit analysis.
+PressureSource find_pressure_source(const input::Case& data, const input::Material& soil);
+
+/// Returns true if some [[hydraulic]] gives a head or a pressure, and with it the level of water on the ground.
+bool gives_levels(const input::Case& data);
+
+/// Returns the level of zero pressure at `x` in a soil with given pressures [m].
+template <int D>
+double find_given_level(const input::Case& data, const input::Material& soil, const Vec<D>& x);
 
 /// Returns the pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water, and that
 /// at the end of a season if there is one. `summary` receives the results on the water.
@@ -84,7 +97,8 @@ std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mes
 /// a [[hydraulic]] opens them.
 input::Case close_sides(input::Case data);
 
-/// Returns the pressures on a mesh for LEM; soil in which no water acts has zero.
+/// Returns computed pressures on a mesh for LEM. Soil with another source has nodes of its own, after those of the
+/// mesh, with the given pressure or zero.
 lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2>& mesh,
                                      const std::vector<double>& pressure);
 

@@ -48,39 +48,70 @@ double find_mean(const std::array<double, D + 1>& corners, const F& find) {
   return sum / count;
 }
 
+template <int D>
+HeldWater<D> make_dry(const mesh::Mesh<D>& mesh) {
+  HeldWater<D> water;
+  water.unit_weight.assign(mesh.elements.size(), 0.0);
+  water.pore.assign(mesh.elements.size(), {});
+  return water;
+}
+
+/// Sets weight and pore pressure of an element of soil `m` from the pressures `p` at its corners.
+template <int D>
+void set_element(const input::Case& data, const input::Material& m, int e, const std::array<double, D + 1>& p,
+                 HeldWater<D>& water) {
+  water.unit_weight[e] = find_mean<D>(p, [&](double q) { return find_unit_weight(data, m, q); });
+  if (material::is_total_stress(m.model, m)) return;
+  for (std::size_t c = 0; c <= D; ++c) {
+    water.pore[e][c] = p[c] > 0 ? find_suction_stress(m, p[c]) : p[c];
+    water.acts = water.acts || water.pore[e][c] != 0;
+  }
+}
+
+/// Returns the given pressures at the corners of an element; those of piezometric lines jump between soils.
+template <int D>
+std::array<double, D + 1> find_given_corners(const input::Case& data, const mesh::Mesh<D>& mesh, int e,
+                                             const input::Material& m) {
+  std::array<double, D + 1> p;
+  for (std::size_t c = 0; c <= D; ++c) p[c] = find_given_pressure<D>(data, m, mesh.nodes[mesh.elements[e][c]]);
+  return p;
+}
+
 }  // namespace
 
 template <int D>
 HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* result) {
   const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, result);
-  const bool has_lines = !data.initial.water.lines.empty();
-  const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
-  HeldWater<D> water;
-  water.unit_weight.assign(mesh.elements.size(), 0.0);
-  water.pore.assign(mesh.elements.size(), {});
+  // Else the given pressures are those at the nodes.
+  const bool varies_by_soil = needs_seepage(data) || !data.initial.water.lines.empty();
+  HeldWater<D> water = make_dry<D>(mesh);
   for (int e = 0; e < mesh.element_count(); ++e) {
     const input::Material* soil = find_soil(data, mesh, e);
     if (soil == nullptr) continue;
-    const input::Material& m = *soil;
-    const bool wet = takes_water(data, m);
+    const PressureSource source = find_pressure_source(data, *soil);
+    if (source == PressureSource::none && !soil->water.is_wet()) {
+      water.unit_weight[e] = find_unit_weight(data, *soil, 1);
+      continue;
+    }
     std::array<double, D + 1> p{};
-    for (std::size_t c = 0; c <= D; ++c) {
-      const int node = mesh.elements[e][c];
-      // Piezometric lines of single soils make pressures that jump at the boundaries of soils.
-      const double found = has_lines ? find_given_pressure<D>(data, m, mesh.nodes[node]) : pressure[node];
-      p[c] = wet && has_pressure ? found : 0;
-    }
-    // Without water in the case the soil is dry.
-    const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
-    water.unit_weight[e] =
-        is_dry ? find_unit_weight(data, m, 1) : find_mean<D>(p, [&](double q) { return find_unit_weight(data, m, q); });
-    if (material::is_total_stress(m.model, m)) continue;
-    for (std::size_t c = 0; c <= D; ++c) {
-      water.pore[e][c] = p[c] > 0 ? find_suction_stress(m, p[c]) : p[c];
-      water.acts = water.acts || water.pore[e][c] != 0;
-    }
+    if (source == PressureSource::given && varies_by_soil)
+      p = find_given_corners<D>(data, mesh, e, *soil);
+    else if (source != PressureSource::none)
+      for (std::size_t c = 0; c <= D; ++c) p[c] = pressure[mesh.elements[e][c]];
+    set_element<D>(data, *soil, e, p, water);
   }
   water.acts = add_pressure_ratio<D>(data, mesh, water.unit_weight, water.pore) || water.acts;
+  return water;
+}
+
+template <int D>
+HeldWater<D> find_given_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  HeldWater<D> water = make_dry<D>(mesh);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    if (soil == nullptr || soil->water.is_wet() || find_pressure_source(data, *soil) != PressureSource::given) continue;
+    set_element<D>(data, *soil, e, find_given_corners<D>(data, mesh, e, *soil), water);
+  }
   return water;
 }
 
@@ -93,7 +124,7 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
   for (int e = 0; e < mesh.element_count(); ++e) {
     const input::Material* soil = find_soil(data, mesh, e);
     if (soil == nullptr || (soil->slices.pore_pressure_ratio == 0 && !is_given)) continue;
-    if (is_given && material::is_total_stress(soil->model, *soil)) continue;
+    if (material::is_total_stress(soil->model, *soil)) continue;
     for (std::size_t c = 0; c <= D; ++c) {
       std::array<double, D> xi{};
       if (c > 0) xi[c - 1] = 1;
@@ -114,6 +145,7 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
 
 #define TALUS_INSTANTIATE(D)                                                                                \
   template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);         \
+  template HeldWater<D> find_given_water<D>(const input::Case&, const mesh::Mesh<D>&);                      \
   template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&, \
                                       std::vector<std::array<double, D + 1>>&);
 TALUS_INSTANTIATE(2)

@@ -32,6 +32,11 @@ struct HeldWater {
 template <int D>
 HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* summary = nullptr);
 
+/// Returns the same of soil without pore water of its own in which given pressures act: for MPM, which moves the pore
+/// water of the others. Other elements have zero.
+template <int D>
+HeldWater<D> find_given_water(const input::Case& data, const mesh::Mesh<D>& mesh);
+
 /// Adds the pore pressure due to r_u alone, with these unit weights [N/m³]. Returns false if no soil has an r_u.
 template <int D>
 bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& unit_weight,

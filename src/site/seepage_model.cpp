@@ -322,6 +322,44 @@ class Ground {
   Vec<D> low_{}, high_{};
 };
 
+/// Level that stands for 'none' [m].
+constexpr double no_level = -std::numeric_limits<double>::infinity();
+
+/// Returns per node the level of the given water behind unnamed sides of the soil with pore water: that of soil without
+/// pore water of its own, and of a water table above the ground.
+template <int D>
+std::vector<double> find_levels_behind(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                       const std::vector<std::array<int, D>>& sides) {
+  std::vector<double> levels(mesh.nodes.size(), no_level);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    if (soil == nullptr || soil->water.is_wet() || find_pressure_source(data, *soil) != PressureSource::given) continue;
+    for (const int node : mesh.elements[e])
+      levels[node] = std::max(levels[node], find_given_level<D>(data, *soil, mesh.nodes[node]));
+  }
+  const input::InitialWater& water = data.initial.water;
+  if (water.pressure != input::InitialPressure::water_table || water.water_table.empty() || gives_levels(data))
+    return levels;
+  for (const std::array<int, D>& side : sides)
+    for (const int node : side)
+      if (levels[node] == no_level) levels[node] = find_water_table(water.water_table, mesh.nodes[node][0]);
+  return levels;
+}
+
+/// Gives the unnamed surfaces the levels of given water behind them. They come last: named conditions take precedence.
+template <int D>
+void add_given_levels(const input::Case& data, const mesh::Mesh<D>& mesh, fem::SeepageModel<D>& model) {
+  if (model.boundaries.empty() || model.boundaries.front().name != results::other_surfaces) return;
+  std::vector<double> levels = find_levels_behind<D>(data, mesh, model.boundaries.front().sides);
+  const auto is_below = [&](int node) { return levels[node] > mesh.nodes[node][1]; };
+  const auto& sides = model.boundaries.front().sides;
+  if (std::none_of(sides.begin(), sides.end(),
+                   [&](const auto& side) { return std::any_of(side.begin(), side.end(), is_below); }))
+    return;
+  model.boundaries.front().levels = std::move(levels);
+  std::rotate(model.boundaries.begin(), model.boundaries.begin() + 1, model.boundaries.end());
+}
+
 }  // namespace
 
 template <int D>
@@ -365,6 +403,7 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
     for (std::size_t i = 0; i < values.time.size(); ++i) boundary.history.push_back({values.time[i], values.value[i]});
     model.boundaries.push_back(std::move(boundary));
   }
+  add_given_levels<D>(data, mesh, model);
   if constexpr (D == 2)
     if (data.timeline && data.timeline->pool_loading) model.pool_weight = make_pool_weight(data, mesh);
   return model;

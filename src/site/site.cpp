@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "site/initial_water.hpp"
+
 namespace talus::site {
 
 Site::Site(std::shared_ptr<const input::Case> data) : data_(std::move(data)) {
@@ -39,6 +41,8 @@ double Site::water_weight() const {
 const Polyline& Site::water_table() const {
   static const Polyline none;
   const input::InitialWater& water = data_->initial.water;
+  // At a later time the water on the ground has the levels of [[hydraulic]] where there are any.
+  if (water.known && gives_levels(*data_)) return none;
   return water.pressure == input::InitialPressure::water_table ? water.water_table : none;
 }
 

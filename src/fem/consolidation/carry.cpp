@@ -63,14 +63,15 @@ template <int D>
 std::vector<std::array<double, D + 1>> find_corner_stress(const ConsolidationModel<D>& model,
                                                           const std::vector<double>& head) {
   const auto& mesh = *model.flow->mesh;
-  std::vector<std::array<double, D + 1>> stress(mesh.elements.size());
+  std::vector<std::array<double, D + 1>> stress = model.solid->pore_stress;
+  stress.resize(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const int region = mesh.element_region[e];
     if (region == mesh::empty_region) continue;
     for (std::size_t a = 0; a <= D; ++a) {
       const auto node = static_cast<std::size_t>(mesh.elements[e][a]);
       const double level = mesh.nodes[node][static_cast<std::size_t>(model.flow->up)];
-      stress[e][a] = find_acting(model, region, model.flow->unit_weight * (level - head[node]));
+      stress[e][a] += find_acting(model, region, model.flow->unit_weight * (level - head[node]));
     }
   }
   return stress;

@@ -32,7 +32,7 @@ enum class StageDrainage {
 /// The soil of one stage.
 template <int D>
 struct ConsolidationModel {
-  const SolidModel<D>* solid = nullptr;   ///< its pore_stress is not read
+  const SolidModel<D>* solid = nullptr;   ///< its pore_stress is constant, and added to that of the flow
   const SeepageModel<D>* flow = nullptr;  ///< on a mesh with the same elements, of which some may be empty
   /// χ s [Pa] of a region of the flow at a suction s > 0, and its derivative by s; empty: S_w s.
   std::function<material::CurvePoint<double>(int region, double suction)> suction_stress{};

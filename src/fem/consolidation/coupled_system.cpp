@@ -20,7 +20,8 @@ CoupledSystem<D>::CoupledSystem(const ConsolidationModel<D>& model, int threads)
     : model_(model),
       solid_(*model.solid),
       flow_(*model.flow),
-      assembly_(solid_, make_laws(*model.solid, model.strength_factor), threads) {
+      assembly_(solid_, make_laws(*model.solid, model.strength_factor), threads),
+      constant_pore_(solid_.pore) {
   if (model.flow->mesh->elements.size() != model.solid->mesh->elements.size())
     throw Error(ExitCode::internal_error, "consolidation needs the same elements for soil and water");
   couple();
@@ -147,7 +148,7 @@ void CoupledSystem<D>::set_pores(const std::vector<double>& head) {
     }
     for (std::size_t q = 0; q < Quadratic<D>::points; ++q) {
       const auto l = find_barycentric<D>(q);
-      double sum = 0;
+      double sum = constant_pore_[c.solid][q];
       for (std::size_t a = 0; a < corners; ++a) sum += l[a] * stress[a];
       solid_.pore[c.solid][q] = sum;
     }

@@ -89,6 +89,7 @@ class CoupledSystem {
     std::array<int, corners * locals> above{}, below{};  ///< in the matrix: rows of the solid, and of the flow
   };
   std::vector<Couple> couples_;
+  const std::vector<std::array<double, Quadratic<D>::points>> constant_pore_;  ///< of the solid, without flow [Pa]
   struct Drain {
     std::size_t unknown;
     double rate, head;  ///< [m²/s], [m] above the datum of the flow

@@ -121,6 +121,16 @@ std::vector<NodeCondition> SeepageSystem<D>::find_conditions(double time) const 
     for (const BoundaryShare& share : shares[b]) {
       const auto u = static_cast<std::size_t>(share.unknown);
       NodeCondition& c = conditions[u];
+      if (!boundary.levels.empty()) {
+        const double level = boundary.levels[static_cast<std::size_t>(node_of_unknown[u])] - datum;
+        if (c.fixed) continue;
+        if (level > elevation[u]) {
+          c.owner = static_cast<int>(b);
+          c.fixed = true;
+          c.head = level;
+          continue;
+        }
+      }
       const bool submerged = elevation[u] <= value;
       if (kind == HydraulicKind::total_head || kind == HydraulicKind::pressure ||
           (kind == HydraulicKind::reservoir && submerged)) {

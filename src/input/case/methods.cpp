@@ -229,7 +229,7 @@ void check_pressure_ratio(const Material& m, const std::string& name, Findings& 
   if (m.slices.pore_pressure_ratio != 0 && m.water.is_wet() && findings.is_sound(path))
     findings.add(path,
                  "material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give one of them "
-                 "for MPM",
+                 "for MPM and for stages of construction",
                  name, name);
 }
 
@@ -462,7 +462,7 @@ void check_methods(const Case& data, Findings& findings) {
   check_only_slices(data, findings);
   check_cones(data, findings);
   check_columns(data, findings);
-  if (uses(data, Method::mpm))
+  if (uses(data, Method::mpm) || !data.construction.empty())
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (computes_seepage(data) && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 &&
       findings.is_sound("mesh.size"))

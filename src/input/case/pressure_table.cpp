@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
@@ -59,6 +61,19 @@ std::vector<mesh::ScatteredValue> read_values(const PressureTable& source, const
   return values;
 }
 
+/// Returns true if pore water flows in stages of construction in a soil with a piezometric line of its own.
+bool flows_below_line(const Case& data) {
+  const auto is_wet = [&](const std::string& name) {
+    const auto soil = data.materials.find(name);
+    return soil != data.materials.end() && soil->second.water.is_wet();
+  };
+  return !data.construction.empty() &&
+         std::any_of(data.initial.water.lines.begin(), data.initial.water.lines.end(),
+                     [&](const PiezometricLine& line) {
+                       return std::any_of(line.materials.begin(), line.materials.end(), is_wet);
+                     });
+}
+
 void check_lines(const Case& data, Findings& findings) {
   const InitialWater& water = data.initial.water;
   std::map<std::string, std::size_t> owners;
@@ -82,7 +97,7 @@ void check_lines(const Case& data, Findings& findings) {
   const char* path = "initial.piezometric_line";
   if (water.pressure != InitialPressure::water_table && findings.is_sound("initial.pore_pressure"))
     findings.add(path, "piezometric lines belong to pore_pressure = \"water_table\", the line of all other soils");
-  else if (water.season > 0 || data.timeline)
+  else if (water.season > 0 || data.timeline || flows_below_line(data))
     findings.add(
         path,
         "transient flow starts from one field of pressure, which jumps between soils with piezometric lines of "
@@ -92,6 +107,59 @@ void check_lines(const Case& data, Findings& findings) {
                  "MPM moves the pore water of [materials.NAME.water], which would flow at once between soils with "
                  "piezometric lines of their own; take that block out (constant pressures), or let the pressures "
                  "follow from pore_pressure = \"seepage\"");
+}
+
+/// Names of the materials that fill a region at any time.
+std::set<std::string> list_soils(const Case& data, const std::string& region) {
+  std::set<std::string> soils;
+  if (const auto first = data.regions.find(region); first != data.regions.end()) soils.insert(first->second);
+  for (const ConstructionStage& stage : data.construction)
+    if (const auto later = stage.soils.find(region); later != stage.soils.end()) soils.insert(later->second);
+  return soils;
+}
+
+/// Returns the level of the given water at `x` [m].
+double find_given_level(const InitialWater& water, const std::array<double, 2>& x) {
+  if (water.pressure == InitialPressure::grid) return water.field->find(x);
+  const auto& table = water.water_table;
+  const auto after = std::find_if(table.begin(), table.end(), [&](const auto& p) { return p[0] >= x[0]; });
+  if (after == table.begin() || after == table.end()) return (after == table.end() ? table.back() : *after)[1];
+  const auto &a = *(after - 1), &b = *after;
+  return a[1] + (b[1] - a[1]) * (x[0] - a[0]) / (b[0] - a[0]);
+}
+
+/// Returns true if the outline of a polygon lies below the given water somewhere.
+bool lies_in_water(const InitialWater& water, const mesh::Polygon& polygon) {
+  constexpr int parts = 32;
+  constexpr double noticeable = 1e-6;  // of the length of a side
+  for (std::size_t i = 0; i < polygon.points.size(); ++i) {
+    const auto &a = polygon.points[i], &b = polygon.points[(i + 1) % polygon.points.size()];
+    for (int k = 0; k < parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      const std::array<double, 2> x{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+      if (find_given_level(water, x) - x[1] > noticeable * std::hypot(b[0] - a[0], b[1] - a[1])) return true;
+    }
+  }
+  return false;
+}
+
+/// Reports soil without pore water of its own below the given water in MPM, which moves the pore water of the others.
+void check_missing_water(const Case& data, Findings& findings) {
+  const InitialWater& water = data.initial.water;
+  const bool has_table = water.pressure == InitialPressure::water_table && !water.water_table.empty(),
+             has_field = water.pressure == InitialPressure::grid && water.field && water.table &&
+                         water.table->quantity != GridQuantity::ratio;
+  if (!uses(data, Method::mpm) || !is_wet(data) || !water.lines.empty() || !(has_table || has_field)) return;
+  if (!findings.is_sound("materials") || !findings.is_sound("initial.water_table")) return;
+  std::set<std::string> reported;
+  for (const mesh::Polygon& polygon : data.mesh.polygons)
+    for (const std::string& name : list_soils(data, polygon.name)) {
+      const auto soil = data.materials.find(name);
+      if (soil == data.materials.end() || soil->second.water.is_wet() || !has_effective_strength(soil->second))
+        continue;
+      if (lies_in_water(water, polygon) && reported.insert(name).second)
+        findings.add("materials." + name, "{}", describe_missing_water(name));
+    }
 }
 
 /// Warns of soil outside the points, where values are extrapolated.
@@ -125,7 +193,8 @@ void check_grid(const Case& data, Findings& findings) {
   warn_of_uncovered(data, findings);
   if (water.table->quantity != GridQuantity::ratio) return;
   const char* path = "initial.pressure_grid.quantity";
-  if (data.timeline) findings.add(path, "transient flow cannot start from r_u; give pressures or heads");
+  const bool flows = data.timeline || (!data.construction.empty() && is_wet(data));
+  if (flows) findings.add(path, "transient flow cannot start from r_u; give pressures or heads");
   if (uses(data, Method::mpm) && is_wet(data))
     findings.add(path,
                  "MPM moves the pore water of [materials.NAME.water], which r_u does not describe; give pressures "
@@ -158,6 +227,19 @@ void load_pressure_table(Case& data, const std::string& file, Findings& findings
 void check_given_pressures(const Case& data, Findings& findings) {
   check_lines(data, findings);
   check_grid(data, findings);
+  check_missing_water(data, findings);
+}
+
+bool has_effective_strength(const Material& soil) {
+  return soil.traits().strength != material::Strength::none && !material::is_total_stress(soil.model, soil);
+}
+
+std::string describe_missing_water(const std::string& material) {
+  return fmt::format(
+      "the water of [initial] acts in material '{0}', which has no [materials.{0}.water]: MPM moves the pore water of "
+      "the other soils, and this one would be dry. Give it that block, or take those of the others out (constant "
+      "pressures)",
+      material);
 }
 
 }  // namespace talus::input

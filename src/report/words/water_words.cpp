@@ -75,7 +75,11 @@ class WaterAssumptions {
         "seep in elsewhere.",
         khalili.empty() ? ", with χ equal to the degree of saturation"
                         : "; χ after Khalili and Khabbaz in " + join_words(khalili));
-    if (!dry.empty())
+    const input::InitialPressure start = data_.initial.water.pressure;
+    const bool is_given = start == input::InitialPressure::water_table || start == input::InitialPressure::grid;
+    if (!dry.empty() && is_given)
+      add("Without pore water of its own: {}. The given pore pressures are constant in it.", join_words(dry));
+    else if (!dry.empty())
       add("Without pore water: {}. There is neither seepage nor suction in it; wet soil beside it loses water to it as "
           "through a seepage face.",
           join_words(dry));

@@ -68,7 +68,9 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   if (const auto& e = m.slices.undrained_envelope)
     soil.envelope = lem::UndrainedEnvelope{e->cohesion, e->friction_angle};
   soil.b_bar = m.slices.b_bar;
-  if (data.initial.water.pressure == input::InitialPressure::water_table || site::has_pressure_field(data))
+  const bool is_computed = data.initial.water.known && m.water.is_wet();
+  if (!is_computed &&
+      (data.initial.water.pressure == input::InitialPressure::water_table || site::has_pressure_field(data)))
     soil.largest_suction = data.initial.water.largest_suction;
   return soil;
 }
@@ -155,8 +157,9 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
   for (std::size_t s = 0; s < section.soils.size(); ++s) {
     const input::Material& m = data.materials.at(section.soils[s].name);
-    // Without a water table dry soil is dry, and wet soil at zero pressure is saturated.
-    const bool is_dry = !m.water.is_wet() && !has_table && grid == nullptr;
+    // Without a water table, or beside computed water, dry soil is dry; wet soil at zero pressure is saturated.
+    const bool has_none = site::find_pressure_source(data, m) == site::PressureSource::none;
+    const bool is_dry = !m.water.is_wet() && (grid == nullptr ? !has_table : has_none);
     if (area[s] > 0)
       section.soils[s].unit_weight = sum[s] / area[s];
     else if (is_dry || has_table)
@@ -165,12 +168,43 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void set_grid(const site::Site& site, lem::PressureGrid grid, double time, lem::Section& section) {
-  for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+/// Sets the unit weights that do not depend on the water until it is known.
+void set_saturated(const input::Case& data, lem::Section& section) {
+  for (lem::Soil& soil : section.soils)
+    soil.unit_weight = soil.saturated_unit_weight = site::find_saturated_weight(data, data.materials.at(soil.name));
+}
+
+/// `wet`: the grid of the soils that have a water table.
+void set_grid(const site::Site& site, lem::PressureGrid grid, const lem::PressureGrid& wet,
+              const std::vector<site::Pond>& ponds, lem::Section& section) {
+  set_saturated(site.data(), section);
+  section.water_table = site::trace_water_table(wet, ponds, section.ground, section.base);
   section.pressure_grid = std::move(grid);
-  section.water_table =
-      site::trace_water_table(*section.pressure_grid, site.find_ponds(time), section.ground, section.base);
   weigh_moist_soil(site.data(), &*section.pressure_grid, section);
+}
+
+/// Adds the water of the water table that stands on the ground, unless [[hydraulic]] gives levels in its place.
+void add_standing_water(const site::Site& site, std::vector<site::Pond>& ponds) {
+  const site::Polyline &table = site.water_table(), &ground = site.ground();
+  if (table.empty() || site::gives_levels(site.data())) return;
+  const double rounding = 1e-9 * (ground.back()[0] - ground.front()[0]);
+  std::vector<double> breaks;
+  for (const site::Polyline* line : {&table, &ground})
+    for (const site::Point& x : *line)
+      if (x[0] >= ground.front()[0] && x[0] <= ground.back()[0]) breaks.push_back(x[0]);
+  std::sort(breaks.begin(), breaks.end());
+  const auto find_depth = [&](double x) { return site::find_water_table(table, x) - site::find_level(ground, x); };
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    // Both lines are straight between two breaks; at a step of the ground its level jumps.
+    const double a = breaks[i - 1], b = breaks[i], third = (b - a) / 3, p = find_depth(a + third),
+                 q = find_depth(b - third), first = 2 * p - q, last = 2 * q - p;
+    if (first <= 0 && last <= 0) continue;
+    const double shore = a + (b - a) * first / (first - last), from = first < 0 ? shore : a, to = last < 0 ? shore : b;
+    if (!(to - from > rounding)) continue;
+    const double level_from = site::find_water_table(table, from), level_to = site::find_water_table(table, to);
+    ponds.push_back(
+        {{from, level_from - std::max(0.0, first)}, {to, level_to - std::max(0.0, last)}, level_from, level_to});
+  }
 }
 
 void add_water(const site::Site& site, lem::Section& section, site::WaterResult& out) {
@@ -198,7 +232,8 @@ void add_water(const site::Site& site, lem::Section& section, site::WaterResult&
     site::check_upright(data, "a grid of pressures");
     if (site::has_pressure_field(data)) {
       out = site::make_water_table_result(site);
-      return set_grid(site, site::make_given_grid(site), site::find_first_time(data), section);
+      const lem::PressureGrid grid = site::make_given_grid(site);
+      return set_grid(site, grid, grid, site.find_ponds(site::find_first_time(data)), section);
     }
     section.pressure_ratio = [field = data.initial.water.field](const lem::Point& x) {
       return std::clamp(field->find(x), 0.0, 1.0);
@@ -395,7 +430,7 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
 /// Returns the section after a rapid drawdown, with the lowered water table in drained soils.
 lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown, lem::Section before) {
   lem::Section after = before;
-  for (lem::Soil& soil : after.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+  set_saturated(data, after);
   after.pressure_grid.reset();
   after.water_table = drawdown.water_table;
   weigh_moist_soil(data, nullptr, after);
@@ -408,7 +443,17 @@ lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown,
 
 void set_pressures(const site::Site& site, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
                    lem::Section& section) {
-  set_grid(site, site::make_pressure_grid(site.data(), mesh, pressure), time, section);
+  lem::PressureGrid grid = site::make_pressure_grid(site.data(), mesh, pressure), wet = grid;
+  // Soil without water has nodes of its own, all with zero pressure.
+  std::erase_if(wet.triangles, [&](const std::array<int, 3>& t) {
+    return std::all_of(t.begin(), t.end(), [&](int i) {
+      const auto n = static_cast<std::size_t>(i);
+      return n >= mesh.nodes.size() && grid.pressure[n] == 0;
+    });
+  });
+  std::vector<site::Pond> ponds = site.find_ponds(time);
+  add_standing_water(site, ponds);
+  set_grid(site, std::move(grid), wet, ponds, section);
 }
 
 SectionOfCase make_section(const site::Site& site) {

@@ -287,10 +287,8 @@ void ConstructionRun::add_supports(results::ConstructionStage& result) const {
 /// Returns the case of the methods at the end of the last stage, with its pore pressures and stresses.
 input::Case ConstructionRun::make_later_case() const {
   input::Case later = stage_->data;
-  if (stage_->is_wet) {
-    later.initial.water.pressure = input::InitialPressure::zero;
+  if (stage_->is_wet)
     later.initial.water.known = make_known_water(*stage_->solid.mesh, find_pressures(*stage_, state_.head));
-  }
   auto stress = std::make_shared<input::KnownStress>();
   stress->mesh = *stage_->solid.mesh;
   stress->elements.resize(mesh_->elements.size());

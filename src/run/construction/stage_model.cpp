@@ -99,6 +99,14 @@ void make_dry_flow(StageModel& stage) {
   stage.model.steady_head = stage.elevation;
 }
 
+/// Leaves to the solid the pore pressures that the flow does not have: those given in soil without pore water of its
+/// own, and those of r_u.
+void keep_given_pressures(StageModel& stage) {
+  std::vector<std::array<double, 3>>& pore = stage.solid.model.pore_stress;
+  for (std::size_t e = 0; stage.is_wet && e < pore.size(); ++e)
+    if (stage.wet_mesh.element_region[e] != mesh::empty_region) pore[e] = {};
+}
+
 void add_drains(const input::Case& data, StageModel& stage) {
   if (data.drains.empty() || !stage.is_wet) return;
   stage.model.drains.resize(stage.wet_mesh.elements.size());
@@ -200,6 +208,7 @@ std::unique_ptr<StageModel> make_stage_model(const input::Case& data, int number
   } else {
     make_dry_flow(*stage);
   }
+  keep_given_pressures(*stage);
   stage->flow.mesh = &stage->wet_mesh;
   stage->model.solid = &stage->solid.model;
   stage->model.flow = &stage->flow;

@@ -26,6 +26,13 @@ std::array<double, 2> find_invariants(const std::array<double, 6>& s) {
   return {p, std::sqrt(1.5 * q)};
 }
 
+/// Returns the constant pressures at the corners of an element without flow [Pa], compression positive.
+std::array<double, 3> find_given_pressures(const StageModel& stage, std::size_t element) {
+  const auto& pore = stage.solid.model.pore_stress;
+  if (pore.empty()) return {};
+  return {-pore[element][0], -pore[element][1], -pore[element][2]};
+}
+
 /// Makes a measured curve with its difference from the computed one, whose values have the given sign.
 std::optional<results::MeasuredCurve> compare(const input::TimeTable& measured, const std::vector<double>& time,
                                               const std::vector<double>& computed, double sign) {
@@ -99,6 +106,9 @@ class StageRecord::Reader {
         values.pressure += l[i] * stage_.flow.unit_weight * (head_[n] - stage_.elevation[n]);
         values.excess += l[i] * stage_.flow.unit_weight * (head_[n] - record_.first_head_[n]);
       }
+    } else {
+      const std::array<double, 3> given = find_given_pressures(stage_, whole);
+      for (std::size_t i = 0; i < 3; ++i) values.pressure += l[i] * given[i];
     }
     const auto nearest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
     values.stress = solid_.stress[k * element_points + nearest];
@@ -185,6 +195,10 @@ void StageRecord::add_stage(const std::string& name, const StageModel& stage, co
   }
   fields.pressure.assign(mesh_->nodes.size(), 0);
   fields.excess.assign(mesh_->nodes.size(), 0);
+  for (std::size_t e = 0; e < mesh_->elements.size(); ++e)
+    if (!reader.holds_water(e))
+      for (std::size_t i = 0; i < 3; ++i)
+        fields.pressure[static_cast<std::size_t>(mesh_->elements[e][i])] = find_given_pressures(stage, e)[i];
   for (std::size_t e = 0; e < mesh_->elements.size(); ++e)
     if (reader.holds_water(e))
       for (const int node : mesh_->elements[e]) {

@@ -30,7 +30,9 @@ input::Case begin_later(input::Case data, double time, std::shared_ptr<const inp
     if (roots.transpiration) shift(roots.transpiration->rate, before);
   data.timeline.reset();
   if (!water) return data;
-  data.initial.water.pressure = input::InitialPressure::zero;
+  // A given pressure stays in soil without pore water of its own.
+  if (data.initial.water.pressure == input::InitialPressure::seepage)
+    data.initial.water.pressure = input::InitialPressure::zero;
   data.initial.water.season = 0;
   data.initial.water.known = std::move(water);
   return data;

@@ -16,7 +16,7 @@ namespace talus::run {
 
 /// Returns the case without its timeline, with time 0 just before `time` [s]: it starts from `water` (null: that of
 /// [initial]), and its series of [[hydraulic]] and of transpiration continue from there. A series that jumps at `time`
-/// jumps after the start.
+/// jumps after the start. Soil without pore water of its own keeps the pressure of a water table or a grid.
 input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water);
 
 struct Moment {

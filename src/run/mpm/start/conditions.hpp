@@ -47,7 +47,8 @@ void hold_surfaces(mpm::Body<D>& body, double time);
 // Loads on the ground, and fixed pore pressures in soil without a phase of water, as loads of a body.
 
 /// Returns the pore pressures and weights of water that is no phase of the engine; empty lists if there are none. In a
-/// case with a phase of water only r_u contributes, and the weights are those of the engine.
+/// case with a phase of water only r_u contributes, and elements whose weight is that of the engine have none. Throws
+/// Error (wrong_input) if given pressures act in other soil there whose strength depends on them.
 template <int D>
 site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 

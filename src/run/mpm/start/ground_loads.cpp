@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+#include "input/case/pressure_table.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/solver/observe.hpp"
 #include "site/ground_load.hpp"
@@ -97,6 +99,23 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& body, const std::vector<std::arr
   return load;
 }
 
+/// Throws if a given pressure acts in soil without pore water of its own: that of the other soils moves, and would
+/// drain there.
+template <int D>
+void check_given_pressures(const input::Case& data, const mesh::Mesh<D>& mesh, const site::HeldWater<D>& given) {
+  constexpr double noticeable = 1e-6;  // of the pressure of water as deep as the section
+  const auto [low, high] = std::minmax_element(mesh.nodes.begin(), mesh.nodes.end(),
+                                               [](const Vec<D>& a, const Vec<D>& b) { return a[1] < b[1]; });
+  const double least = noticeable * site::find_water_weight(data) * ((*high)[1] - (*low)[1]);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const std::array<double, D + 1>& pore = given.pore[static_cast<std::size_t>(e)];
+    if (*std::min_element(pore.begin(), pore.end()) >= -least) continue;
+    const std::string& region = mesh.region_names[static_cast<std::size_t>(mesh.element_region[e])];
+    if (const std::string& soil = data.regions.at(region); input::has_effective_strength(data.materials.at(soil)))
+      throw Error(ExitCode::wrong_input, input::describe_missing_water(soil));
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -107,11 +126,11 @@ site::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<
     if (!has_table && !site::has_pressure_field(data) && !site::has_pressure_ratio(data)) return {};
     return site::find_held_water<D>(data, mesh);
   }
-  if (!site::has_pressure_ratio(data)) return {};
-  site::HeldWater<D> held = site::find_held_water<D>(data, mesh);
+  site::HeldWater<D> held = site::find_given_water<D>(data, mesh);
+  check_given_pressures<D>(data, mesh, held);
   held.pore.assign(mesh.elements.size(), {});
-  held.acts = site::add_pressure_ratio<D>(data, mesh, held.unit_weight, held.pore);
-  held.unit_weight.clear();
+  held.acts = site::has_pressure_ratio(data) &&
+              site::add_pressure_ratio<D>(data, mesh, site::find_held_water<D>(data, mesh).unit_weight, held.pore);
   return held;
 }
 

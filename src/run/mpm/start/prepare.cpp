@@ -233,8 +233,8 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
       density += m.porosity * mpm::find_content(law, pressure) * law.density;
       bishop[p.element] = mpm::find_state_at_pressure(law, pressure).bishop;
     }
-    unit_weight[p.element] =
-        held.unit_weight.empty() ? density * data.gravity.acceleration : held.unit_weight[p.element];
+    const double given = held.unit_weight.empty() ? 0 : held.unit_weight[p.element];
+    unit_weight[p.element] = given > 0 ? given : density * data.gravity.acceleration;
     if (!held.acts) continue;
     double pore = 0;
     for (const double corner : held.pore[p.element]) pore += corner / (D + 1);
@@ -328,8 +328,9 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
     point.element = e;
     point.material = material_of_region[region];
     point.volume = mesh.volumes[e] / points_per_element;
-    point.mass = point.volume * (held.unit_weight.empty() ? data.materials.at(names[point.material]).density()
-                                                          : held.unit_weight[e] / data.gravity.acceleration);
+    const double given = held.unit_weight.empty() ? 0 : held.unit_weight[e];
+    point.mass = point.volume *
+                 (given > 0 ? given / data.gravity.acceleration : data.materials.at(names[point.material]).density());
     if (const auto v = data.initial.velocity.find(region_name); v != data.initial.velocity.end()) {
       for (std::size_t d = 0; d < D; ++d) point.velocity[d] = v->second[d];
     }
