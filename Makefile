@@ -6,6 +6,7 @@
 #   make studio-web  the studio with the LEM engine in WebAssembly: a static folder, build/studio-web
 #   make build bench format lint docs
 # DEMO_ARGS adds arguments to the demo's run, CMAKE_ARGS to the configuration (-DTALUS_MPI=ON), DEMO_OUT is its result folder; SETUP=true skips the installation.
+# Drawings and workbooks are built wherever tools/setup.sh can install GDAL and libxlsxwriter.
 
 PRESET    ?= release
 BUILD     := build/$(PRESET)
@@ -16,7 +17,7 @@ DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
 CMAKE_ARGS ?=
 
-.PHONY: demo test build program package studio-web bench format lint docs setup setup-dev
+.PHONY: demo test configure build program package studio-web bench format lint docs setup setup-dev
 
 setup:
 	@$(SETUP)
@@ -24,9 +25,11 @@ setup:
 setup-dev: setup
 	@$(SETUP) tools/apt-packages-dev.txt
 
-# Ninja configures again by itself when a CMake file changes.
-$(BUILD)/build.ninja: | setup
+# Ninja configures again by itself when a CMake file changes; new CMAKE_ARGS need a call of their own.
+$(BUILD)/build.ninja: $(if $(strip $(CMAKE_ARGS)),configure) | setup
 	@cmake --preset $(PRESET) $(CMAKE_ARGS)
+
+configure:
 
 program: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET) --target everyday

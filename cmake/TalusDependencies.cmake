@@ -38,16 +38,23 @@ if(TALUS_MPI) # tools/apt-packages-mpi.txt
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 endif()
-if(TALUS_GDAL) # tools/apt-packages-drawings.txt
+# Modules of tools/apt-packages-drawings.txt: where one is missing, the build goes on. Their packages put headers into /usr/include, so a
+# later build configures again.
+function(watch_for_packages)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS /usr/include)
+endfunction()
+if(TALUS_GDAL)
   find_package(GDAL QUIET)
   if(NOT GDAL_FOUND)
-    message(STATUS "GDAL is missing: talus import will read no drawings, and talus export will write none")
+    message(WARNING "SKIP: GDAL is missing: talus import will read no drawings, and talus export will write none. `make program` installs it (Debian: libgdal-dev)")
+    watch_for_packages()
   endif()
 endif()
-if(TALUS_XLSX) # tools/apt-packages-drawings.txt
+if(TALUS_XLSX)
   find_path(XLSXWRITER_INCLUDE_DIR xlsxwriter.h)
   find_library(XLSXWRITER_LIBRARY xlsxwriter)
   if(NOT XLSXWRITER_LIBRARY OR NOT XLSXWRITER_INCLUDE_DIR)
-    message(STATUS "libxlsxwriter is missing: talus export will write no workbooks")
+    message(WARNING "SKIP: libxlsxwriter is missing: talus export will write no workbooks. `make program` installs it (Debian: libxlsxwriter-dev)")
+    watch_for_packages()
   endif()
 endif()

@@ -60,6 +60,13 @@ bool are_degrees(const Drawing& drawing) {
          std::max(high[0] - low[0], high[1] - low[1]) < smallest_section;
 }
 
+[[noreturn]] void fail_without_gdal(const char* act, const std::string& why) {
+  fail_input(
+      "this build of the program cannot {} drawings, because it has no GDAL ({}); 'make program "
+      "CMAKE_ARGS=-DTALUS_GDAL=ON' in its source folder adds it",
+      act, why);
+}
+
 }  // namespace
 
 bool has_gdal() {
@@ -70,8 +77,7 @@ bool has_gdal() {
 void* load_gdal(const char* name) {
   std::string why;
   void* function = load_module("libtalus_gdal.so", name, false, why);
-  if (function == nullptr)
-    fail_input("this build of the program cannot read drawings, because it has no GDAL ({})", why);
+  if (function == nullptr) fail_without_gdal("read", why);
   return function;
 }
 
@@ -142,8 +148,7 @@ void write_drawing(const NewDrawing& drawing, const std::filesystem::path& path)
     message = do_in_child("writing the drawing", [&](Message& out) {
       std::string why;
       void* write = load_module("libtalus_gdal.so", "talus_write_drawing", false, why);
-      if (write == nullptr)
-        fail_input("this build of the program cannot write drawings, because it has no GDAL ({})", why);
+      if (write == nullptr) fail_without_gdal("write", why);
       limit_processor_time(longest_reading);
       limit_memory(most_memory);
       reinterpret_cast<WriteByGdal>(write)(drawing, out);

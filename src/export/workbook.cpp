@@ -285,7 +285,10 @@ void write_workbook(const Workbook& workbook, const fs::path& path) {
   std::string why, error;
   void* write = load_module("libtalus_xlsx.so", "talus_write_workbook", false, why);
   if (write == nullptr)
-    fail_input("this build of the program cannot write workbooks, because it has no libxlsxwriter ({})", why);
+    fail_input(
+        "this build of the program cannot write workbooks, because it has no libxlsxwriter ({}); 'make program "
+        "CMAKE_ARGS=-DTALUS_XLSX=ON' in its source folder adds it",
+        why);
   if (const fs::path folder = path.parent_path(); !folder.empty() && !fs::is_directory(folder))
     throw_cannot_write(path, ENOENT);
   const PlainNumbers plain;  // libxlsxwriter prints numbers with the decimal sign of the locale

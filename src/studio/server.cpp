@@ -172,7 +172,11 @@ fs::path find_page(const fs::path& program) {
 std::unique_ptr<HttpServer> make_http_server() {
   std::string why;
   void* make = load_module("libtalus_http.so", "talus_make_http_server", false, why);
-  if (make == nullptr) fail_input("this build of the program has no studio, because it has no cpp-httplib ({})", why);
+  if (make == nullptr)
+    fail_input(
+        "this build of the program has no studio, because it has no cpp-httplib ({}); 'make program "
+        "CMAKE_ARGS=-DTALUS_STUDIO=ON' in its source folder adds it",
+        why);
   return std::unique_ptr<HttpServer>(reinterpret_cast<MakeHttpServer>(make)());
 }
 

@@ -128,7 +128,7 @@ class Server:
         self.process.stdin.flush()
         line = self.process.stdout.readline().decode(errors="replace").rstrip("\n")
         if line == "no GDAL":
-            return 2, 0, 0, "it has no GDAL"
+            return 2, 0, 0, "it has no GDAL; 'make program CMAKE_ARGS=-DTALUS_GDAL=ON' adds it"
         code, time, memory, message = line.split("\t", 3)
         return int(code), int(time), int(memory), message
 
@@ -155,7 +155,7 @@ def main():
         with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
             for i, file, (code, time, memory, message) in pool.map(try_mutant, range(count)):
                 if "it has no GDAL" in message:
-                    print("SKIP: this build has no GDAL")
+                    print(f"SKIP: no mutant was imported: {message}")
                     return 77
                 longest, largest = max(longest, time), max(largest, memory)
                 if code in (0, 2) and (code == 0 or "\n" not in message) and memory < MOST_MEMORY:

@@ -22,7 +22,7 @@ if [ "$name" = source ]; then
   exec npx --no-install vitest run --exclude 'tests/{report,results,methods}.test.ts'
 fi
 if [ "$name" = studio ]; then
-  [ -e "$(dirname "$talus")/libtalus_http.so" ] || skip "this build has no cpp-httplib, so the studio is not tested"
+  [ -e "$(dirname "$talus")/libtalus_http.so" ] || skip "this build has no cpp-httplib ('make program' adds it), so the studio is not tested"
   [ -e "$(dirname "$talus")/studio/index.html" ] || skip "the page of the studio is not built (target talus_studio_page), so it is not tested"
   [ -x "${TALUS_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium, so the studio is not opened"
   exec node browser/studio/check.mjs "$talus" "$root/examples/layered_embankment/case.toml" "$folder/screenshots"

@@ -116,7 +116,7 @@ def check_faults(program, here):
 def main():
     program = os.path.abspath(sys.argv[1])
     if shutil.which("mpiexec") is None or not (pathlib.Path(program).parent / "libtalus_ranks.so").exists():
-        print("SKIP: there is no mpiexec, or no module of ranks (-DTALUS_MPI=ON): one case on several ranks was NOT tried")
+        print("SKIP: there is no mpiexec, or no module of ranks (tools/apt-packages-mpi.txt, then make program CMAKE_ARGS=-DTALUS_MPI=ON): one case on several ranks was NOT tried")
         return 77
     with tempfile.TemporaryDirectory() as scratch:
         here = pathlib.Path(scratch)

@@ -79,6 +79,11 @@ class Server:
 faults = []
 
 
+def has_module(program, name):
+    return (pathlib.Path(program).parent / name).exists()
+
+
+
 def check(is_good, what):
     if not is_good:
         faults.append(what)
@@ -190,7 +195,9 @@ def check_imports(server, folder):
             more = [f"--{key}={value}" for key, value in options.items()]
             done = subprocess.run([server.program, "import", DATA / file, "-o", f"{name}/case.toml", "--overwrite", *more], capture_output=True, text=True)
             status, answer = give(file, **options)
-            if done.returncode:
+            if not has_module(server.program, "libtalus_gdal.so"):
+                check(status == 400 and "has no GDAL" in answer["error"] and "make program" in answer["error"], f"{file} without GDAL: {answer}")
+            elif done.returncode:
                 check(status == 400 and answer["error"].split("'")[-1] == done.stderr.strip().split("'")[-1], f"{file}: {answer} {done.stderr}")
             else:
                 check(status == 200 and answer["text"] == pathlib.Path(f"{name}/case.toml").read_text(), f"{file}: {answer}")
@@ -323,17 +330,16 @@ def check_results(server, folder, program):
 
 
 def check_exports(server, folder, program, run):
-    modules = pathlib.Path(program).parent
     for name, module, begin in (("dxf", "libtalus_gdal.so", b"  0\nSECTION"), ("xlsx", "libtalus_xlsx.so", b"PK")):
         status, data = server.ask("GET", f"/api/runs/{run}/export.{name}?token={server.token}", token=False)
-        if (modules / module).exists():
+        if has_module(program, module):
             check(status == 200 and data.startswith(begin), f"{name}: {status} {data[:80]!r}")
             check("attachment" in server.headers.get("Content-Disposition", ""), f"{name} is a download")
         else:
-            check(status == 400 and "error" in data, f"{name} without its module: {status} {data}")
+            check(status == 400 and "make program" in data["error"], f"{name} without its module: {status} {data}")
     check(server.ask("GET", f"/api/runs/{run}/export.svg")[0] == 404, "another format")
     check(server.ask("GET", f"/api/runs/{run}/export.dxf", token=False)[0] == 401, "an export needs the token")
-    if (modules / "libtalus_gdal.so").exists():
+    if has_module(program, "libtalus_gdal.so"):
         status, data = server.ask("POST", "/api/export", {"text": CASE, "path": "slope.toml"})
         check(status == 200 and b"ENTITIES" in data, f"DXF of a text: {status} {data[:80]!r}")
         status, answer = server.ask("POST", "/api/export", {"text": CASE.replace("unit_weight = 20", "")})
@@ -441,9 +447,12 @@ def check_hostile(server, count, folder):
 
 def main():
     program, count = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1000
-    if not (pathlib.Path(program).parent / "libtalus_http.so").exists():
-        print("SKIP: this build has no cpp-httplib: the server of the studio was NOT tested")
+    if not has_module(program, "libtalus_http.so"):
+        print("SKIP: this build has no cpp-httplib ('make program' adds it): the server of the studio was NOT tested")
         return 77
+    for module, what in (("libtalus_gdal.so", "drawings"), ("libtalus_xlsx.so", "workbooks")):
+        if not has_module(program, module):
+            print(f"SKIP: this build has no {module} ('make program' adds it): imports and exports of {what} were NOT tested")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name).resolve() / "cases"
         (folder / "inner").mkdir(parents=True)

@@ -98,8 +98,8 @@ export interface Workspace {
   writeNote(name: string, note: unknown): Promise<void>;
   readRun(id: string): Promise<RunResults>;
   compareRuns(first: string, second: string): Promise<RunComparison>;
-  /** Address of the section (dxf) or the tables (xlsx) of a run. */
-  exportAddress(id: string, format: "dxf" | "xlsx"): string;
+  /** The section (dxf) or the tables (xlsx) of a run. */
+  exportRun(id: string, format: "dxf" | "xlsx"): Promise<Blob>;
   /** The section of a text as DXF. */
   exportCase(text: string): Promise<Blob>;
 }
@@ -215,19 +215,14 @@ export class HttpEngine implements Engine, Workspace {
   compareRuns = (first: string, second: string) =>
     this.get<RunComparison>(`/api/compare?first=${encodeURIComponent(first)}&second=${encodeURIComponent(second)}`);
 
-  exportAddress(id: string, format: "dxf" | "xlsx"): string {
-    return `${this.base}/api/runs/${encodeURIComponent(id)}/export.${format}?token=${encodeURIComponent(this.token)}`;
-  }
-
-  async exportCase(text: string): Promise<Blob> {
-    const response = await fetch(`${this.base}/api/export`, {
-      method: "POST",
-      body: JSON.stringify({ text, path: this.path }),
-      headers: { "X-Talus-Token": this.token },
-    });
+  private async getFile(path: string, asked: RequestInit = {}): Promise<Blob> {
+    const response = await fetch(`${this.base}${path}`, { ...asked, headers: { "X-Talus-Token": this.token } });
     if (!response.ok) openAnswer(await response.json());
     return response.blob();
   }
+
+  exportRun = (id: string, format: "dxf" | "xlsx") => this.getFile(`/api/runs/${encodeURIComponent(id)}/export.${format}`);
+  exportCase = (text: string) => this.getFile("/api/export", { method: "POST", body: JSON.stringify({ text, path: this.path }) });
 
   readReport = (id: string, known: string) =>
     this.get<RunReport>(`/api/runs/${encodeURIComponent(id)}/report-data?known=${encodeURIComponent(known)}`);

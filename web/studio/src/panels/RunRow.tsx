@@ -6,7 +6,7 @@ import { useEffect } from "preact/hooks";
 import { formatFactor } from "../../../src/page/format";
 import type { Run, RunProgress, RunResults, Workspace } from "../engine/http";
 import { writeCsv } from "../output/csv";
-import { downloadText } from "../output/download";
+import { downloadBlob, downloadText } from "../output/download";
 import { addMotion, addValue, emptyRun, findSurface, listCurves, listFindings, type LiveRun } from "../runs/liveRun";
 import { Plot } from "../runs/Plot";
 import { reported, showReport } from "../runs/ReportPane";
@@ -56,6 +56,13 @@ function Results({ run, workspace }: { run: Run; workspace: Workspace }) {
       state.notice.value = { text: sentence(error), bad: true };
     }
   };
+  const download = async (format: "dxf" | "xlsx") => {
+    try {
+      downloadBlob(`run-${run.id}.${format}`, await workspace.exportRun(run.id, format));
+    } catch (error) {
+      state.notice.value = { text: sentence(error), bad: true };
+    }
+  };
   const isShown = shown.value?.id === run.id;
   return (
     <>
@@ -67,14 +74,14 @@ function Results({ run, workspace }: { run: Run; workspace: Workspace }) {
           <button type="button" onClick={() => void read((found) => downloadText(`run-${run.id}.csv`, writeCsv(found), "text/csv"))}>
             CSV
           </button>
-          <a href={workspace.exportAddress(run.id, "dxf")} download={`run-${run.id}.dxf`}>
+          <button type="button" onClick={() => void download("dxf")}>
             DXF
-          </a>
+          </button>
         </>
       )}
-      <a href={workspace.exportAddress(run.id, "xlsx")} download={`run-${run.id}.xlsx`}>
+      <button type="button" onClick={() => void download("xlsx")}>
         XLSX
-      </a>
+      </button>
     </>
   );
 }
