@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
-#   make test    install what is missing, build everything, run every test
+#   make test    install what is missing, build everything, run every test but those of tests/long_tests.txt
+#   make test-all  run these as well
 #   make package  Debian packages for every x86-64 processor with SSE 4.2, in build/package/packages
 #   make studio-web  the studio with the LEM engine in WebAssembly: a static folder, build/studio-web
 #   make build bench format lint docs
@@ -17,7 +18,7 @@ DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
 CMAKE_ARGS ?=
 
-.PHONY: demo test configure build program package studio-web bench format lint docs setup setup-dev
+.PHONY: demo test test-all configure build program package studio-web bench format lint docs setup setup-dev
 
 setup:
 	@$(SETUP)
@@ -57,6 +58,9 @@ demo: program
 
 test: build
 	@tools/test.sh $(PRESET)
+
+test-all: build
+	@tools/test.sh --all $(PRESET)
 
 bench: build
 	@tools/bench.sh $(BUILD)

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: MIT
 # Builds the manual as a static site: docs.sh [PROGRAM] [FOLDER]. The pages are docs/, the reference is what the program says
 # about itself. The first time npm fetches what docs/site/package-lock.json names; after that no network is needed.
+# docs.sh --packages only fetches.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+only_packages=
+if [ "${1-}" = --packages ]; then only_packages=yes; shift; fi
 TALUS=${1:-build/release/bin/talus}
 TALUS_SITE=${2:-build/site}
 export TALUS TALUS_SITE
@@ -13,6 +16,7 @@ if [ ! -e $modules/.package-lock.json ] || [ docs/site/package-lock.json -nt $mo
   (cd docs/site && npm ci --no-audit --no-fund --loglevel=error)
   touch $modules/.package-lock.json
 fi
+[ -z "$only_packages" ] || exit 0
 rm -rf "$TALUS_SITE"
 mkdir -p "$TALUS_SITE"
 $modules/.bin/eleventy --config=docs/site/eleventy.config.js

@@ -1,22 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs the checks that take too long for every change: all tests with sanitizers and with clang, every source through the linter, and
+# Runs the checks that take too long for every change: all tests, also with sanitizers and with clang, every source through the linter, and
 # the campaigns that try to break the program. The last lines list minutes and result of each part; ends with 1 if one of them failed.
-# Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
+# Usage: tools/nightly.sh [part …]; parts: tests asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
 #        names files damage signals inputs readers
 set -uo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
+[ ${#parts[@]} -gt 0 ] || parts=(tests asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
 program=build/release/bin/talus
 told=()
 failed=0
 
 do_part() {
   case "$1" in
-    asan) make test PRESET=debug ;;
+    tests) make test-all ;;
+    asan) make test-all PRESET=debug ;;
     tsan) make test PRESET=tsan ;;
-    clang) make test PRESET=release-clang ;;
+    clang) make test-all PRESET=release-clang ;;
     lint) make lint ;;
     arm) tools/check_aarch64.py ;;
     fuzz) tools/fuzz.sh 10 ;;

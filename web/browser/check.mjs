@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Uses a report as a reader would, in headless Chromium: node check.mjs REPORT.html RESULTS_DIR OUT_DIR
+// Uses a report as a reader would, in headless Chromium: node check.mjs REPORT.html RESULTS_DIR OUT_DIR [--short]
+// --short: one colour scheme instead of two, and no pictures of whole pages.
 import { existsSync, mkdirSync, statSync } from "node:fs";
 import { resolve } from "node:path";
 
@@ -14,7 +15,8 @@ import { measureInteractive, openReport, readDocument, startBrowser } from "./se
 import { checkFields, checkPicking, checkPlaying, checkSequences, takeSpace } from "./viewer.mjs";
 import { checkWords } from "./words.mjs";
 
-const [file, folder, out] = process.argv.slice(2).map((path) => resolve(path));
+const isShort = process.argv[5] === "--short";
+const [file, folder, out] = process.argv.slice(2, 5).map((path) => resolve(path));
 if (!file || !folder || !out || !existsSync(file) || !existsSync(folder)) {
   console.error("usage: node check.mjs REPORT.html RESULTS_DIR OUT_DIR (the report and the results must be there)");
   process.exit(2);
@@ -58,9 +60,9 @@ try {
   if (report.result.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
-  await list.group("Phone", async () => checkPhone(list, await open(phone), out));
+  await list.group("Phone", async () => checkPhone(list, await open(phone), out, !isShort));
   await list.group("Print", async () => checkPrint(list, await open(), out));
-  for (const colorScheme of ["light", "dark"]) {
+  for (const colorScheme of isShort ? ["dark"] : ["light", "dark"]) {
     const coloured = await open({ colorScheme });
     await list.group(`Colours, ${colorScheme}`, () => checkColours(list, coloured, colorScheme, out));
     await list.group(`Accessibility, ${colorScheme}`, () => checkAccessibility(list, coloured, colorScheme));

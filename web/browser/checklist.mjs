@@ -16,11 +16,13 @@ export class Checklist {
   /** Runs a group of checks; what it throws (a control that is not there) is a failure of the group. */
   async group(title, run) {
     console.log(title);
+    const start = performance.now();
     try {
       await run();
     } catch (error) {
       this.expect(false, title, String(error.message ?? error).split("\n").slice(0, 6).join(" | "));
     }
+    this.note(`${((performance.now() - start) / 1000).toFixed(1)} s`);
   }
 
   /** A number that the log should show, without a limit. */

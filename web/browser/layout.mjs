@@ -50,11 +50,11 @@ export async function checkWidth(list, page, name) {
   list.expect(holds, `the page does not scroll sideways ${name}`, detail);
 }
 
-export async function checkPhone(list, page, out) {
+export async function checkPhone(list, page, out, takesWhole) {
   await scrollThrough(page);
   await checkWidth(list, page, "at a width of 390");
   await page.screenshot({ path: join(out, "phone.png") });
-  await page.screenshot({ path: join(out, "phone-whole.png"), fullPage: true });
+  if (takesWhole) await page.screenshot({ path: join(out, "phone-whole.png"), fullPage: true });
 }
 
 /** Prints as A4. Returns the number of pages. */

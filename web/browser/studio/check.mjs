@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER]
+// Uses the studio as an engineer would, in headless Chromium: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER] [--short]
+// --short: a case is drawn, saved, run, imported and edited in two windows; one colour scheme, one small screen.
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
@@ -16,9 +17,10 @@ import { readProgress, readResults, slowCase } from "./reading.mjs";
 import { compareRuns, exportAll, followRun, methodsCase } from "./runs.mjs";
 import { addFile, openPage, startStudio, waitForFactor } from "./session.mjs";
 
-const [program, example, outGiven, pageFolder] = process.argv.slice(2);
+const isShort = process.argv.includes("--short");
+const [program, example, outGiven, pageFolder] = process.argv.slice(2).filter((word) => word !== "--short");
 if (!program || !example || !outGiven) {
-  console.error("usage: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER]");
+  console.error("usage: node check.mjs PROGRAM|ADDRESS CASE.toml OUT_DIR [PAGE_FOLDER] [--short]");
   process.exit(2);
 }
 const out = resolve(outGiven);
@@ -59,22 +61,24 @@ try {
     await list.group("Runs", () => runCase(list, page));
   }
   await closeAll();
-  await list.group("Keyboard", async () => useKeysAlone(list, await open(studio.address)));
+  if (!isShort) await list.group("Keyboard", async () => useKeysAlone(list, await open(studio.address)));
   const embankment = addFile(studio.address, "embankment.toml");
   const second = addFile(studio.address, "second.toml");
   await list.group("Two windows", async () => editInTwoWindows(list, await open(second), await open(second)));
-  const third = addFile(studio.address, "third.toml");
-  await list.group("Merge", async () => mergeTwoWindows(list, await open(third), await open(third)));
-  await closeAll();
-  const methods = await open(addFile(studio.address, "methods.toml"));
-  await list.group("Course of a run", () => followRun(list, methods, out));
-  await list.group("Report", () => readResults(list, methods, out));
-  await list.group("Comparison", () => compareRuns(list, methods, out));
-  await list.group("Exports", () => exportAll(list, methods, out, modules));
-  await closeAll();
-  await list.group("Report in progress", async () => readProgress(list, await open(addFile(studio.address, "slow.toml")), out));
-  await closeAll();
-  await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
+  if (!isShort) {
+    const third = addFile(studio.address, "third.toml");
+    await list.group("Merge", async () => mergeTwoWindows(list, await open(third), await open(third)));
+    await closeAll();
+    const methods = await open(addFile(studio.address, "methods.toml"));
+    await list.group("Course of a run", () => followRun(list, methods, out));
+    await list.group("Report", () => readResults(list, methods, out));
+    await list.group("Comparison", () => compareRuns(list, methods, out));
+    await list.group("Exports", () => exportAll(list, methods, out, modules));
+    await closeAll();
+    await list.group("Report in progress", async () => readProgress(list, await open(addFile(studio.address, "slow.toml")), out));
+    await closeAll();
+    await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
+  }
   await closeAll();
   const parts = addFile(studio.address, "parts.toml");
   const path = join(folder, "parts.toml");
@@ -88,18 +92,20 @@ try {
     await closeAll();
   };
   await openPart("Import", (one) => importSurvey(list, one, out));
-  await openPart("Shapes", (one) => changeShapes(list, one, path, out));
-  await openPart("Search and conditions", (one) => drawSearch(list, one, path, out));
-  await openPart("Background", (one) => placePicture(list, one, path, out));
-  await openPart("Units", (one) => switchUnits(list, one, path, out));
-  await openPart("Tables and own soils", (one) => pasteAndKeep(list, one, path));
-  await openPart("Own soils again", (one) => findOwnEntry(list, one));
-  await list.group("Hostile", async () => openHostile(list, await open(addFile(studio.address, "hostile.toml"))));
-  for (const colorScheme of ["light", "dark"]) {
+  if (!isShort) {
+    await openPart("Shapes", (one) => changeShapes(list, one, path, out));
+    await openPart("Search and conditions", (one) => drawSearch(list, one, path, out));
+    await openPart("Background", (one) => placePicture(list, one, path, out));
+    await openPart("Units", (one) => switchUnits(list, one, path, out));
+    await openPart("Tables and own soils", (one) => pasteAndKeep(list, one, path));
+    await openPart("Own soils again", (one) => findOwnEntry(list, one));
+    await list.group("Hostile", async () => openHostile(list, await open(addFile(studio.address, "hostile.toml"))));
+  }
+  for (const colorScheme of isShort ? ["dark"] : ["light", "dark"]) {
     await list.group(`Accessibility, ${colorScheme}`, async () => {
       const coloured = await open(embankment, { colorScheme });
       await waitForFactor(coloured);
-      for (const tab of ["Section", "Soils", "Case", "Text", "Runs"]) {
+      for (const tab of isShort ? ["Section", "Soils"] : ["Section", "Soils", "Case", "Text", "Runs"]) {
         await coloured.getByRole("tab", { name: tab }).click();
         await coloured.waitForTimeout(300);
         if (tab === "Soils") for (const part of await coloured.locator(".soil > summary").all()) await part.click();
@@ -109,7 +115,8 @@ try {
     });
     await closeAll();
   }
-  for (const [name, width, height] of [["phone", 390, 844], ["tablet", 820, 1180]]) {
+  const screens = [["phone", 390, 844], ["tablet", 820, 1180]];
+  for (const [name, width, height] of isShort ? screens.slice(0, 1) : screens) {
     await list.group(name, async () => {
       const small = await open(embankment, { viewport: { width, height }, hasTouch: true, isMobile: true });
       await waitForFactor(small);
