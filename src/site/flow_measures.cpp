@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.hpp"
@@ -30,6 +31,8 @@ constexpr double nearly_level = 0.94;
 constexpr double steep_growth = 1.3;
 /// Gradients below this are rounding.
 constexpr double least_gradient = 1e-6;
+/// Suctions below this, as a fraction of the height of an element of water, are rounding.
+constexpr double dry_suction = 1e-6;
 
 template <int D>
 std::vector<double> to_list(const Vec<D>& x) {
@@ -251,69 +254,119 @@ void FlowMeasures<D>::add_sections(const fem::SeepageResult<D>& state, results::
   }
 }
 
-/// The flow out of the nodes of one boundary, over their parts of the boundary.
+namespace {
+
+/// A side at which water may leave the soil.
+template <int D>
+struct OpenSide {
+  std::array<int, D> nodes{};
+  int element = 0;    ///< with soil, behind the side
+  Vec<D> normal{};    ///< out of the soil
+  double passes = 0;  ///< A k_n, the flow at a gradient of 1 [m³/s]
+};
+
+/// Returns the sides with the element of soil behind each: a line may have an empty element on its other side, whose
+/// normal points into the soil.
+template <int D>
+std::vector<OpenSide<D>> list_open_sides(const fem::SeepageModel<D>& model,
+                                         const std::vector<typename mesh::Mesh<D>::Side>& wanted) {
+  std::vector<OpenSide<D>> open;
+  const mesh::Mesh<D>& mesh = *model.mesh;
+  for (const auto& [nodes, elements] : map_sides<D>(mesh, wanted))
+    for (const SideElement& s : elements) {
+      const int region = mesh.element_region[s.element];
+      if (region == mesh::empty_region) continue;
+      const auto [normal, area] = find_outward_normal(mesh, s.element, s.opposite);
+      double across = 0;
+      for (std::size_t d = 0; d < D; ++d)
+        across += model.soils[static_cast<std::size_t>(region)].conductivity[d] * normal[d] * normal[d];
+      open.push_back({nodes, s.element, normal, area * across});
+    }
+  return open;
+}
+
+/// The gradients at the nodes of one boundary at which water leaves (T13.6).
 template <int D>
 class ExitFlow {
  public:
-  ExitFlow(const SideMap<D>& sides, const std::vector<double>& outflow, const std::map<int, double>& area)
-      : outflow_(outflow), area_(area) {
-    for (const auto& [side, elements] : sides)
-      for (const int node : side)
-        for (const int other : side) around_[node].insert(other);
+  /// `outflow`: of each node [m³/s]; `passes`: that at a gradient of 1, of all boundaries.
+  ExitFlow(const std::vector<OpenSide<D>>& sides, const std::vector<double>& outflow,
+           const std::map<int, double>& passes)
+      : outflow_(outflow), passes_(passes) {
+    for (const OpenSide<D>& side : sides)
+      for (const int node : side.nodes) around_[node].insert(side.nodes.begin(), side.nodes.end());
   }
 
-  /// Returns the mean over the node and those beside it: the flux of single nodes scatters on irregular meshes.
-  double find_mean(int node) const {
-    double flow = 0, area = 0;
-    for (const int other : around_.at(node)) flow += outflow_[other], area += area_.at(other);
-    return flow / area;
+  /// Returns the mean over the node and those beside it: the flux of single nodes scatters on irregular meshes. Zero
+  /// where water enters.
+  double compute_gradient(int node) const {
+    if (!(outflow_[node] > 0)) return 0;
+    double flow = 0, passes = 0;
+    for (const int other : around_.at(node)) flow += outflow_[other], passes += passes_.at(other);
+    return flow / passes;
   }
   /// Returns true if the flux of the node exceeds that of all beside it by far.
   bool is_peak(int node) const {
     double beside = 0;
     for (const int other : around_.at(node))
-      if (other != node) beside = std::max(beside, outflow_[other] / area_.at(other));
-    return outflow_[node] / area_.at(node) > steep_growth * beside;
+      if (other != node) beside = std::max(beside, outflow_[other] / passes_.at(other));
+    return outflow_[node] / passes_.at(node) > steep_growth * beside;
   }
 
  private:
   const std::vector<double>& outflow_;
-  const std::map<int, double>& area_;
+  const std::map<int, double>& passes_;
   std::map<int, std::set<int>> around_;
 };
+
+/// Selects the exit to report: the largest gradient, or, if that is on nearly level ground, the least factor there.
+class WorstExit {
+ public:
+  void add(const results::ExitGradient& exit) {
+    if (!largest_ || exit.gradient > largest_->gradient) largest_ = exit;
+    if (exit.factor && (!least_ || *exit.factor < *least_->factor)) least_ = exit;
+  }
+  std::optional<results::ExitGradient> select() const {
+    if (!least_ || (!largest_->factor && least_->gradient < (1 - rounding) * largest_->gradient)) return largest_;
+    return least_;
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;
+  std::optional<results::ExitGradient> largest_, least_;
+};
+
+}  // namespace
 
 template <int D>
 void FlowMeasures<D>::add_exits(const fem::SeepageResult<D>& state, results::FlowState& result) const {
   const std::vector<double> outflow = sum_outflow(*model_.mesh, state);
-  std::map<int, double> area;
-  std::vector<std::pair<std::string, SideMap<D>>> open;
+  std::map<int, double> passes;
+  std::vector<std::pair<std::string, std::vector<OpenSide<D>>>> open;
   for (const fem::HydraulicBoundary<D>& boundary : model_.boundaries) {
     if (boundary.kind == fem::HydraulicKind::no_flow) continue;
-    open.emplace_back(boundary.name, map_sides<D>(*model_.mesh, boundary.sides));
-    for (const auto& [side, elements] : open.back().second)
-      for (const int node : side)
-        area[node] += find_outward_normal(*model_.mesh, elements[0].element, elements[0].opposite).second / D;
+    open.emplace_back(boundary.name, list_open_sides<D>(model_, boundary.sides));
+    for (const OpenSide<D>& side : open.back().second)
+      for (const int node : side.nodes) passes[node] += side.passes / D;
   }
   for (const auto& [name, sides] : open) {
-    const ExitFlow<D> flow(sides, outflow, area);
-    results::ExitGradient worst{name, 0, {}, {}, {}, false};
-    for (const auto& [side, elements] : sides) {
-      const int e = elements[0].element;
-      const Vec<D> normal = find_outward_normal(*model_.mesh, e, elements[0].opposite).first;
-      const auto& k = model_.soils[static_cast<std::size_t>(model_.mesh->element_region[e])].conductivity;
-      double across = 0;
-      for (std::size_t d = 0; d < D; ++d) across += k[d] * normal[d] * normal[d];
-      for (const int node : side) {
-        const double gradient = flow.find_mean(node) / across;
-        if (!(gradient > worst.gradient)) continue;
-        worst = {name, gradient, to_list<D>(mesh_.nodes[node]), {}, {}, flow.is_peak(node)};
-        if (normal[1] < nearly_level || !is_weighed_) continue;
-        const double saturated = find_saturated_weight(site_.data(), *find_soil(site_.data(), mesh_, e));
-        worst.critical = saturated / site_.water_weight() - 1;
-        worst.factor = *worst.critical / gradient;
+    const ExitFlow<D> flow(sides, outflow, passes);
+    WorstExit worst;
+    for (const OpenSide<D>& side : sides)
+      for (const int node : side.nodes) {
+        // Water leaves saturated soil only: none above the exit point of a seepage face.
+        if (state.pressure[node] > dry_suction * model_.unit_weight * mesh_.altitudes[side.element]) continue;
+        const double gradient = flow.compute_gradient(node);
+        if (!(gradient > least_gradient)) continue;
+        results::ExitGradient exit{name, gradient, to_list<D>(mesh_.nodes[node]), {}, {}, flow.is_peak(node)};
+        if (side.normal[1] >= nearly_level && is_weighed_) {
+          const input::Material& soil = *find_soil(site_.data(), mesh_, side.element);
+          exit.critical = find_saturated_weight(site_.data(), soil) / site_.water_weight() - 1;
+          exit.factor = *exit.critical / gradient;
+        }
+        worst.add(exit);
       }
-    }
-    if (worst.gradient > least_gradient) result.exits.push_back(std::move(worst));
+    if (auto found = worst.select()) result.exits.push_back(std::move(*found));
   }
 }
 
