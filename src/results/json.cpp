@@ -6,6 +6,7 @@
 #include "base/atomic_file.hpp"
 #include "base/user_file.hpp"
 #include "results/construction_restart.hpp"
+#include "results/flow_restart.hpp"
 #include "results/json_visitors.hpp"
 #include "results/laboratory.hpp"
 #include "results/present.hpp"
@@ -78,6 +79,7 @@ TALUS_JSON(PresentReduction)
 TALUS_JSON(ElementTrial)
 TALUS_JSON(BoundsFile)
 TALUS_JSON(FlowFile)
+TALUS_JSON(FlowRestart)
 TALUS_JSON(WaterFields)
 TALUS_JSON(Trial)
 TALUS_JSON(std::vector<Trial>)

@@ -121,6 +121,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   if (m.points) m.points->forget();
   if (m.timeline) m.timeline->forget();
   if (m.construction) m.construction->forget();
+  if (m.seepage) m.seepage->forget();
 }
 
 template void write_present_results<2>(const CaseContext&, const CaseMethods<2>&, results::RunResult);

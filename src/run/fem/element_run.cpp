@@ -451,8 +451,8 @@ void ElementRun<D>::write_result(results::RunResult& run) const {
 
 template <int D>
 void ElementRun<D>::keep() const {
-  write_kept();
   write_atomically(options_.folder / "fem.vtu", write_vtu(file_.mesh));
+  write_kept();  // last: a resumed run takes it as complete
 }
 
 template class ElementRun<2>;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "base/atomic_file.hpp"
 #include "base/units.hpp"
+#include "results/flow_restart.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/initial_water.hpp"
 #include "site/season.hpp"
@@ -15,7 +17,7 @@ namespace talus::run {
 
 namespace {
 
-constexpr const char* seepage_file = "seepage.json";
+constexpr const char *seepage_file = "seepage.json", *water_file = "seepage_state.json";
 /// Imbalance of the water over the flow, above which a state has a warning.
 constexpr double largest_error = 1e-3;
 
@@ -36,8 +38,30 @@ void SeepageRun<D>::prepare() {
     if (!data.seepage.times.empty()) fem::check_storage(model_);
     measures_.emplace(site_, mesh_, model_);
     clear_progress();
-    is_known_ = read_kept();
+    restore();
   });
+}
+
+/// Takes the flow that an interrupted run has computed, if both of its files are there.
+template <int D>
+void SeepageRun<D>::restore() {
+  if (!options_.resume) return;
+  auto known = results::find_file<results::FlowRestart>(options_.folder / water_file);
+  if (!known || known->input_hash != hash_ || !read_kept()) return;
+  water_ = {std::move(known->seepage), std::move(known->season), std::move(known->states), std::move(known->fields)};
+  is_known_ = true;
+}
+
+template <int D>
+void SeepageRun<D>::keep() const {
+  const results::FlowRestart restart{hash_, water_.seepage, water_.season, water_.states, water_.fields};
+  results::write_file(options_.folder / water_file, restart, -1);
+  write_kept();  // last: with it the flow counts as computed
+}
+
+template <int D>
+void SeepageRun<D>::forget() const {
+  remove_file(options_.folder / water_file);
 }
 
 template <int D>
@@ -104,7 +128,7 @@ void SeepageRun<D>::calculate() {
   file_.input_hash = hash_;
   file_.summary.elements = mesh_.element_count();
   file_.summary.seconds = spent_.count();
-  write_kept();
+  keep();
   clear_progress();
 }
 

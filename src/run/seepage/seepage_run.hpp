@@ -28,11 +28,15 @@ class SeepageRun : public MethodRun<results::FlowFile> {
   /// Solves the flow and stores its measures. Throws as prepare(), and Error (unstable) without a solution.
   void calculate();
   void write_result(results::RunResult& run) const;
+  /// Removes the file that only a resumed run needs.
+  void forget() const;
   bool has_states() const { return !file_.summary.states.empty(); }
 
  private:
   void add_state(const fem::SeepageResult<D>& state, results::WaterFlow flow, double time);
   void follow();
+  void restore();
+  void keep() const;
   void add_warnings_of_state();
 
   const site::Site site_;  ///< with closed sides

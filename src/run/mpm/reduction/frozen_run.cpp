@@ -220,11 +220,12 @@ class FrozenMesh {
     const double factor = outcome.trial.factor;
     if (std::any_of(done_.begin(), done_.end(), [&](const auto& done) { return done.factor == factor; })) return;
     done_.push_back(outcome.trial);
-    save_trials(folder_ / "trials.json", done_);
-    if (!outcome.slip_line) return;
-    const fs::path file = folder_ / slip_line_file;  // of the smallest factor that has failed so far
-    const auto kept = results::find_file<results::SlipLine>(file);
-    if (!kept || factor <= kept->factor) results::write_file(file, *outcome.slip_line, -1);
+    if (outcome.slip_line) {
+      const fs::path file = folder_ / slip_line_file;  // of the smallest factor that has failed so far
+      const auto kept = results::find_file<results::SlipLine>(file);
+      if (!kept || factor <= kept->factor) results::write_file(file, *outcome.slip_line, -1);
+    }
+    save_trials(folder_ / "trials.json", done_);  // last: a resumed run takes the trial as complete
   }
 
   static std::optional<results::SlipLine> find_slip_line(double factor, const mpm::Body<2>& body) {
