@@ -5,7 +5,7 @@ list(TRANSFORM folders PREPEND ${source}/)
 list(TRANSFORM folders APPEND /*.cpp)
 file(GLOB_RECURSE TALUS_WASM_SOURCES CONFIGURE_DEPENDS ${folders})
 string(JOIN "|" left_out
-  "base/(aligned|folder_lock|foreign_code|memory|ranks|unit_database)"
+  "base/(aligned|folder_lock|foreign_code|interrupts|memory|ranks|unit_database)"
   "mesh/(generate|gmsh_mesh|points|quality|read_mesh_file)"
   "material/external"
   "results/(json|tables)"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `talus studio [CASE | FOLDER]`: serves the studio on the loopback address until a signal arrives.
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +14,7 @@
 
 #include "app/command_line.hpp"
 #include "base/error.hpp"
+#include "base/foreign_code.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "base/text.hpp"
@@ -47,7 +47,7 @@ void open_browser(std::string address) {
   std::string opener = "xdg-open";
   char* arguments[] = {opener.data(), address.data(), nullptr};
   pid_t process = 0;
-  if (posix_spawnp(&process, opener.c_str(), nullptr, nullptr, arguments, environ) == 0)
+  if (spawn_program(process, opener.c_str(), nullptr, arguments) == 0)
     std::thread([process] { waitpid(process, nullptr, 0); }).detach();
 }
 

@@ -238,6 +238,19 @@ Message do_in_child(const std::string& doing, const std::function<void(Message&)
   throw Error(code, said.get_text());
 }
 
+int spawn_program(pid_t& child, const char* program, const posix_spawn_file_actions_t* actions,
+                  char* const* arguments) {
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  const int failure = posix_spawnp(&child, program, actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
+  return failure;
+}
+
 }  // namespace talus
 
 namespace talus {

@@ -3,6 +3,8 @@
 // Isolation of third-party code that may crash, never return or exhaust memory, in a child process or in this one, and
 // loading of optional modules.
 
+#include <spawn.h>
+
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -30,6 +32,10 @@ void limit_processor_time(double seconds);
 
 /// Limits the memory of the child to `bytes` beyond its current use, or to the free memory if that is less.
 void limit_memory(double bytes);
+
+/// Starts a program as posix_spawnp() does. It receives all signals, whatever the threads of this process block
+/// (base/interrupts.cpp). Returns 0 or a value of errno.
+int spawn_program(pid_t& child, const char* program, const posix_spawn_file_actions_t* actions, char* const* arguments);
 
 // Calls of third-party compiled code in this process, which may crash, never return or end the program.
 

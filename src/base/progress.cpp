@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
@@ -21,19 +20,7 @@ std::atomic<bool> interrupted{false};
 std::atomic<void (*)()> watcher{nullptr};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-void handle(int signal) {
-  if (interrupted.exchange(true)) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  }
-}
-
 }  // namespace
-
-void catch_interrupts() {
-  std::signal(SIGINT, handle);
-  std::signal(SIGTERM, handle);
-}
 
 bool is_interrupted() {
   if (void (*look)() = watcher.load(std::memory_order_relaxed)) look();

@@ -17,7 +17,8 @@ namespace talus {
 // SIGINT and SIGTERM request an orderly end: the calculation checks for them between steps, writes a checkpoint and
 // stops.
 
-/// Installs handlers that set a flag; a second signal ends the program at once.
+/// Starts a thread that sets a flag at a signal; a second one ends the program at once. The calling thread, and those
+/// that it starts later, block the two signals (base/interrupts.cpp).
 void catch_interrupts();
 
 /// Returns true if one of the signals has arrived.

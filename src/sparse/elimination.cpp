@@ -74,7 +74,9 @@ Order order_by_minimum_degree(const Graph& graph) {
 }
 
 Order order_by_nested_dissection(const Graph& graph) {
-  static std::mutex one;  // METIS draws its random numbers from rand()
+  // METIS draws its random numbers from rand(), and replaces the handlers of SIGTERM and SIGABRT meanwhile, which
+  // catch_interrupts() allows for.
+  static std::mutex one;
   const std::lock_guard lock(one);
   std::vector<idx_t> start(graph.start.begin(), graph.start.end()),
       neighbours(graph.neighbours.begin(), graph.neighbours.end()), weight(graph.size.begin(), graph.size.end()),

@@ -17,6 +17,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/foreign_code.hpp"
 #include "base/text.hpp"
 #include "output/files/history.hpp"
 
@@ -79,7 +80,7 @@ void run(const fs::path& picture, const std::string& script, const Drawer& drawe
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, drawer.name, &actions, nullptr, arguments.data(), environ);
+  const int failure = spawn_program(child, drawer.name, &actions, arguments.data());
   posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT) {
     clear_temporary(picture);
