@@ -2,9 +2,7 @@
 #include "laboratory/calibration.hpp"
 
 #include <ceres/cost_function.h>
-#include <ceres/covariance.h>
 #include <ceres/iteration_callback.h>
-#include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
@@ -131,6 +129,12 @@ constexpr double rank_limit =
     1e-5;                      ///< of singular values, over the largest: below it a direction counts as undetermined
 constexpr double felt = 1e-4;  ///< effect of a parameter over its range, in standard errors: below it there is none
 
+double sum_squares(const std::vector<double>& residuals) {
+  double sum = 0;
+  for (const double r : residuals) sum += r * r;
+  return sum;
+}
+
 void refuse_when_interrupted() {
   if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted; a calibration keeps nothing of what it began");
 }
@@ -146,17 +150,23 @@ class Residuals final : public ceres::CostFunction {
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    double* const jacobian = jacobians == nullptr ? nullptr : jacobians[0];
     try {
-      return evaluate(parameters[0], residuals, jacobians == nullptr ? nullptr : jacobians[0]);
+      if (!failure) return evaluate(parameters[0], residuals, jacobian);
     } catch (...) {
-      // No exception may pass through Ceres; the search rethrows it when Ceres has returned.
       failure = std::current_exception();
-      return false;
     }
+    // No exception may pass through Ceres, and it logs evaluations that fail. At zeros it ends, and the search
+    // rethrows.
+    const int count = num_residuals();
+    std::fill_n(residuals, count, 0.0);
+    if (jacobian != nullptr) std::fill_n(jacobian, count * parameter_block_sizes().front(), 0.0);
+    return true;
   }
 
   mutable std::exception_ptr failure;
   mutable long evaluations = 0;
+  std::function<void(const std::vector<double>&, double)> tried;
 
  private:
   bool evaluate(const double* at, double* residuals, double* jacobian) const {
@@ -179,6 +189,7 @@ class Residuals final : public ceres::CostFunction {
     evaluations += static_cast<long>(sets);
     if (!found[0]) return false;
     std::copy(found[0]->residuals.begin(), found[0]->residuals.end(), residuals);
+    if (tried) tried(centre, 0.5 * sum_squares(found[0]->residuals));
     for (std::size_t j = 0; j < m && jacobian != nullptr; ++j) {
       const std::size_t up = found[2 * j + 1] ? 2 * j + 1 : 0, down = found[2 * j + 2] ? 2 * j + 2 : 0;
       const double distance = step[up] - step[down];
@@ -219,6 +230,7 @@ Search search(const CalibrationModel& model, const std::vector<double>& from, co
   Search result;
   result.places = from;
   Residuals residuals(model, options.threads);
+  residuals.tried = options.tried;
   ceres::Problem problem(keep_residuals());
   double* places = result.places.data();
   problem.AddResidualBlock(&residuals, nullptr, places);
@@ -265,19 +277,21 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
   residuals.Evaluate(&block, values.data(), &derivatives);
   if (residuals.failure) std::rethrow_exception(residuals.failure);
   result.evaluations = residuals.evaluations;
-  std::vector<int> held, free;
+  std::vector<int> free;
   for (int i = 0; i < static_cast<int>(m); ++i)
-    (at[static_cast<std::size_t>(i)] <= 0 || at[static_cast<std::size_t>(i)] >= 1 ? held : free).push_back(i);
+    if (at[static_cast<std::size_t>(i)] > 0 && at[static_cast<std::size_t>(i)] < 1) free.push_back(i);
   if (free.empty()) return result;
   // Columns are scaled to length 1 for the search of a direction without effect, which would otherwise depend on the
   // units.
   Eigen::MatrixXd scaled(n, static_cast<Eigen::Index>(free.size()));
+  Eigen::VectorXd scale(static_cast<Eigen::Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     for (int i = 0; i < n; ++i)
       scaled(i, column) = jacobian[static_cast<std::size_t>(i) * m + static_cast<std::size_t>(free[k])];
     const double norm = scaled.col(column).norm();
-    scaled.col(column) *= norm > felt ? 1 / norm : 0;
+    scale(column) = norm > felt ? 1 / norm : 0;
+    scaled.col(column) *= scale(column);
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
   for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
@@ -290,23 +304,15 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
     result.unfixed.push_back(std::move(direction));
   }
   if (!result.unfixed.empty()) return result;
-  ceres::Problem problem(keep_residuals());
-  problem.AddResidualBlock(&residuals, nullptr, block);
-  if (!held.empty()) problem.SetManifold(block, new ceres::SubsetManifold(static_cast<int>(m), held));
-  ceres::Covariance::Options settings;
-  settings.algorithm_type = ceres::DENSE_SVD;
-  settings.min_reciprocal_condition_number = 1e-40;  // rank was determined above, independently of units
-  ceres::Covariance covariance(settings);
-  std::vector<double> matrix(m * m);
-  const std::vector<const double*> blocks{block};
-  if (!covariance.Compute(blocks, &problem) || !covariance.GetCovarianceBlock(block, block, matrix.data())) {
-    if (residuals.failure) std::rethrow_exception(residuals.failure);
-    throw Error(ExitCode::internal_error, "the covariance of the parameters cannot be calculated");
-  }
-  result.evaluations = residuals.evaluations;
-  for (std::size_t i = 0; i < m; ++i)
-    result.covariance.emplace_back(matrix.begin() + static_cast<std::ptrdiff_t>(i * m),
-                                   matrix.begin() + static_cast<std::ptrdiff_t>((i + 1) * m));
+  // (JᵀJ)⁻¹ of the scaled columns, and back to the places.
+  const Eigen::MatrixXd& v = svd.matrixV();
+  const Eigen::VectorXd weights = svd.singularValues().cwiseAbs2().cwiseInverse();
+  const Eigen::MatrixXd inverse = scale.asDiagonal() * v * weights.asDiagonal() * v.transpose() * scale.asDiagonal();
+  result.covariance.assign(m, std::vector<double>(m, 0));
+  for (std::size_t k = 0; k < free.size(); ++k)
+    for (std::size_t l = 0; l < free.size(); ++l)
+      result.covariance[static_cast<std::size_t>(free[k])][static_cast<std::size_t>(free[l])] =
+          inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
   return result;
 }
 
@@ -345,12 +351,6 @@ std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, co
 std::vector<double> snap(std::vector<double> places) {
   for (double& u : places) u = u < at_limit ? 0 : u > 1 - at_limit ? 1 : u;
   return places;
-}
-
-double sum_squares(const std::vector<double>& residuals) {
-  double sum = 0;
-  for (const double r : residuals) sum += r * r;
-  return sum;
 }
 
 /// Adds what was measured and computed, and their differences.
@@ -400,16 +400,41 @@ void add_certainty(const CalibrationModel& model, const std::vector<double>& pla
   }
 }
 
-}  // namespace
+/// The best places of all searches so far, of which an interruption tells the user.
+struct BestPlaces {
+  std::vector<double> places;
+  double misfit = 0, first_misfit = 0;
 
-results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options, std::string* log) {
-  const CalibrationModel model(data);
+  void take(const std::vector<double>& tried, double its_misfit) {
+    if (places.empty()) first_misfit = its_misfit;
+    if (!places.empty() && its_misfit >= misfit) return;
+    places = tried;
+    misfit = its_misfit;
+  }
+};
+
+std::string describe_interruption(const CalibrationModel& model, const input::Calibration& calibration,
+                                  const BestPlaces& best) {
+  if (best.places.empty()) return "interrupted before any set of parameters was compared; nothing is written";
+  std::string starts;
+  for (std::size_t i = 0; i < best.places.size(); ++i)
+    starts += fmt::format(" --set calibration.parameter.{}.start={}", i,
+                          write_shortest(model.find_value(i, best.places[i]) / calibration.parameters[i].factor));
+  return fmt::format(
+      "interrupted; nothing is written. To continue from the best parameters so far (misfit {:.4g}, at the start "
+      "{:.4g}), add{}",
+      best.misfit, best.first_misfit, starts);
+}
+
+results::Calibration search_parameters(const input::Case& data, const CalibrationModel& model,
+                                       const CalibrationOptions& options, BestPlaces& best, std::string* log) {
   const input::Calibration& calibration = *data.calibration;
   results::Calibration result;
   const std::vector<std::vector<double>> starts = choose_starts(model, calibration, result.evaluations);
   std::vector<Search> searches;
   for (std::size_t k = 0; k < starts.size(); ++k) {
-    SearchOptions how{calibration.iterations, options.threads, nullptr};
+    SearchOptions how{calibration.iterations, options.threads, nullptr,
+                      [&](const std::vector<double>& places, double misfit) { best.take(places, misfit); }};
     how.watch = [&](int iteration, double misfit) {
       if (options.progress == nullptr || !options.progress->is_due()) return;
       options.progress->show(fmt::format("[{} of {}] iteration {}, misfit {:.4g}, {} tests", k + 1, starts.size(),
@@ -449,6 +474,19 @@ results::Calibration calibrate(const input::Case& data, const CalibrationOptions
   result.tests = model.count_runs();
   result.findings = list_findings(calibration, result, certainty.unfixed, freedom);
   return result;
+}
+
+}  // namespace
+
+results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options, std::string* log) {
+  const CalibrationModel model(data);
+  BestPlaces best;
+  try {
+    return search_parameters(data, model, options, best, log);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::interrupted) throw;
+    throw Error(ExitCode::interrupted, describe_interruption(model, *data.calibration, best));
+  }
 }
 
 }  // namespace talus::laboratory

@@ -30,6 +30,8 @@ struct SearchOptions {
   int iterations = 50, threads = 1;
   /// Called after every iteration with its number and the misfit.
   std::function<void(int, double)> watch;
+  /// Called with all valid places that were tried, and their misfit.
+  std::function<void(const std::vector<double>&, double)> tried;
 };
 
 struct Search {
@@ -57,7 +59,8 @@ struct CalibrationOptions {
 
 /// Fits the parameters of data.calibration. Parameters are in the units of the soils and curves in SI; display values,
 /// title, seed and seconds are not set. `log` receives the full report of the solver for the best search. Throws Error
-/// (wrong_input) if the initial parameters are invalid or a test cannot be run with them, and Error (interrupted).
+/// (wrong_input) if the initial parameters are invalid or a test cannot be run with them, and Error (interrupted),
+/// which states the best parameters so far.
 results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options = {},
                                std::string* log = nullptr);
 
@@ -74,7 +77,8 @@ struct CalibrationRun {
 /// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters, and
 /// folder with its stages of construction, without factors.
 /// Returns the content of calibration.json. Throws Error (wrong_input) if the case has no calibration, what
-/// calibrate() throws, Error (folder_exists) where the stages would replace a run, and Error (cannot_write).
+/// calibrate() throws, Error (folder_exists) where the stages would replace a run, and Error (cannot_write); a folder
+/// that cannot be used is refused before the search. What ends the tests or the stages leaves folder/calibration.
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
 
 /// Formats a short summary for the terminal.

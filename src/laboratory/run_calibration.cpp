@@ -2,10 +2,13 @@
 #include "laboratory/calibration.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -105,8 +108,19 @@ std::string write_curve_table(const results::Calibration& result, const std::str
   return text;
 }
 
-/// Throws Error (folder_exists) if the folder has results of a run, which no calibration has left there.
-void check_folder(const fs::path& folder) {
+/// Refuses a folder before the search. Throws Error (cannot_write) if nothing can be written there, and Error
+/// (folder_exists) if it has results of a run, which no calibration has left there, or the stages must not replace it.
+void check_folder(const input::LoadedCase& loaded, const fs::path& folder) {
+  std::error_code unknown;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, unknown) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, unknown)) throw_cannot_write(there, ENOTDIR);
+  if (::access(there.c_str(), W_OK) != 0) throw_cannot_write(folder, errno);
+  if (loaded.data.calibration->monitors.empty()) return;
+  run::RunOptions options;
+  options.folder = folder;
+  options.overwrite = true;
+  run::check_folder(loaded, options);
   if (fs::exists(folder / "summary.json") && !fs::exists(folder / "calibration" / "calibration.json"))
     throw Error(ExitCode::folder_exists,
                 "'{}' holds the results of a run, which the stages with the fitted soils would replace: give another "
@@ -128,6 +142,16 @@ void run_stages(const input::LoadedCase& fitted, std::vector<input::Override> ch
   run::run_case(input::read_case_text(fitted.text, fitted.file, changes), options);
 }
 
+/// Repeats tests and stages with the fitted soils, for tables, pictures and the first half of the report.
+void repeat(const input::LoadedCase& loaded, const results::Calibration& result, const CalibrationRun& run) {
+  std::vector<input::Override> changes = run.overrides;
+  for (const results::CalibratedParameter& p : result.parameters) changes.push_back({p.key, p.text});
+  const input::LoadedCase fitted =
+      input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
+  if (!fitted.data.tests.empty()) run_point_tests(fitted, {run.folder, {}, run.pictures});
+  if (!loaded.data.calibration->monitors.empty()) run_stages(fitted, std::move(changes), run);
+}
+
 }  // namespace
 
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
@@ -136,7 +160,7 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
         "there is nothing to calibrate in '{}': add [[calibration.parameter]] and [[calibration.curve]] or "
         "[[calibration.monitor]]",
         loaded.file);
-  if (!loaded.data.calibration->monitors.empty()) check_folder(run.folder);
+  check_folder(loaded, run.folder);
   const auto start = std::chrono::steady_clock::now();
   std::string log;
   results::Calibration result = calibrate(loaded.data, run.options, &log);
@@ -149,14 +173,13 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   for (results::CalibratedCurve& c : result.curves) show_curve(c, unit);
   show_parameters(result, *loaded.data.calibration);
 
-  // Repeats tests and stages with the fitted soils, for tables, pictures and the first half of the report.
-  std::vector<input::Override> changes = run.overrides;
-  for (const results::CalibratedParameter& p : result.parameters) changes.push_back({p.key, p.text});
-  const input::LoadedCase fitted =
-      input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
-  if (!fitted.data.tests.empty()) run_point_tests(fitted, {run.folder, {}, run.pictures});
-  if (!loaded.data.calibration->monitors.empty()) run_stages(fitted, std::move(changes), run);
-
+  // Whatever ends the tests or the stages, the search is not lost.
+  std::exception_ptr thrown;
+  try {
+    repeat(loaded, result, run);
+  } catch (...) {
+    thrown = std::current_exception();
+  }
   const fs::path folder = run.folder / "calibration";
   FolderLock lock(folder);
   lock.take();
@@ -165,6 +188,13 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   write_atomically(folder / "curves.csv", curves);
   write_atomically(folder / "solver.txt", log);
   results::write_file(folder / "calibration.json", result, 1);
+  if (thrown) {
+    const Failure failure = explain_failure(thrown);
+    const std::string why = failure.code == ExitCode::interrupted
+                                ? "interrupted while tests and stages were run with the fitted soils"
+                                : failure.sentence;
+    throw Error(failure.code, "{}; the fitted parameters are in '{}'", why, folder.string());
+  }
   return result;
 }
 
