@@ -31,12 +31,20 @@ class PlanLine {
     if (along_.x < -1e-9) along_ = {-along_.x, -along_.northing};
     for (const PlanPlace& p : places) {
       start_ = std::min(start_, measure(p));
-      const double across = (p.northing - middle_.northing) * along_.x - (p.x - middle_.x) * along_.northing;
-      widest_ = std::max(widest_, std::abs(across));
+      widest_ = std::max(widest_, std::abs(measure_across(p)));
     }
   }
 
   double project(const PlanPlace& p) const { return measure(p) - start_; }
+
+  /// Returns the distance of a place from the middle of the places, along the line [m].
+  double measure(const PlanPlace& p) const {
+    return (p.x - middle_.x) * along_.x + (p.northing - middle_.northing) * along_.northing;
+  }
+  /// Returns the distance of a place from the line [m].
+  double measure_across(const PlanPlace& p) const {
+    return (p.northing - middle_.northing) * along_.x - (p.x - middle_.x) * along_.northing;
+  }
   double widest() const { return widest_; }  ///< [m]
 
   /// Returns the direction of the line, clockwise from north [°].
@@ -46,10 +54,6 @@ class PlanLine {
   }
 
  private:
-  double measure(const PlanPlace& p) const {
-    return (p.x - middle_.x) * along_.x + (p.northing - middle_.northing) * along_.northing;
-  }
-
   PlanPlace middle_{0, 0}, along_{1, 0};
   double start_ = 1e300, widest_ = 0;
 };

@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "drawing/boreholes.hpp"
 #include "drawing/case_text.hpp"
+#include "drawing/chainage.hpp"
 #include "drawing/lines.hpp"
 #include "drawing/plan_line.hpp"
 #include "drawing/survey_table.hpp"
@@ -65,6 +66,7 @@ class SurveyReader {
   DrawnSection read() {
     for (const SurveyTable& table : tables_) {
       remark(table.describe());
+      if (const std::string lengths = compare_chainage(table, options_.boreholes); !lengths.empty()) remark(lengths);
       switch (table.form()) {
         case TableForm::lines:
           read_lines(table);
@@ -109,19 +111,13 @@ class SurveyReader {
     }
   }
 
-  static std::optional<PlanPlace> read_place(const SurveyTable& table, std::size_t row) {
-    const auto x = table.read_length(row, Role::x), northing = table.read_length(row, Role::northing);
-    if (!x || (table.has(Role::northing) && !northing)) return std::nullopt;
-    return PlanPlace{*x, northing.value_or(std::nan(""))};
-  }
-
   void read_lines(const SurveyTable& table) {
     std::vector<SurveyLine> lines;
     std::map<std::string, std::size_t> numbers;
     std::size_t without = 0;
     for (std::size_t row = table.first_row(); row < table.rows(); ++row)
       try_row([&] {
-        const auto place = read_place(table, row);
+        const auto place = table.read_place(row);
         const auto level = table.read_length(row, Role::elevation);
         if (!place || !level) return void(++without);
         const std::string name = table.read_text(row, Role::soil);
@@ -178,7 +174,7 @@ class SurveyReader {
 
   /// Reads what belongs to the borehole, not to a layer. Rows of one borehole must agree.
   void read_head(const SurveyTable& table, std::size_t row, HoleRows& rows) {
-    const auto place = read_place(table, row);
+    const auto place = table.read_place(row);
     const auto collar = table.read_length(row, Role::elevation), end = table.read_length(row, Role::end);
     constexpr double same = 1e-3;  // [m]
     if (place && rows.place && !(std::abs(place->x - rows.place->x) <= same))

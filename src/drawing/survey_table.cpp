@@ -26,119 +26,6 @@ constexpr std::size_t most_rows = 200'000;
 constexpr std::uint64_t largest_table = 20 * largest_file::megabyte;
 constexpr std::size_t most_columns = 200, most_depth_columns = 100;
 
-/// Headings of a role, as their letters and digits in lower case; the first that a table has is taken.
-struct Headings {
-  Role role;
-  std::initializer_list<const char*> names;
-};
-
-// AGS 4 (loca…, geol…) and 3 (hole…), drill-hole databases (holeid, from, to) and what surveyors write.
-const std::array known{
-    Headings{Role::hole, {"holeid",   "hole",      "boreholeid",   "borehole", "bhid",    "bh",      "boring",
-                          "boringid", "drillhole", "drillholeid",  "dhid",     "locaid",  "pointid", "wellid",
-                          "well",     "wellname",  "boreholename", "holename", "bohrung", "sondage", "boring no",
-                          "punkt",    "boringno",  "boreholeno",   "holeno",   "no",      "id",      "name"}},
-    Headings{Role::x,
-             {"station",  "chainage", "ch",       "stationing",  "distance", "dist",    "distancealong", "offset",
-              "position", "x",        "xcoord",   "xcoordinate", "along",    "localx",  "easting",       "abstand",
-              "east",     "locanate", "holenate", "utme",        "xutm",     "xcollar", "xmga",          "locationx"}},
-    Headings{Role::northing,
-             {"northing", "north", "locanatn", "holenatn", "utmn", "yutm", "ycollar", "ymga", "locationy", "ycoord",
-              "ycoordinate", "y"}},
-    // The top of a borehole comes first: rows of layers may have elevations of their own.
-    Headings{Role::elevation, {"collar",      "collarelevation",
-                               "collarelev",  "collarlevel",
-                               "collarz",     "zcollar",
-                               "groundlevel", "groundelevation",
-                               "groundelev",  "surfaceelevation",
-                               "surfaceelev", "locagl",
-                               "holegl",      "gl",
-                               "altitude",    "alt",
-                               "elevation",   "elev",
-                               "level",       "z",
-                               "rl",          "height",
-                               "zcoord",      "zcoordinate",
-                               "höhe",        "hoehe",
-                               "cote",        "surface"}},
-    Headings{Role::top,
-             {"top", "from", "von", "topdepth", "depthtop", "depthfrom", "fromdepth", "geoltop", "start", "startdepth",
-              "upper", "depthstart", "upperdepth"}},
-    Headings{
-        Role::bottom,
-        {"bottom", "base", "to", "bis", "bottomdepth", "depthbottom", "depthbase", "basedepth", "depthto", "todepth",
-         "geolbase", "lower", "depthend", "lowerdepth", "bot", "botdepth", "bottomoflayer", "md", "end"}},
-    Headings{Role::bottom_level,
-             {"bottomelevation", "bottomlevel", "baseelevation", "baselevel", "bottomelev", "baseelev", "bottomz"}},
-    Headings{Role::thickness, {"thickness", "thick"}},
-    Headings{Role::end,
-             {"totaldepth", "enddepth", "finaldepth", "td", "eoh", "holedepth", "maxdepth", "locafdep", "holefdep",
-              "length", "boreholedepth", "depthofhole"}},
-    Headings{Role::soil, {"soil",     "soilname", "soiltype",    "stratum",   "strata",   "unit",    "formation",
-                          "geolgeol", "geology",  "lithology",   "lith",      "litho",    "geolleg", "lithodesc",
-                          "rocktype", "rock",     "layer",       "layername", "material", "surface", "component",
-                          "line",     "boundary", "description", "geoldesc",  "schicht",  "bodenart"}},
-    Headings{Role::order, {"pointorder", "order", "sequence"}},
-};
-
-/// Returns the unit of length that a word names; empty if it names none: "ft" for "feet", "m" for "mAOD".
-std::string find_length_unit(std::string_view text) {
-  std::string word = to_lower(text);
-  word = word.substr(0, word.find_first_of(" +."));
-  constexpr std::array<std::pair<const char*, const char*>, 25> units{
-      {{"m", "m"},      {"meter", "m"},  {"meters", "m"},  {"metre", "m"},  {"metres", "m"},
-       {"maod", "m"},   {"mod", "m"},    {"masl", "m"},    {"mamsl", "m"},  {"mbgl", "m"},
-       {"mbgs", "m"},   {"mnap", "m"},   {"ft", "ft"},     {"foot", "ft"},  {"feet", "ft"},
-       {"ftbgs", "ft"}, {"ftbgl", "ft"}, {"ftamsl", "ft"}, {"ftmsl", "ft"}, {"mm", "mm"},
-       {"cm", "cm"},    {"dm", "dm"},    {"km", "km"},     {"in", "inch"},  {"yd", "yard"}}};
-  for (const auto& [name, unit] : units)
-    if (word == name) return unit;
-  return "";
-}
-
-/// A heading without its unit.
-struct Heading {
-  std::string name, key, unit;
-};
-
-std::string find_key(std::string_view name) {
-  std::string key;
-  for (const char c : to_lower(name))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80) != 0) key += c;
-  return key;
-}
-
-/// Splits "Elevation (ft)", "Depth_m" and "x [m]".
-Heading read_heading(const input::TextTable::Heading& heading) {
-  Heading read{heading.name, "", heading.unit};
-  const std::size_t open = read.name.rfind('(');
-  if (read.unit.empty() && open != std::string::npos && open > 0 && read.name.ends_with(')')) {
-    read.unit = find_length_unit(std::string_view(read.name).substr(open + 1, read.name.size() - open - 2));
-    read.name = read.name.substr(0, read.name.find_last_not_of(" _", open - 1) + 1);
-  }
-  const std::size_t last = read.name.find_last_of("_ ");
-  if (read.unit.empty() && last != std::string::npos && last > 0) {
-    read.unit = find_length_unit(std::string_view(read.name).substr(last + 1));
-    if (!read.unit.empty()) read.name = read.name.substr(0, last);
-  }
-  if (const std::string plain = find_length_unit(read.unit); !plain.empty()) read.unit = plain;
-  read.key = find_key(read.name);
-  return read;
-}
-
-/// Returns true if headings have the names of a position and an elevation, or of a borehole and its depths.
-bool are_known(const std::vector<input::TextTable::Heading>& headings) {
-  std::array<bool, static_cast<std::size_t>(Role::count)> has{};
-  for (const auto& heading : headings) {
-    const std::string key = read_heading(heading).key;
-    for (const Headings& of : known)
-      for (const char* name : of.names)
-        if (key == name) has[static_cast<std::size_t>(of.role)] = true;
-  }
-  const auto knows = [&](Role role) { return has[static_cast<std::size_t>(role)]; };
-  return (knows(Role::x) && (knows(Role::elevation) || knows(Role::northing))) ||
-         (knows(Role::hole) && (knows(Role::x) || knows(Role::bottom) || knows(Role::top) || knows(Role::thickness)));
-}
-
 /// The first line of a table, below its preamble.
 struct Start {
   std::size_t at = 0;        ///< in the text
@@ -260,18 +147,47 @@ void SurveyTable::read(double unit) {
   if (first_row_ >= text_.rows()) fail_input("the table '{}' has a header and no rows", path);
 }
 
+double SurveyTable::get_factor(const Heading& heading, double unit) const {
+  if (heading.unit.empty()) return unit;
+  return units::parse_as_si("1 " + heading.unit, "m", fmt::format("column '{}' of '{}'", heading.name, text_.file()));
+}
+
+void SurveyTable::take_column(Role role, std::span<const char* const> names, double unit) {
+  for (const char* name : names) {
+    const auto found =
+        std::find_if(headings_.begin(), headings_.end(), [&](const Heading& h) { return h.key == name; });
+    const auto i = static_cast<std::size_t>(found - headings_.begin());
+    if (i == headings_.size() || is_used_[i]) continue;
+    const bool is_text = role == Role::hole || role == Role::soil;
+    if (!is_text && !is_numeric(i)) continue;
+    if (role == Role::soil && !has_text(i)) continue;
+    is_used_[i] = 1;
+    const bool is_length = !is_text && role != Role::order;
+    columns_[static_cast<std::size_t>(role)] =
+        Column{i, is_length ? get_factor(*found, unit) : 0, !found->unit.empty() || !preamble_unit_.empty()};
+    return;
+  }
+}
+
+void SurveyTable::take_coordinates(double unit) {
+  const auto is_there = [&](const char* name) {
+    const auto found =
+        std::find_if(headings_.begin(), headings_.end(), [&](const Heading& h) { return h.key == name; });
+    return found != headings_.end() && is_numeric(static_cast<std::size_t>(found - headings_.begin()));
+  };
+  for (const auto& [x, northing] : get_coordinate_pairs()) {
+    if (!is_there(x) || !is_there(northing)) continue;
+    take_column(Role::x, {{x}}, unit);
+    take_column(Role::northing, {{northing}}, unit);
+    return;
+  }
+}
+
 void SurveyTable::select_columns(double unit) {
   const std::size_t count = text_.header().size();
-  std::vector<Heading> headings;
-  std::vector<char> is_used(count);
-  for (const auto& heading : text_.header()) headings.push_back(read_heading(heading));
-  const auto get_factor = [&](std::size_t i) {
-    if (headings[i].unit.empty()) return unit;
-    return units::parse_as_si("1 " + headings[i].unit, "m",
-                              fmt::format("column '{}' of '{}'", headings[i].name, text_.file()));
-  };
-  const auto has_unit = [&](std::size_t i) { return !headings[i].unit.empty() || !preamble_unit_.empty(); };
-  const bool is_headless = count >= 2 && headings[0].name == "1" && headings[1].name == "2";
+  is_used_.resize(count);
+  for (const auto& heading : text_.header()) headings_.push_back(read_heading(heading));
+  const bool is_headless = count >= 2 && headings_[0].name == "1" && headings_[1].name == "2";
   if (is_headless) {
     if (count > 3)
       fail_input("'{}' has {} columns without headings; name them in a first line, for example x, y, z", text_.file(),
@@ -281,47 +197,54 @@ void SurveyTable::select_columns(double unit) {
     columns_[static_cast<std::size_t>(Role::elevation)] = Column{count - 1, unit, false};
     return;
   }
-  for (const Headings& of : known)
-    for (const char* name : of.names) {
-      const auto found =
-          std::find_if(headings.begin(), headings.end(), [&](const Heading& h) { return h.key == name; });
-      const auto i = static_cast<std::size_t>(found - headings.begin());
-      if (i == count || is_used[i]) continue;
-      const bool is_text = of.role == Role::hole || of.role == Role::soil;
-      if (!is_text && !is_numeric(i)) continue;
-      if (of.role == Role::soil && !has_text(i)) continue;
-      is_used[i] = 1;
-      const bool is_length = !is_text && of.role != Role::order;
-      columns_[static_cast<std::size_t>(of.role)] = Column{i, is_length ? get_factor(i) : 0, has_unit(i)};
-      break;
-    }
+  take_coordinates(unit);
+  const bool is_plan = has(Role::northing);
+  for (const Headings& of : get_known_headings()) {
+    if (has(of.role)) continue;
+    std::vector<const char*> names(of.names);
+    // Beside coordinates an offset is the distance from the section, not along it.
+    if (of.role == Role::chainage && is_plan)
+      std::erase_if(names, [](const char* n) { return n == std::string_view("offset"); });
+    take_column(of.role, names, unit);
+  }
   // In a table with x and y only, y is the elevation.
   auto &elevation = columns_[static_cast<std::size_t>(Role::elevation)],
        &northing = columns_[static_cast<std::size_t>(Role::northing)];
   if (!elevation && is_headed(Role::northing, {"y"})) std::swap(elevation, northing);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_used[i]) continue;
+  const bool is_pair = northing || (is_headed(Role::x, {"x"}) && is_headed(Role::elevation, {"y"}));
+  has_both_positions_ = has(Role::chainage) && has(Role::x) && is_pair;
+  take_depths(unit);
+}
+
+void SurveyTable::take_depths(double unit) {
+  for (const Role role : {Role::x, Role::northing})
+    if (has(Role::chainage) && has(role) && !has_both_positions_) unused_.push_back(get_heading(role));
+  for (std::size_t i = 0; i < headings_.size(); ++i) {
+    if (is_used_[i]) continue;
+    const Heading& heading = headings_[i];
+    const bool has_unit = !heading.unit.empty() || !preamble_unit_.empty();
+    const bool is_length = is_numeric(i) && !is_latitude(heading.key) && !is_longitude(heading.key);
     // "depth" is that of a layer where rows are layers, and of the borehole otherwise.
-    if (headings[i].key == "depth" && is_numeric(i)) {
+    if (heading.key == "depth" && is_length) {
       const Role role = has(Role::soil) ? Role::bottom : Role::end;
       if (!has(role)) {
-        columns_[static_cast<std::size_t>(role)] = Column{i, get_factor(i), has_unit(i)};
+        columns_[static_cast<std::size_t>(role)] = Column{i, get_factor(heading, unit), has_unit};
         continue;
       }
     }
     // A part of a file, such as a group of AGS, has one meaning for each column.
-    const bool may_be_depth =
-        part_.empty() && has(Role::hole) && !has(Role::soil) && is_numeric(i) && !headings[i].name.empty();
+    const bool may_be_depth = part_.empty() && has(Role::hole) && !has(Role::soil) && is_length &&
+                              !heading.name.empty() && heading.key != "offset";
     if (may_be_depth && depths_.size() < most_depth_columns)
-      depths_.push_back({headings[i].name, i, get_factor(i), has_unit(i)});
+      depths_.push_back({heading.name, i, get_factor(heading, unit), has_unit});
     else
-      unused_.push_back(headings[i].name);
+      unused_.push_back(heading.name);
   }
 }
 
 bool SurveyTable::is_headed(Role role, const std::vector<std::string>& keys) const {
   const auto& column = columns_[static_cast<std::size_t>(role)];
-  return column && std::find(keys.begin(), keys.end(), read_heading(text_.header()[column->number]).key) != keys.end();
+  return column && std::find(keys.begin(), keys.end(), headings_[column->number].key) != keys.end();
 }
 
 void SurveyTable::find_form() {
@@ -333,11 +256,11 @@ void SurveyTable::find_form() {
   const bool has_depth = has(Role::bottom) || has(Role::bottom_level) || has(Role::thickness) || has(Role::top);
   if (has(Role::soil) && has(Role::hole) && has_depth) {
     form_ = TableForm::layers;
-  } else if (has_holes && has(Role::x) && !has(Role::soil) && !depths_.empty()) {
+  } else if (has_holes && has_position() && !has(Role::soil) && !depths_.empty()) {
     form_ = TableForm::holes;
-  } else if (has(Role::hole) && has(Role::x) && !has(Role::soil) && (has(Role::end) || has(Role::northing))) {
+  } else if (has(Role::hole) && has_position() && !has(Role::soil) && (has(Role::end) || has(Role::northing))) {
     form_ = TableForm::collars;
-  } else if (has(Role::x) && has(Role::elevation)) {
+  } else if (has_position() && has(Role::elevation)) {
     form_ = TableForm::lines;
   } else {
     refuse_headings();
@@ -364,8 +287,8 @@ void SurveyTable::refuse_headings() const {
     double value = 0;
     if (!heading.name.empty() && parse_number(heading.name.data(), end, value) == end) ++numbers;
     const std::string key = read_heading(heading).key;
-    has_latitude = has_latitude || key == "lat" || key == "latitude";
-    has_longitude = has_longitude || key == "lon" || key == "long" || key == "lng" || key == "longitude";
+    has_latitude = has_latitude || is_latitude(key);
+    has_longitude = has_longitude || is_longitude(key);
   }
   if (has_latitude && has_longitude)
     fail_input("the positions of '{}' are latitudes and longitudes; give eastings and northings of a map projection",
@@ -435,6 +358,23 @@ std::optional<double> SurveyTable::read_length(std::size_t row, Role role) const
   return read_length(row, {"", column->number, column->factor, column->has_unit});
 }
 
+std::optional<PlanPlace> SurveyTable::read_place(std::size_t row) const {
+  const bool is_chainage = has(Role::chainage);
+  const auto x = read_length(row, is_chainage ? Role::chainage : Role::x), northing = read_length(row, Role::northing);
+  if (!x || (!is_chainage && has(Role::northing) && !northing)) return std::nullopt;
+  return PlanPlace{*x, is_chainage ? std::nan("") : northing.value_or(std::nan(""))};
+}
+
+std::string SurveyTable::get_heading(Role role) const {
+  const auto& column = columns_[static_cast<std::size_t>(role)];
+  return column ? text_.header()[column->number].name : "";
+}
+
+double SurveyTable::get_assumed_unit(Role role) const {
+  const auto& column = columns_[static_cast<std::size_t>(role)];
+  return column && !column->has_unit ? column->factor : 1;
+}
+
 double SurveyTable::read_order(std::size_t row) const {
   return text_.number(row, columns_[static_cast<std::size_t>(Role::order)]->number);
 }
@@ -445,20 +385,21 @@ std::string SurveyTable::read_text(std::size_t row, Role role) const {
 }
 
 bool SurveyTable::has_units() const {
-  return std::all_of(columns_.begin(), columns_.end(),
-                     [](const auto& c) { return !c || c->factor == 0 || c->has_unit; }) &&
-         std::all_of(depths_.begin(), depths_.end(), [](const DepthColumn& d) { return d.has_unit; });
+  const auto has_unit = [](const auto& column) { return !column || column->factor == 0 || column->has_unit; };
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Role role = static_cast<Role>(i);
+    const bool is_used = !has(Role::chainage) || (role != Role::x && role != Role::northing);
+    if (is_used && !has_unit(columns_[i])) return false;
+  }
+  return std::all_of(depths_.begin(), depths_.end(), [](const DepthColumn& d) { return d.has_unit; });
 }
 
 std::string SurveyTable::describe() const {
-  const auto name = [&](Role role) {
-    const auto& column = columns_[static_cast<std::size_t>(role)];
-    return column ? text_.header()[column->number].name : "";
-  };
   std::string columns;
-  for (const Role role : {Role::hole, Role::x, Role::northing, Role::elevation, Role::top, Role::bottom,
+  for (const Role role : {Role::hole, Role::chainage, Role::x, Role::northing, Role::elevation, Role::top, Role::bottom,
                           Role::bottom_level, Role::thickness, Role::end, Role::soil, Role::order})
-    if (has(role)) columns += fmt::format("{}'{}'", columns.empty() ? "" : ", ", name(role));
+    if (has(role) && !(has(Role::chainage) && (role == Role::x || role == Role::northing)))
+      columns += fmt::format("{}'{}'", columns.empty() ? "" : ", ", get_heading(role));
   if (text_.header().front().name == "1" && text_.header().size() == 3) columns += " as x, y and z";
   std::string sentence = fmt::format("{}{} has {}; columns used: {}", std::filesystem::path(file()).filename().string(),
                                      part_.empty() ? "" : ", group " + part_, name_form(form_), columns);

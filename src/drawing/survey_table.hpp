@@ -4,28 +4,15 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "drawing/plan_line.hpp"
+#include "drawing/survey_headings.hpp"
 #include "input/case/text_table.hpp"
 
 namespace talus::drawing {
-
-/// Meaning of a column.
-enum class Role {
-  hole,          ///< name of a borehole
-  x,             ///< position along the section, or easting
-  northing,      ///< second coordinate in plan
-  elevation,     ///< of a point or of the top of a borehole
-  top,           ///< depth of the upper boundary of a layer
-  bottom,        ///< depth of its lower boundary
-  bottom_level,  ///< elevation of its lower boundary
-  thickness,
-  end,    ///< depth of the end of a borehole
-  soil,   ///< name of a layer
-  order,  ///< number of a point along its line
-  count,
-};
 
 /// Form of a table.
 enum class TableForm {
@@ -58,6 +45,9 @@ class SurveyTable {
   std::size_t first_row() const { return first_row_; }
   std::size_t rows() const { return text_.rows(); }
   bool has(Role role) const { return columns_[static_cast<std::size_t>(role)].has_value(); }
+  bool has_position() const { return has(Role::chainage) || has(Role::x); }
+  /// Returns true if the positions stand in the table twice: a chainage, and coordinates in plan.
+  bool has_both_positions() const { return has_both_positions_; }
   /// Returns the number of a point along its line, in a table with such a column. Throws Error (wrong_input) with file
   /// and line if it is not a number.
   double read_order(std::size_t row) const;
@@ -65,6 +55,12 @@ class SurveyTable {
   /// (wrong_input) with file and line if it is not a number.
   std::optional<double> read_length(std::size_t row, Role role) const;
   std::optional<double> read_length(std::size_t row, const DepthColumn& column) const;
+  /// Returns the position of a row: its chainage, or x and northing; std::nullopt if a cell is empty.
+  std::optional<PlanPlace> read_place(std::size_t row) const;
+  /// Returns the heading of the column of a role; empty if the table has none.
+  std::string get_heading(Role role) const;
+  /// Returns the unit that a column without one of its own takes from the options [m]; otherwise 1.
+  double get_assumed_unit(Role role) const;
   /// Returns the text of a cell; empty if the table has no such column.
   std::string read_text(std::size_t row, Role role) const;
   std::string place(std::size_t row) const { return text_.place(row); }
@@ -89,6 +85,14 @@ class SurveyTable {
   input::TextTable open(const std::string& path, double& unit);
   void read(double unit);
   void select_columns(double unit);
+  /// Returns the factor of a column of lengths [m].
+  double get_factor(const Heading& heading, double unit) const;
+  /// Takes the first of `names` that is a heading of an unused column fit for the role.
+  void take_column(Role role, std::span<const char* const> names, double unit);
+  /// Takes easting and northing of one kind.
+  void take_coordinates(double unit);
+  /// Takes unused columns as depths in a table of boreholes, and lists the others.
+  void take_depths(double unit);
   void find_form();
   /// Throws Error (wrong_input) for latitudes and longitudes, and for a first line of data in place of headings.
   void refuse_headings() const;
@@ -102,10 +106,13 @@ class SurveyTable {
   std::size_t preamble_ = 0;   ///< number of lines above the headings
   std::string preamble_unit_;  ///< unit of length that they name
   bool is_converted_ = false;  ///< the text was not UTF-8
-  std::string part_;           ///< name of the part of the file
+  bool has_both_positions_ = false;
+  std::string part_;  ///< name of the part of the file
   input::TextTable text_;
   TableForm form_ = TableForm::lines;
   std::array<std::optional<Column>, static_cast<std::size_t>(Role::count)> columns_;
+  std::vector<Heading> headings_;
+  std::vector<char> is_used_;  ///< of the columns
   std::vector<DepthColumn> depths_;
   std::vector<std::string> unused_;
   std::size_t first_row_ = 0;

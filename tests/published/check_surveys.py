@@ -283,6 +283,7 @@ class Surveys(unittest.TestCase):
                 ("1,2,3,4\n5,6,7,8\n", (), "has 4 columns without headings"), ("P1,10.5,20.2,5.1,TOE\nP2,11,21,6,\n", (), "in its first line and no headings"),
                 ("name,lat,lon,z\nA,51.5,-0.1,20\n", (), "are latitudes and longitudes"),
                 ("hole,x,z,from,to,soil\nA,0,10,0,3,clay\nB,20,8,0,2,clay\nB,20,8,1,9,sand\n", (), "one borehole of 2 that can be used and no ground: give a table of the ground (x and elevation) too; borehole B ("),
+                ("X,Y,Distance (ft),Z (ft)\n0,0,0,9\n0,44,100,5\n", ("--base=-9",), "is 30.48 m long by 'Distance (ft)' and 44 m by 'X' and 'Y'"),
                 ("x [kg],y\n0,1\n", (), "'x' of"), ("x,y\n0,1\n5,1\n", ("--lines", "tops"), "no meaning for tables"),
                 ("x,y\n0,1\n5,1e12\n", ("--base=0",), "has one point"), ("x,y\n" + "".join(f"{i / 50},{i % 2}\n" for i in range(5000)), ("--base=-9",), "the survey has 5000 points")):
             self.assertIn(fault, self.find_fault(self.write(a=text), *options), text[:60])

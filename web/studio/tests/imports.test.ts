@@ -32,6 +32,8 @@ describe("Tables of points", () => {
     ["blanks and comments", "# survey\n0 1.5\n10 2.5", [[0, 1.5], [10, 2.5]]],
     ["columns by their names", "point,elevation,chainage\n1,1.5,0\n2,2.5,10", [[0, 1.5], [10, 2.5]]],
     ["feet", "distance [ft],level (ft)\n0,10\n100,20", [[0, 3.048], [30.48, 6.096]]],
+    ["a chainage beside coordinates", "X,Y,Distance,Elevation\n0,0,0,5\n30,40,50,4\n30,90,100,3", [[0, 5], [50, 4], [100, 3]]],
+    ["a chainage against the coordinates", "Easting,Northing,Level,Station [ft]\n30,40,5,0\n0,0,4,164.04199475", [[0, 5], [50, 4]]],
     ["a byte order mark", "\ufeffx,y\n0,1\n2,3", [[0, 1], [2, 3]]],
   ])("%s", (_, text, expected) => {
     const { points } = readPointTable(text);
@@ -39,6 +41,9 @@ describe("Tables of points", () => {
   });
   test.each([
     ["positions in plan", "x,y,z\n1,2,3\n4,5,6", /plan/],
+    ["eastings and northings", "easting,northing,level\n1,2,3\n4,5,6", /plan/],
+    ["a chainage that differs from the coordinates", "X,Y,Distance,Level\n0,0,0,9\n0,44,30.48,8", /30.48 m long by its chainage and 44 m/],
+    ["a slope distance beside x and y", "x,y,distance\n0,40,0\n30,0,50", /50 m long by its chainage and 30 m/],
     ["three columns without names", "1,2,3\n4,5,6", /3 columns/],
     ["text", "a,b\nc,d", /no rows of numbers/],
     ["a gap", "x,y\n0,1\n2,\n3,4", /row 3/],
