@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -254,7 +255,11 @@ Response StudioServer::route(const Request& request) {
   }
   const std::string files = "/api/files/", journal = "/api/journal/", runs = "/api/runs", aside = "/api/aside/";
   if (path.starts_with(files)) return answer_file(method, path.substr(files.size()), request.body);
-  if (path.starts_with(journal)) return answer_journal(method, path.substr(journal.size()), request.body);
+  if (path == "/api/journal") return answer_journal(method, "", request.body);
+  if (path.starts_with(journal)) {
+    if (path == journal) throw Refusal(404, "the journal of a file is at its path");
+    return answer_journal(method, path.substr(journal.size()), request.body);
+  }
   if (path.starts_with(aside)) return answer_aside(method, path.substr(aside.size()), request.body);
   if (path == runs || path.starts_with(runs + "/")) return answer_runs(request, path.substr(runs.size()));
   throw Refusal(404, fmt::format("there is no {} {}", method, make_printable(path)));
@@ -317,12 +322,25 @@ Response StudioServer::answer_file(const std::string& method, const std::string&
 
 Response StudioServer::answer_journal(const std::string& method, const std::string& path, const std::string& body) {
   if (method == "GET") {
-    const auto entry = workspace_.read_journal(path);
-    return make_answer(200, entry ? json{{"text", entry->text}, {"revision", entry->revision}} : json());
+    json entries = json::array();
+    for (const JournalEntry& entry : workspace_.read_journal(path))
+      entries.push_back({{"window", entry.window},
+                         {"text", entry.text},
+                         {"base", entry.base},
+                         {"revision", entry.revision},
+                         {"time", entry.time}});
+    return make_answer(200, {{"entries", entries}});
   }
   if (method != "PUT") throw Refusal(405, "a journal can be read and written");
   const json given = read_object(body);
-  workspace_.write_journal(path, {get_text(given, "text"), get_text(given, "revision", false)});
+  const std::string window = get_text(given, "window", false);
+  if (const auto text = given.find("text"); text != given.end() && text->is_null()) {
+    workspace_.remove_journal(path, window);
+    return make_answer(200, json::object());
+  }
+  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+  workspace_.write_journal(path, {window, get_text(given, "text"), get_text(given, "base", false),
+                                  get_text(given, "revision", false), now.count()});
   return make_answer(200, json::object());
 }
 

@@ -150,29 +150,69 @@ std::optional<std::string> Workspace::write(const std::string& path, const std::
   if (fs::exists(file)) now = read_text(file).revision;
   if (now != revision) return std::nullopt;
   write_atomically(file, text);
-  if (const auto entry = read_journal(path); entry && entry->text == text) remove_file(find_journal(path));
+  for (const JournalEntry& entry : read_journal(path))
+    if (entry.text == text) remove_journal(path, entry.window);
   return hash_text(text);
 }
 
-fs::path Workspace::find_journal(const std::string& path) const {
-  return state() / "journal" / (hash_text(path) + ".json");
+fs::path Workspace::find_journal(const std::string& path, const std::string& window) const {
+  constexpr std::size_t longest = 32;
+  const auto is_plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  if (window.size() > longest || !std::all_of(window.begin(), window.end(), is_plain))
+    throw Refusal(400, "the name of a window has small letters and digits only");
+  if (!path.empty()) find(path);
+  return state() / "journal" / (hash_text(path) + (window.empty() ? "" : "-" + window) + ".json");
 }
 
-void Workspace::write_journal(const std::string& path, const RevisedText& entry) const {
-  find(path);
-  if (entry.text.size() > largest_file::case_file) throw Refusal(413, "the text is larger than a case file may be");
+void Workspace::write_journal(const std::string& path, const JournalEntry& entry) const {
+  const fs::path file = find_journal(path, entry.window);
+  if (std::max(entry.text.size(), entry.base.size()) > largest_file::case_file)
+    throw Refusal(413, "the text is larger than a case file may be");
   const FileLock lock(state() / "journal.lock");
-  const json written{{"path", path}, {"text", entry.text}, {"revision", entry.revision}};
-  write_atomically(find_journal(path), written.dump(-1, ' ', false, json::error_handler_t::replace));
+  const json written{{"path", path},       {"window", entry.window},     {"text", entry.text},
+                     {"base", entry.base}, {"revision", entry.revision}, {"time", entry.time}};
+  write_atomically(file, written.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-std::optional<RevisedText> Workspace::read_journal(const std::string& path) const {
-  find(path);
-  std::string text;
-  if (try_user_file(find_journal(path), 3 * largest_file::case_file, text)) return std::nullopt;
-  const json entry = json::parse(text, nullptr, false);
-  if (!entry.is_object() || entry.value("path", "") != path) return std::nullopt;
-  return RevisedText{entry.value("text", ""), entry.value("revision", "")};
+std::vector<JournalEntry> Workspace::read_journal(const std::string& path) const {
+  constexpr std::size_t most_entries = 20;
+  const std::string stem = find_journal(path, "").stem().string();
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  std::error_code failure;
+  for (const fs::directory_entry& file : fs::directory_iterator(state() / "journal", failure)) {
+    const std::string name = file.path().filename().string();
+    if (name == stem + ".json" || name.starts_with(stem + "-")) {
+      const auto time = file.last_write_time(failure);
+      if (!failure) files.emplace_back(time, file.path());
+    }
+  }
+  std::sort(files.rbegin(), files.rend());
+  std::vector<JournalEntry> entries;
+  for (const auto& [time, file] : files) {
+    if (entries.size() == most_entries) break;
+    std::string text;
+    // Control characters take six bytes each in JSON.
+    if (try_user_file(file, 12 * largest_file::case_file, text)) continue;
+    const json read = json::parse(text, nullptr, false);
+    const auto get = [&](const char* key) {
+      const auto found = read.find(key);
+      return found != read.end() && found->is_string() ? found->get<std::string>() : "";
+    };
+    if (!read.is_object() || get("path") != path || !read.contains("text")) continue;
+    const auto stored = read.find("time");
+    entries.push_back({get("window"), get("text"), get("base"), get("revision"),
+                       stored != read.end() && stored->is_number() ? stored->get<double>() : 0});
+  }
+  // The file system may give several files one time.
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const JournalEntry& a, const JournalEntry& b) { return a.time > b.time; });
+  return entries;
+}
+
+void Workspace::remove_journal(const std::string& path, const std::string& window) const {
+  const fs::path file = find_journal(path, window);
+  const FileLock lock(state() / "journal.lock");
+  remove_file(file);
 }
 
 }  // namespace talus::studio

@@ -49,6 +49,15 @@ struct RevisedText {
   std::string revision;  ///< hash of the text
 };
 
+/// A text that is not saved.
+struct JournalEntry {
+  std::string window;  ///< of the page: small letters and digits, at most 32; may be empty
+  std::string text;
+  std::string base;      ///< text of the file that it grew from
+  std::string revision;  ///< of that text
+  double time = 0;       ///< when it was stored [s] since 1970
+};
+
 struct ListedFile {
   std::string path;  ///< below the folder, with slashes
   std::string revision;
@@ -75,13 +84,16 @@ class Workspace {
   /// revision; std::nullopt if the file has changed.
   std::optional<std::string> write(const std::string& path, const std::string& text, const std::string& revision) const;
 
-  /// Stores a text that is not saved, for the case that the page or the program ends.
-  void write_journal(const std::string& path, const RevisedText& entry) const;
-  std::optional<RevisedText> read_journal(const std::string& path) const;
+  /// Stores a text that is not saved, for the case that the page or the program ends: one for each window. The path is
+  /// empty for a case that was never saved. Throws Refusal for the name of a window that is none.
+  void write_journal(const std::string& path, const JournalEntry& entry) const;
+  /// Returns the latest 20 texts of a path, the latest first.
+  std::vector<JournalEntry> read_journal(const std::string& path) const;
+  void remove_journal(const std::string& path, const std::string& window) const;
 
  private:
   static constexpr const char* state_name = ".talus-studio";
-  std::filesystem::path find_journal(const std::string& path) const;
+  std::filesystem::path find_journal(const std::string& path, const std::string& window) const;
 
   std::filesystem::path folder_;
 };

@@ -65,7 +65,7 @@ def make_hostile(random_source, token, port):
     pick = random_source.choice
     noise = bytes(random_source.randrange(256) for _ in range(random_source.randrange(1, 200)))
     method = pick(["GET", "POST", "PUT", "DELETE", "HEAD", "OPTIONS", "PATCH", "TRACE", "get", "G\tT", ""])
-    path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/runs", "/api/import", "/api/aside/x",
+    path = pick(["/", "/api/check", "/api/solve", "/api/files", "/api/files/slope.toml", "/api/journal/slope.toml", "/api/journal", "/api/runs", "/api/import", "/api/aside/x",
                  "/api/runs/0001/stop", "/api/runs/0001/events", "/api/runs/0001/report", "/api/runs/0001/values", "/api/runs/0001/report-data", "/report.html",
                  "/api/runs/0001/export.xlsx", "/api/check-methods", "/api/export", "/api/compare?first=0001&second=0001", "/api/" + "a" * random_source.randrange(9000),
                  "/" + "%" * 50, "/%ff%fe", "/api/files/" + "../" * 100, "/?" + "a=b&" * 500, "*", "//", "/\x00", "http://evil/"])

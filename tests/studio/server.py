@@ -169,10 +169,24 @@ def check_files(server, folder):
     check(server.ask("PUT", "/api/files/inner/new.toml", {"text": CASE, "revision": saved["revision"]})[0] == 409, "a file that was removed")
     check(server.ask("PUT", "/api/files/absent/new.toml", {"text": CASE, "revision": ""})[0] == 404, "new folder")
     check(server.ask("PUT", "/api/files/slope.toml", {"text": 5})[0] == 400, "a text that is none")
-    # The journal outlives kill -9 of the server; a saved text needs none.
-    check(server.ask("GET", "/api/journal/slope.toml")[1] is None, "no journal")
+    # The journal outlives kill -9 of the server. Entries keep the text that they grew from and its revision.
+    journal = lambda path="/slope.toml": server.ask("GET", "/api/journal" + path)[1]["entries"]
+    keep = lambda path="/slope.toml", **entry: server.ask("PUT", "/api/journal" + path, entry)[0]
     revision = server.ask("GET", "/api/files/slope.toml")[1]["revision"]
-    check(server.ask("PUT", "/api/journal/slope.toml", {"text": "typed", "revision": revision})[0] == 200, "journal")
+    check(journal() == [] and keep(text="typed", revision=revision) == 200, "journal")
+    check(keep(window="a1", text="one", base=CASE, revision=revision) == 200 and keep(window="b2", text="two", base=first) == 200, "two windows")
+    check({e["window"]: (e["text"], e["base"], e["revision"]) for e in journal()} ==
+          {"": ("typed", "", revision), "a1": ("one", CASE, revision), "b2": ("two", first, "")}, f"entries: {journal()}")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": second, "revision": revision})[0] == 200, "a newer file")
+    conflict = server.ask("PUT", "/api/files/slope.toml", {"text": "one", "revision": journal()[-1]["revision"]})[1]
+    check(conflict["text"] == second and (folder / "slope.toml").read_text() == second, "an entry of an older file does not replace it")
+    check(server.ask("PUT", "/api/files/slope.toml", {"text": "two", "revision": conflict["revision"]})[0] == 200, "the text of an entry is saved")
+    check(sorted(e["window"] for e in journal()) == ["", "a1"], "its entry is removed")
+    check([keep(window="a1", text=None) for _ in range(2)] == [200, 200] and [e["text"] for e in journal()] == ["typed"], "an entry is removed")
+    check({keep(window=name, text="x") for name in ("../a", "A", "a/b", "x" * 33, "a.json", "\u00e9", 5)} == {400}, "names of windows")
+    check(keep("", window="n1", text="drawn") == 200 and [[e["text"] for e in journal(path)] for path in ("", "/slope.toml", "/inner/other.toml")]
+          == [["drawn"], ["typed"], []], "a case that was never saved")
+    (folder / "slope.toml").write_text(CASE)
 
 
 def check_imports(server, folder):
@@ -401,7 +415,7 @@ def check_stop_and_restart(server, folder, program):
     server = Server(program, folder)
     states = {r["id"]: r["state"] for r in server.ask("GET", "/api/runs")[1]["runs"]}
     check(states[long] == "running" and states[waiting] == "waiting", f"states after a restart: {states}")
-    check(server.ask("GET", "/api/journal/slope.toml")[1]["text"] == "typed", "journal after a restart")
+    check([e["text"] for e in server.ask("GET", "/api/journal/slope.toml")[1]["entries"]] == ["typed"], "journal after a restart")
     server.watch(long, lambda event: event[1].get("stage"))
     check(server.ask("POST", f"/api/runs/{long}/stop")[0] == 200, "stop")
     check(server.watch(long)[-1][1]["state"] == "stopped", "a stopped run")

@@ -10,7 +10,7 @@ import { Checklist } from "../checklist.mjs";
 import { checkWidth } from "../layout.mjs";
 import { startBrowser } from "../session.mjs";
 import { dragCrest, drawDrySlope, makeMistakes, saveAs, undoAll } from "./drawing.mjs";
-import { editInTwoWindows, hostileCase, mergeTwoWindows, openHostile, recoverText, runCase } from "./files.mjs";
+import { editInTwoWindows, hostileCase, mergeTwoWindows, openHostile, recoverNewCase, recoverText, runCase } from "./files.mjs";
 import { useKeysAlone } from "./keyboard.mjs";
 import { changeShapes, drawSearch, findOwnEntry, importSurvey, pasteAndKeep, placePicture, switchUnits } from "./parts.mjs";
 import { readProgress, readResults, slowCase } from "./reading.mjs";
@@ -77,7 +77,8 @@ try {
     await closeAll();
     await list.group("Report in progress", async () => readProgress(list, await open(addFile(studio.address, "slow.toml")), out));
     await closeAll();
-    await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment)));
+    await list.group("Recovery", async () => recoverText(list, await open(embankment), () => open(embankment), join(folder, "embankment.toml")));
+    await list.group("Recovery of a new case", async () => recoverNewCase(list, () => open(studio.address)));
   }
   await closeAll();
   const parts = addFile(studio.address, "parts.toml");

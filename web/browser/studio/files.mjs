@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Files in two windows, unsaved texts after a crash, runs, and a hostile case file.
+import { readFileSync } from "node:fs";
+
 import { readFactor, readText, waitForFactor } from "./session.mjs";
 
-async function setCohesion(page, soil, value) {
+async function findCohesion(page, soil) {
   // A window behind another draws nothing, and its buttons are never stable.
   await page.bringToFront();
   await page.getByRole("tab", { name: "Soils" }).click();
   const field = page.locator(`#field-materials-${soil}-cohesion`);
   if (!(await field.isVisible())) await page.locator(".soil > summary", { hasText: soil }).click();
+  return field;
+}
+
+async function setCohesion(page, soil, value) {
+  const field = await findCohesion(page, soil);
   await field.fill(value);
   await field.press("Tab");
 }
@@ -58,16 +65,50 @@ export async function mergeTwoWindows(list, first, second) {
   list.expect(!/other text/.test(await readText(first)), "a merge is a step that can be undone");
 }
 
-/** A window that is closed without saving offers its text at the next start. */
-export async function recoverText(list, page, reopen) {
+/**
+ * A window ends without saving, a second one saves another change while the recovery is offered, a third one recovers the text of
+ * the first: it is merged with the newer file, which it does not overwrite.
+ */
+export async function recoverText(list, page, reopen, path) {
   await waitForFactor(page);
   await setCohesion(page, "fill", "33");
   await page.waitForTimeout(2500);
-  const again = await reopen();
-  const recover = again.getByRole("button", { name: "Recover them" });
-  await recover.waitFor();
-  await recover.click();
-  list.expect(/cohesion = 33/.test(await readText(again)), "the unsaved text is recovered");
+  await page.close();
+  const second = await reopen();
+  await second.getByRole("button", { name: "Recover them" }).waitFor();
+  await setCohesion(second, "clay", "34");
+  await second.getByRole("button", { name: "Save", exact: true }).click();
+  await second.locator(".changed").waitFor({ state: "detached" });
+  await second.close();
+  const third = await reopen();
+  await third.getByRole("button", { name: "Recover them" }).click();
+  await third.getByRole("button", { name: "Recover them" }).waitFor({ state: "detached" });
+  const values = [await (await findCohesion(third, "fill")).inputValue(), await (await findCohesion(third, "clay")).inputValue()];
+  list.expect(values[0] === "33" && values[1] !== "34", "the unsaved text is recovered", values.join(", "));
+  await third.getByRole("button", { name: "Save", exact: true }).click();
+  await third.getByRole("button", { name: /^Merge both/ }).waitFor();
+  list.expect(/cohesion = 34/.test(readFileSync(path, "utf8")), "the newer file is not overwritten");
+  await third.getByRole("button", { name: /^Merge both/ }).click();
+  await third.getByRole("button", { name: "Save", exact: true }).click();
+  await third.locator(".changed").waitFor({ state: "detached" });
+  const saved = readFileSync(path, "utf8");
+  list.expect(/cohesion = 33/.test(saved) && /cohesion = 34/.test(saved), "both changes are saved", saved);
+}
+
+/** A case that was never saved is offered by the next window. */
+export async function recoverNewCase(list, open) {
+  const page = await open();
+  await page.getByRole("tab", { name: "Text" }).click();
+  await page.locator(".cm-content").click();
+  await page.keyboard.type("# drawn and lost");
+  await page.waitForTimeout(2500);
+  await page.close();
+  const again = await open();
+  const question = again.locator(".question");
+  await question.waitFor();
+  list.expect(/never saved/.test(await question.innerText()), "a case that was never saved is offered", await question.innerText());
+  await again.getByRole("button", { name: "Recover them" }).click();
+  list.expect(/# drawn and lost/.test(await readText(again)), "and recovered");
 }
 
 /** Runs the drawn slope by the program itself and reads its report. */

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
 /** The engine at work: checks and quick searches behind every change, files with revisions, the journal of typing. */
-import { batch, effect, signal, untracked } from "@preact/signals";
+import { effect, signal, untracked } from "@preact/signals";
 
 import type { JsonSchema, Message } from "./engine/engine";
-import type { FileText, Workspace } from "./engine/http";
 import { makeLatest } from "./engine/latest";
 import type { Setting } from "./engine/select";
-import { mergeTexts } from "./document/merge";
+import { conflict, file, keepJournal, offerJournal, recovered, savedText, showCase, takeTheirs } from "./openCase";
 import * as state from "./state";
+
+export { conflict, discardRecovered, file, forgetText, isChanged, recovered, recoverText, savedText, showNewCase } from "./openCase";
 
 export const setting = signal<Setting | null>(null);
 export const schema = signal<JsonSchema | null>(null);
 export const files = signal<{ path: string; revision: string }[]>([]);
-/** The open file; null for a text that was never saved. */
-export const file = signal<{ path: string; revision: string } | null>(null);
-export const savedText = signal("");
-/** The text of the file where it has changed meanwhile. */
-export const conflict = signal<(FileText & { path: string }) | null>(null);
-/** A journal that is newer than the file. */
-export const recovered = signal<string | null>(null);
 export const engineFault = signal("");
 /** Factors by all methods of the case, from the last calculation that was asked for. */
 export const liveMethod = signal("bishop");
@@ -103,22 +97,6 @@ function startSearches({ engine }: Setting): void {
   });
 }
 
-/** Each second of typing goes into the journal of the file. */
-function startJournal(workspace: Workspace): void {
-  let timer: ReturnType<typeof setTimeout> | null = null;
-  effect(() => {
-    const now = state.text.value;
-    if (!file.value || now === savedText.value || timer) return;
-    timer = setTimeout(() => {
-      timer = null;
-      const open = file.value;
-      const text = state.text.value;
-      if (open && text !== savedText.value)
-        workspace.writeJournal(open.path, { text, revision: open.revision }).catch((error) => (engineFault.value = sentence(error)));
-    }, 1000);
-  });
-}
-
 /** Called once the engine is selected: parts of the page that keep notes of their own. */
 const beginnings: (() => void)[] = [];
 export const whenStarted = (begin: () => void): void => void beginnings.push(begin);
@@ -133,7 +111,7 @@ export async function start(found: Setting): Promise<void> {
     effect(() => {
       workspace.path = file.value?.path ?? "";
     });
-    startJournal(workspace);
+    keepJournal(workspace, (error) => (engineFault.value = sentence(error)));
   }
   for (const begin of beginnings) begin();
   try {
@@ -144,28 +122,21 @@ export async function start(found: Setting): Promise<void> {
       const asked = new URLSearchParams(location.search).get("file") || listed.open;
       const first = files.value.find(({ path }) => path === asked) ?? (files.value.length === 1 ? files.value[0] : undefined);
       if (first) await openFile(first.path);
+      else await offerJournal();
     }
   } catch (error) {
     engineFault.value = sentence(error);
   }
 }
 
-export const isChanged = (): boolean => state.text.value !== savedText.value;
-
 export async function openFile(path: string): Promise<void> {
   const workspace = setting.value?.workspace;
   if (!workspace) return;
   try {
     const found = await workspace.readFile(path);
-    batch(() => {
-      file.value = { path, revision: found.revision };
-      savedText.value = found.text;
-      workspace.path = path;
-      state.openText(found.text);
-    });
-    conflict.value = null;
-    const journal = await workspace.readJournal(path);
-    recovered.value = journal && journal.text !== found.text ? journal.text : null;
+    workspace.path = path;
+    showCase(found.text, { path, revision: found.revision });
+    await offerJournal();
   } catch (error) {
     state.notice.value = { text: sentence(error), bad: true };
   }
@@ -173,9 +144,7 @@ export async function openFile(path: string): Promise<void> {
 
 /** A file from the disk of the user, where no server is. */
 export function openLocal(name: string, text: string): void {
-  state.openText(text);
-  file.value = { path: name, revision: "" };
-  savedText.value = text;
+  showCase(text, { path: name, revision: "" });
 }
 
 function download(name: string, text: string): void {
@@ -203,6 +172,8 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
       conflict.value = { ...result.theirs, path };
       return;
     }
+    // What was left in another file stays there.
+    if (file.value?.path !== path) recovered.value = [];
     file.value = { path, revision: result.revision };
     savedText.value = text;
     state.notice.value = { text: `Saved ${path}`, bad: false };
@@ -212,27 +183,12 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
   }
 }
 
-/** Both changes in one text, as a step that can be undone; the next save writes it. */
-function mergeConflict(theirs: FileText): void {
-  const { text, conflicts } = mergeTexts(state.text.value, savedText.value, theirs.text);
-  savedText.value = theirs.text;
-  state.change("Merge with the text of the file", text);
-  state.notice.value = {
-    text: conflicts
-      ? `Merged. In ${conflicts} ${conflicts === 1 ? "place" : "places"} both changed the same lines: yours stay, the others are comments below them.`
-      : "Merged: both changes are in the text. Save writes it.",
-    bad: conflicts > 0,
-  };
-}
-
 /** Ends a conflict: mine is written over theirs, or theirs is opened or merged as a step that can be undone. */
 export async function settle(choice: "mine" | "theirs" | "both"): Promise<void> {
   const theirs = conflict.value;
   if (!theirs) return;
+  if (choice !== "mine") return takeTheirs(choice);
   file.value = { path: theirs.path, revision: theirs.revision };
   conflict.value = null;
-  if (choice === "both") return mergeConflict(theirs);
-  if (choice === "mine") return save();
-  savedText.value = theirs.text;
-  state.change("Open the text of the file", theirs.text);
+  return save();
 }

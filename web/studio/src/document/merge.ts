@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Merges two texts of one case that grew from the same text, line by line (diff3). */
-import { diff3Merge } from "node-diff3";
+import { diff3Merge, diffComm } from "node-diff3";
 
 export interface Merged {
   text: string;
@@ -27,3 +27,7 @@ export function mergeTexts(mine: string, base: string, theirs: string): Merged {
   });
   return { text: lines.join("\n"), conflicts };
 }
+
+/** The lines that two texts have in common, as their base where it is not known: a merge then keeps the lines of both. */
+export const recoverBase = (mine: string, theirs: string): string =>
+  diffComm(split(mine), split(theirs)).flatMap((part) => ("common" in part ? part.common : [])).join("\n");

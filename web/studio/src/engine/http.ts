@@ -9,6 +9,16 @@ export interface FileText {
   revision: string;
 }
 
+/** A text that is not saved. */
+export interface JournalEntry extends FileText {
+  /** Names the entry: small letters and digits. */
+  window: string;
+  /** The text of the file that it grew from; `revision` is that of this text. */
+  base: string;
+  /** When it was stored [s] since 1970. */
+  time: number;
+}
+
 export interface Run {
   id: string;
   path: string;
@@ -79,8 +89,10 @@ export interface Workspace {
   listFiles(): Promise<{ files: { path: string; revision: string }[]; open?: string }>;
   readFile(path: string): Promise<FileText>;
   saveFile(path: string, file: FileText): Promise<SaveResult>;
-  readJournal(path: string): Promise<FileText | null>;
-  writeJournal(path: string, file: FileText): Promise<void>;
+  /** Texts of a file that are not saved, the latest first; an empty path stands for cases that were never saved. */
+  readJournal(path: string): Promise<JournalEntry[]>;
+  writeJournal(path: string, entry: Omit<JournalEntry, "time">): Promise<void>;
+  removeJournal(path: string, window: string): Promise<void>;
   startRun(path: string, settings: Record<string, unknown>): Promise<string>;
   listRuns(): Promise<Run[]>;
   stopRun(id: string): Promise<void>;
@@ -159,17 +171,16 @@ export class HttpEngine implements Engine, Workspace {
     return { saved: true, revision: openAnswer<{ revision: string }>(answer).revision };
   }
 
-  async readJournal(path: string): Promise<FileText | null> {
-    try {
-      const found = await this.get<Partial<FileText> | null>(`/api/journal/${encodePath(path)}`);
-      return found?.text !== undefined ? { text: found.text, revision: found.revision ?? "" } : null;
-    } catch {
-      return null;
-    }
+  async readJournal(path: string): Promise<JournalEntry[]> {
+    return (await this.get<{ entries: JournalEntry[] }>(nameJournal(path))).entries;
   }
 
-  async writeJournal(path: string, file: FileText): Promise<void> {
-    await this.get(`/api/journal/${encodePath(path)}`, "PUT", JSON.stringify(file));
+  async writeJournal(path: string, entry: Omit<JournalEntry, "time">): Promise<void> {
+    await this.get(nameJournal(path), "PUT", JSON.stringify(entry));
+  }
+
+  async removeJournal(path: string, window: string): Promise<void> {
+    await this.get(nameJournal(path), "PUT", JSON.stringify({ window, text: null }));
   }
 
   async startRun(path: string, settings: Record<string, unknown>): Promise<string> {
@@ -236,4 +247,5 @@ export class HttpEngine implements Engine, Workspace {
   }
 }
 
+const nameJournal = (path: string) => (path ? `/api/journal/${encodePath(path)}` : "/api/journal");
 const encodePath = (path: string) => path.split("/").map(encodeURIComponent).join("/");

@@ -8,7 +8,8 @@ import { addChain, addRegion, emptyCase, listRegionNames, makeName, setWaterTabl
 import { type CaseTree, findNode, readTree } from "../document/tree";
 import { applyInTurn } from "../document/vertices";
 import { findExtent, type Point } from "../geometry/plane";
-import { file, isChanged, openLocal, savedText, setting } from "../session";
+import { forgetText, showCase } from "../openCase";
+import { isChanged, openLocal, setting } from "../session";
 import * as state from "../state";
 import { type PointTable, readPointTable } from "./pointTable";
 
@@ -118,9 +119,8 @@ export async function importCase(files: readonly File[], options: ImportOptions)
   const sent = await Promise.all(files.map(async (found) => ({ name: found.name, data: await encode(found) })));
   const answer = await workspace.importFiles(sent, options);
   if (readTree(answer.text).fault) throw new Error("The program gave no case file.");
-  state.openText(emptyCase);
-  file.value = null;
-  savedText.value = emptyCase;
+  forgetText();
+  showCase(emptyCase, null);
   state.change(`Import ${files.map(({ name }) => name).join(", ")}`, answer.text);
   ++state.opened.value;
   remarks.value = answer.remarks;

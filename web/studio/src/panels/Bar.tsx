@@ -3,8 +3,8 @@
 import { useSignal } from "@preact/signals";
 
 import { ThemeButton } from "../../../src/page/ThemeButton";
-import { emptyCase } from "../document/operations";
 import { accepted, takeFiles } from "../imports/imports";
+import * as session from "../session";
 import { conflict, engineFault, file, files, openFile, openLocal, recovered, save, savedText, setting, settle } from "../session";
 import * as state from "../state";
 import { ExportMenu } from "./ExportMenu";
@@ -37,6 +37,7 @@ function useGuard(): { asked: string; guard: (what: string, act: () => void) => 
         asked.value = what;
         return;
       }
+      if (asked.value) session.forgetText();
       asked.value = "";
       act();
     },
@@ -49,9 +50,7 @@ function FileMenu() {
   const workspace = setting.value?.workspace;
   const close = () => (isOpen.value = false);
   const startNew = () => {
-    state.openText(emptyCase);
-    file.value = null;
-    savedText.value = emptyCase;
+    void session.showNewCase();
     close();
   };
   const read = async (chosen: File | undefined) => {
@@ -134,21 +133,18 @@ function Questions() {
         </button>
       </p>
     );
-  if (recovered.value !== null) {
-    const text = recovered.value;
+  const [entry] = recovered.value;
+  if (entry) {
+    const isOlder = file.value !== null && entry.revision !== file.value.revision;
+    const when = new Date(entry.time * 1000).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
     return (
       <p class="question" role="alert">
-        There are changes of {file.value?.path} that were not saved.
-        <button
-          type="button"
-          onClick={() => {
-            state.change("Recover unsaved changes", text);
-            recovered.value = null;
-          }}
-        >
+        {file.value ? `There are changes of ${file.value.path} that were not saved` : "There is a case that was never saved"}
+        {entry.time > 0 && ` (${when})`}.{isOlder && " The file has changed since then; both can be merged."}
+        <button type="button" onClick={session.recoverText}>
           Recover them
         </button>
-        <button type="button" onClick={() => (recovered.value = null)}>
+        <button type="button" onClick={session.discardRecovered}>
           Discard them
         </button>
       </p>
