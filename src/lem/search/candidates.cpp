@@ -279,7 +279,9 @@ double Candidates::find_factor(const std::vector<Soil>& soils, double horizontal
     work.order.push_back({kept.ratio * find_quick(kept, soils, horizontal, vertical, work), i});
   }
   std::sort(work.order.begin(), work.order.end());
-  const bool exact = method_ == Method::fellenius || method_ == Method::bishop || method_ == Method::janbu;
+  // The quick factor takes bars as they bear with the mean soils.
+  const bool exact = slope_->section().bars.empty() &&
+                     (method_ == Method::fellenius || method_ == Method::bishop || method_ == Method::janbu);
   for (const auto& [guess, i] : work.order) {
     // A quick factor of 0 (no driving force or no solution) predicts nothing, so the method itself is evaluated.
     if (guess > 0 && smallest > 0 && guess > (exact ? 1 : 1 + margin) * smallest) break;

@@ -110,6 +110,31 @@ void set_tension(const Bar& bar, BarPull& pull) {
     pull.resistance = bar.prestress, pull.limit = BarLimit::prestress;
 }
 
+/// Length of the base over which the soil spreads the force of a bar, over the depth of the mass [-]. It lies above the
+/// bar, where a base that bends upwards is steeper and the force holds less: the safe side.
+constexpr double spread = 0.02;
+
+/// Adds the parts of the force of a bar on the slices above its crossing, by the lengths of their bases there.
+void spread_force(const Bar& bar, const Point& axis, CutSurface& cut) {
+  const auto pull = static_cast<int>(cut.pulls.size()) - 1, upwards = cut.slides_left ? 1 : -1;
+  const std::size_t first = cut.parts.size();
+  const BarPull& own = cut.pulls.back();
+  double rest = spread * cut.depth, sum = 0;
+  for (int i = own.slice; i >= 0 && i < static_cast<int>(cut.slices.size()) && rest > 0; i += upwards) {
+    const Slice& slice = cut.slices[static_cast<std::size_t>(i)];
+    const double run = i != own.slice    ? slice.right - slice.left
+                       : cut.slides_left ? slice.right - own.at[0]
+                                         : own.at[0] - slice.left;
+    const double length = std::min(rest, slice.length * run / (slice.right - slice.left));
+    rest -= length;
+    if (!(length > 0)) continue;
+    cut.parts.push_back({pull, i, length, find_direction(bar.direction, axis, find_sliding(cut, slice))});
+    sum += length;
+  }
+  for (std::size_t i = first; i < cut.parts.size(); ++i) cut.parts[i].fraction /= sum;
+  if (sum == 0) cut.parts.push_back({pull, own.slice, 1, own.direction});
+}
+
 void set_lateral(const Bar& bar, double pressed, BarPull& pull) {
   pull.front = bar.hold == BarHold::across ? bar.lateral : pressed;
   pull.behind = bar.shear;
@@ -123,6 +148,7 @@ void cross_bars(const Slope& slope, CutSurface& cut) {
   const std::vector<Bar>& bars = slope.section().bars;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   cut.pulls.clear();
+  cut.parts.clear();
   for (std::size_t b = 0; b < bars.size(); ++b) {
     const Bar& bar = bars[b];
     const std::vector<Crossing> crossings = list_crossings(bar, cut);
@@ -143,8 +169,9 @@ void cross_bars(const Slope& slope, CutSurface& cut) {
       const Point sliding = find_sliding(cut, slice);
       // The force on the mass points to the part of the bar that is in stable soil.
       const Point axis = is_head_in ? along : Point{-along[0], -along[1]};
-      // A bar that the sliding shortens has no force: it would be compressed.
-      if (!is_across && !(axis[0] * sliding[0] + axis[1] * sliding[1] < 0)) continue;
+      // A bar that holds on to soil ahead of the mass is compressed where it meets the rising part of the base.
+      const bool is_ahead = cut.slides_left ? axis[0] < 0 : axis[0] > 0;
+      if (!is_across && is_ahead && !(axis[0] * sliding[0] + axis[1] * sliding[1] < 0)) continue;
       BarPull pull{static_cast<int>(b), crossings[k].slice, find_point(s), s, 0, {}, 0, 0, BarLimit::tension};
       pull.direction = find_direction(bar.direction, axis, sliding);
       if (is_across) {
@@ -158,9 +185,58 @@ void cross_bars(const Slope& slope, CutSurface& cut) {
         pull.behind = is_head_in ? end_part : head_part;
         set_tension(bar, pull);
       }
-      if (pull.resistance > 0) cut.pulls.push_back(pull);
+      if (!(pull.resistance > 0)) continue;
+      cut.pulls.push_back(pull);
+      spread_force(bar, axis, cut);
     }
   }
+}
+
+namespace {
+
+void turn_force(int number, CutSurface& cut) {
+  const auto turn = [](Point& direction) { direction = {-direction[0], -direction[1]}; };
+  BarPull& pull = cut.pulls[static_cast<std::size_t>(number)];
+  turn(pull.direction);
+  pull.is_turned = !pull.is_turned;
+  for (BarPart& part : cut.parts)
+    if (part.pull == number) turn(part.direction);
+}
+
+}  // namespace
+
+void tighten_bars(CutSurface& cut) {
+  for (std::size_t i = 0; i < cut.pulls.size(); ++i) {
+    if (cut.pulls[i].is_turned) turn_force(static_cast<int>(i), cut);
+    cut.pulls[i].is_slack = false;
+  }
+}
+
+bool release_bars(const Slope& slope, CutSurface& cut, double factor) {
+  if (!(factor > 0)) return false;
+  const double way = cut.slides_left ? -1 : 1;
+  bool is_changed = false;
+  for (std::size_t i = 0; i < cut.pulls.size(); ++i) {
+    BarPull& pull = cut.pulls[i];
+    const Bar& bar = slope.section().bars[static_cast<std::size_t>(pull.bar)];
+    if (pull.is_slack || pull.is_turned || (bar.is_active && bar.prestress > 0)) continue;
+    double power = 0;
+    for (const BarPart& part : cut.parts) {
+      if (part.pull != static_cast<int>(i)) continue;
+      // The velocity (cos(α - φ_F), sin(α - φ_F)) in the direction of sliding and downwards, over cos α cos φ_F.
+      const Slice& slice = cut.slices[static_cast<std::size_t>(part.slice)];
+      const double dilation = slice.tan_friction / factor;
+      const double run = 1 + dilation * slice.slope, fall = slice.slope - dilation;
+      power += part.fraction * (way * run * part.direction[0] - fall * part.direction[1]);
+    }
+    if (!(power > 0)) continue;
+    is_changed = true;
+    if (bar.direction == BarDirection::normal)
+      turn_force(static_cast<int>(i), cut);
+    else
+      pull.is_slack = true;
+  }
+  return is_changed;
 }
 
 }  // namespace talus::lem

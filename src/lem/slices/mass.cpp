@@ -48,10 +48,13 @@ void Mass::set(const Slope& slope, const CutSurface& cut, double horizontal) {
 
 void Mass::add_bars(const Slope& slope, const CutSurface& cut) {
   const double way = cut.slides_left ? -1 : 1;
-  for (const BarPull& pull : cut.pulls) {
-    const double down = -pull.resistance * pull.direction[1], push = way * pull.resistance * pull.direction[0];
+  for (const BarPart& part : cut.parts) {
+    const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
+    if (pull.is_slack) continue;
+    const double force = part.fraction * pull.resistance;
+    const double down = -force * part.direction[1], push = way * force * part.direction[0];
     const double about = way * (cut.moment_centre[0] - pull.at[0]) * down + (cut.moment_centre[1] - pull.at[1]) * push;
-    const auto slice = static_cast<std::size_t>(pull.slice);
+    const auto slice = static_cast<std::size_t>(part.slice);
     const std::size_t i = cut.slides_left ? wedges.size() - 1 - slice : slice;
     if (slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active) {
       wedges[i].down += down;
@@ -367,6 +370,7 @@ void cut_surface(const Slope& slope, const Surface& surface, int count, const Ch
   cut.composite = cut.cut_at_toe = false;
   cut.crack_thrust = cut.crack_thrust_level = 0;
   cut.pulls.clear();
+  cut.parts.clear();
   cut.refusal = cut_mass(slope, surface, count, checks, cut);
   if (cut.refusal != Refusal::none) {
     cut.slices.clear();

@@ -22,8 +22,18 @@ enum class CrackEnd { none, left, right };
 /// with the crack.
 void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, CrackEnd crack);
 
-/// Finds the bars that the base of the mass crosses, with their forces. Bars that the sliding would shorten have none.
+/// Finds the bars that the base of the mass crosses, with their forces. Bars whose stable part lies ahead of the mass
+/// have none where the base shortens them.
 void cross_bars(const Slope& slope, CutSurface& cut);
+
+/// Undoes release_bars().
+void tighten_bars(CutSurface& cut);
+
+/// Makes bars slack that would drive the mass at this factor, and turns forces across a bar that would. The base moves
+/// at φ_F = arctan(tan φ / F) to its own direction; along that motion a force has exactly the sign of its effect on
+/// equilibrium at a given λ, so that a bar has no effect where it becomes slack. Prestress is a load and stays.
+/// Returns true if a force changed; each bar changes once.
+bool release_bars(const Slope& slope, CutSurface& cut, double factor);
 
 /// Returns the slice over the same base in a slope that differs in its weights and pressures only.
 Slice weigh_slice(const Slope& slope, const Slice& slice);

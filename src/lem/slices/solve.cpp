@@ -132,24 +132,19 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
 
 namespace {
 
-/// Solves with the strengths that the slices have.
-Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
-                      double horizontal) {
-  static thread_local Scratch s;
-  Solution solution;
-  solution.method = method;
-  solution.refusal = cut.refusal;
-  if (cut.refusal != Refusal::none || cut.slices.empty()) return solution;
-  s.mass.set(slope, cut, horizontal);
+/// Solves the equations of a method for the mass in `s`, without checks; factor 0 if they have no solution. Returns a
+/// simpler method's factor, as an estimate where there is none.
+double solve_equations(const CutSurface& cut, const Checks& checks, Scratch& s, Solution& solution) {
+  const Method method = solution.method;
   const bool circular = cut.surface.circle.has_value(), complete = is_rigorous(method);
   const FelleniusSums sums = sum_fellenius(s.mass, circular);
   if (!(sums.driving * largest_factor > sums.resisting && sums.driving > 0)) {
     solution.refusal = Refusal::no_driving;
-    return solution;
+    return 0;
   }
   if (method == Method::bishop && !circular) {
     solution.refusal = Refusal::moment_axis;
-    return solution;
+    return 0;
   }
   const double start = sums.find_factor();
   if (method == Method::fellenius) {
@@ -176,6 +171,27 @@ Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const 
     solution.factor = found.factor;
     solution.lambda = found.lambda;
     solution.iterations = found.iterations;
+    if (near > 0) return near;
+  }
+  return start;
+}
+
+/// Solves with the strengths that the slices have.
+Solution solve_linear(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                      double horizontal) {
+  static thread_local Scratch s;
+  Solution solution;
+  solution.method = method;
+  solution.refusal = cut.refusal;
+  if (cut.refusal != Refusal::none || cut.slices.empty()) return solution;
+  const bool complete = is_rigorous(method);
+  tighten_bars(cut);
+  for (bool is_tight = false; !is_tight;) {
+    s.mass.set(slope, cut, horizontal);
+    const double estimate = solve_equations(cut, checks, s, solution);
+    if (solution.refusal != Refusal::none) return solution;
+    const bool has_factor = solution.factor > 0 && std::isfinite(solution.factor);
+    is_tight = !release_bars(slope, cut, has_factor ? solution.factor : estimate);
   }
   if (!(solution.factor > 0) || !std::isfinite(solution.factor)) {
     solution.factor = 0;
@@ -365,13 +381,14 @@ void find_thrust_line(const Slope& slope, const CutSurface& cut, const Mass& mas
     // Moments about the middle of the base, where N and T have none (T18.9).
     double about = moment - y * e - half * (x + f.shear_side) + way * slice.surface_moment +
                    (slice.centroid - y) * horizontal * slice.weight;
-    for (const BarPull& pull : cut.pulls) {
-      if (&cut.slices[static_cast<std::size_t>(pull.slice)] != &slice) continue;
+    for (const BarPart& part : cut.parts) {
+      const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
+      if (pull.is_slack || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) continue;
       const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
-      const double force = pull.resistance / (is_active ? 1 : factor);
+      const double force = part.fraction * pull.resistance / (is_active ? 1 : factor);
       about +=
           way * force *
-          ((pull.at[1] - y) * pull.direction[0] - (pull.at[0] - 0.5 * (slice.left + slice.right)) * pull.direction[1]);
+          ((pull.at[1] - y) * part.direction[0] - (pull.at[0] - 0.5 * (slice.left + slice.right)) * part.direction[1]);
     }
     e = f.normal_side;
     x = f.shear_side;

@@ -110,6 +110,17 @@ struct BarPull {
   double behind = 0;      ///< resistance of the part in the soil that is stable [N/m]
   double front = 0;       ///< of the part in the mass, with the head [N/m]
   BarLimit limit = BarLimit::tension;
+  // Set by a solution:
+  bool is_slack = false;   ///< the motion of the mass does not lengthen the bar: it has no force
+  bool is_turned = false;  ///< the force across the bar was turned to its other side
+};
+
+/// The part of the force of a bar that acts on one slice. It is spread along a short part of the base, so that its
+/// effect does not jump where a corner of the base passes the bar.
+struct BarPart {
+  int pull = 0, slice = 0;
+  double fraction = 1;  ///< of the resistance
+  Point direction{};    ///< of the force on the mass
 };
 
 /// A surface with its slices from left to right; without slices, and with `refusal` set, if it cannot be cut. Sides of
@@ -119,6 +130,7 @@ struct CutSurface {
   std::vector<Slice> before;          ///< the same slices before drawdown; empty without one
   std::vector<BaseStrength> drained;  ///< strengths after drawdown, unchanged by the stages; empty without one
   std::vector<BarPull> pulls;         ///< of the bars that the base crosses
+  std::vector<BarPart> parts;         ///< of their forces
   std::vector<DrawnBase> bases;       ///< of a solution with forces; by the methods of total stresses only
   Surface surface;
   bool slides_left = true;        ///< towards smaller x

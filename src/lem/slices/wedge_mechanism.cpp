@@ -61,10 +61,12 @@ double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& ab
          ((q * cohesion + kept_cohesion) * cosine_of - uplift * away) * jump;
 }
 
-void WedgeMechanism::add_bar(const Slope& slope, const CutSurface& cut, const BarPull& pull, const Slice& slice,
+void WedgeMechanism::add_bar(const Slope& slope, const CutSurface& cut, const BarPart& part, const Slice& slice,
                              Base& base) const {
-  if (&cut.slices[static_cast<std::size_t>(pull.slice)] != &slice) return;
-  const double down = -pull.resistance * pull.direction[1], push = way_ * pull.resistance * pull.direction[0];
+  const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
+  if (pull.is_slack || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) return;
+  const double force = part.fraction * pull.resistance;
+  const double down = -force * part.direction[1], push = way_ * force * part.direction[0];
   const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
   (is_active ? base.down : base.held.down) += down;
   (is_active ? base.push : base.held.push) += push;
@@ -92,7 +94,7 @@ void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double
     Base& base = bases_.back();
     base.down += vertical * slice.weight + slice.surface_load;
     base.push += horizontal * slice.weight - slice.surface_thrust;
-    for (const BarPull& pull : cut.pulls) add_bar(slope, cut, pull, slice, base);
+    for (const BarPart& part : cut.parts) add_bar(slope, cut, part, slice, base);
     base.length += slice.length;
     base.cohesion += slice.cohesion * slice.length;
     base.uplift += std::max(0.0, slice.pore_pressure) * slice.length;

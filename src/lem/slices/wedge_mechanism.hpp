@@ -60,9 +60,9 @@ class WedgeMechanism {
     double compute_power(double q, const Base::Motion& above, const Base::Motion& below, double power_below) const;
   };
   void add_bases(const Slope& slope, const CutSurface& cut, double horizontal);
-  /// Adds the force of a bar that crosses `slice`, on the base alone: bars that cross an interface would add power that
-  /// the soil has to do.
-  void add_bar(const Slope& slope, const CutSurface& cut, const BarPull& pull, const Slice& slice, Base& base) const;
+  /// Adds the force of a bar on `slice`, on the base alone: bars that cross an interface would add power that the soil
+  /// has to do.
+  void add_bar(const Slope& slope, const CutSurface& cut, const BarPart& part, const Slice& slice, Base& base) const;
   /// Merges short bases beside a change of φ with the longer of their neighbours.
   void join_short_bases();
   bool measure_interface(const Slope& slope, const Base& base, double horizontal, Interface& interface) const;

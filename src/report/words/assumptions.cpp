@@ -159,7 +159,8 @@ class Assumptions {
         data_.lem.largest_lambda, data_.lem.smallest_lambda);
     if (!data_.supports.empty())
       add("Supports act where the slip surface crosses them, each with its resistance there: their deformation is "
-          "neglected. They have no force where the sliding would shorten them, and none across an open tension crack.");
+          "neglected. A support without prestress has no force where it would drive the mass, and none has one across "
+          "an open tension crack.");
     if (data_.lem.drawdown)
       add("The drawdown is instantaneous: no soil that holds its water drains or swells while the level falls, and "
           "soil "

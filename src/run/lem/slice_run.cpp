@@ -49,6 +49,7 @@ std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const 
   // F of the equations, without Janbu's correction.
   const double factor = c.solution.factor / c.solution.correction;
   for (const lem::BarPull& pull : c.cut.pulls) {
+    if (pull.is_slack) continue;
     const lem::Bar& bar = slope.section().bars[static_cast<std::size_t>(pull.bar)];
     results::SupportForce& out = list.emplace_back();
     out.support = bar.name;

@@ -30,7 +30,7 @@ function IdleNote({ idle }: { idle: string[] }) {
   if (idle.length === 0) return null;
   return (
     <p class="chart-note">
-      Without force: {idle.join(", ")}. The surface does not cross them, sliding would shorten them, or they meet an open
+      Without force: {idle.join(", ")}. The surface does not cross them, they would drive the mass, or they meet an open
       tension crack.
     </p>
   );
