@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "base/numbers.hpp"
 #include "base/units.hpp"
+#include "lem/surface/surface.hpp"
 #include "results/governing.hpp"
 #include "results/supports.hpp"
 
@@ -131,6 +133,30 @@ std::string write_method_table(const results::MethodComparison& methods) {
   }
   for (const results::Remark& remark : methods.remarks) text += remark.text + "\n";
   if (methods.partial_factors) text += methods.partial_factors->text + "\n";
+  return text;
+}
+
+/// Formats the given surfaces without a factor, with their reasons and the methods that share each.
+std::string write_rejected(const results::RunResult& run) {
+  if (!run.slices) return "";
+  std::vector<std::array<std::string, 3>> rows;  // surface, reason, methods
+  for (const results::CriticalSurface& c : run.slices->given) {
+    // Bishop's method rejects no polyline: it is not made for them.
+    if (c.surface.factor || c.checks.refusal == lem::name_refusal(lem::Refusal::moment_axis)) continue;
+    const auto explained = std::find_if(c.warnings.begin(), c.warnings.end(),
+                                        [&](const std::string& w) { return w.starts_with(c.checks.refusal); });
+    const std::string& reason = explained == c.warnings.end() ? c.checks.refusal : *explained;
+    const std::string name = c.surface.name.value_or("");
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const auto& other) { return other[0] == name && other[1] == reason; });
+    if (row == rows.end())
+      rows.push_back({name, reason, c.surface.title});
+    else
+      (*row)[2] += ", " + c.surface.title;
+  }
+  std::string text;
+  for (const auto& [name, reason, methods] : rows)
+    text += fmt::format("  Given surface '{}' is rejected: {} ({})\n", name, reason, methods);
   return text;
 }
 
@@ -389,6 +415,7 @@ std::string write_digest(const results::RunResult& run) {
   text += write_supports(run);
   if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
+  text += write_rejected(run);
   if (run.timeline) text += write_timeline(*run.timeline, units);
   if (run.construction) text += write_construction(*run.construction, units);
   if (const auto& mesh = run.mesh)

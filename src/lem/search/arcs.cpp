@@ -9,6 +9,7 @@
 #include "lem/search/optimise.hpp"
 #include "lem/search/trial_circles.hpp"
 #include "lem/section/strips.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::lem {
 
@@ -74,6 +75,16 @@ std::optional<double> touch_segment(const Chord& chord, const Point& p, const Po
   return best;
 }
 
+/// Returns the line that composite circles continue along, from left to right.
+std::vector<Point> list_floor(const Slope& slope) {
+  std::vector<Point> line;
+  for (const Strip& strip : slope.strips().strips) {
+    line.push_back({strip.left, strip.floor.y});
+    line.push_back({strip.right, strip.floor.at(strip.right - strip.left)});
+  }
+  return mesh::drop_straight_points(line, false, 1e-9 * (slope.right() - slope.left()));
+}
+
 /// Distance from the end of a bar to the surface just behind it, over its length [-].
 constexpr double behind = 1e-6;
 /// Largest number of ends that circles are tied to.
@@ -103,7 +114,13 @@ Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite, const std:
       regions_(slope.section().regions),
       tangent_(tangent) {
   const double left = slope.left(), right = slope.right(), base = slope.section().base, far = base - (right - left);
-  if (composite) regions_.push_back({-1, {{left, base}, {right, base}, {right, far}, {left, far}}});
+  if (composite) {
+    Region below{-1, {{left, base}, {right, base}}};
+    if (slope.strips().raised) below.polygon = list_floor(slope);
+    below.polygon.push_back({right, far});
+    below.polygon.push_back({left, far});
+    regions_.push_back(std::move(below));
+  }
   for (const Point& p : list_bar_ends(slope.section())) regions_.push_back({-1, {p}});
   if (!tangent) return;
   // Each line as a polygon without area: there and back.

@@ -24,7 +24,7 @@ std::vector<Point> list_bar_ends(const Section& section);
 
 class Arcs {
  public:
-  /// `composite`: arcs may reach below the base and are cut off level there.
+  /// `composite`: arcs may reach below the bottom of the soil and continue along it.
   /// `tangent`: arcs are restricted to those between the tangents to its lines.
   Arcs(const Slope& slope, double smallest_depth, bool composite,
        const std::optional<TangentLines>& tangent = std::nullopt);

@@ -111,7 +111,7 @@ struct SearchOptions {
   int slices = 50;
   std::vector<Method> methods{Method::bishop, Method::spencer};
   Checks checks;
-  bool composite = false;        ///< circles below the base are cut off level there
+  bool composite = false;        ///< circles below the bottom of the soil continue along it
   bool optimise_circle = true;   ///< local optimisation of the best local minima
   bool optimise_surface = true;  ///< optimisation of a non-circular surface from the critical circle
   int vertices = 12;             ///< number of vertices of the non-circular surface

@@ -13,6 +13,7 @@
 #include "base/numbers.hpp"
 #include "base/parallel.hpp"
 #include "lem/search/optimise.hpp"
+#include "lem/section/strips.hpp"
 
 namespace talus::lem {
 
@@ -257,6 +258,14 @@ std::string group_digits(long n) {
   return s;
 }
 
+/// Returns true if a base comes near the bottom of the soil, apart from impenetrable soil.
+bool reaches_floor(const Slope& slope, const CutSurface& cut, double near) {
+  return std::any_of(cut.slices.begin(), cut.slices.end(), [&](const Slice& slice) {
+    const double x = 0.5 * (slice.left + slice.right), y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
+    return !slope.strips().strip(slope.strips().find(x)).is_firm && y < slope.floor(x) + near;
+  });
+}
+
 }  // namespace
 
 std::string describe_refusals(const std::map<Refusal, long>& refused, long tried) {
@@ -297,11 +306,19 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
   if (critical.surface.circle) {
     const Circle& c = *critical.surface.circle;
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
-    if (bottom < base + near && slope.floor(c.centre[0]) <= base && c.centre[0] > ends[0] && c.centre[0] < ends[1])
+    const bool is_lowest_in = c.centre[0] > ends[0] && c.centre[0] < ends[1];
+    if (slope.strips().raised) {
+      if (reaches_floor(slope, critical.cut, near))
+        add(
+            fmt::format("the critical circle {} the bottom of the section; a deeper model may give a smaller factor "
+                        "unless firm ground begins there",
+                        critical.cut.composite ? "continues along" : "touches"));
+    } else if (bottom < base + near && slope.floor(c.centre[0]) <= base && is_lowest_in) {
       add(
           fmt::format("the critical circle {} the base at {}; a deeper model may give a smaller factor unless firm "
                       "ground begins there",
                       bottom < base - near ? "is cut level at" : "touches", format_coordinate(base, length)));
+    }
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
     add(fmt::format("the critical {} is as shallow as the smallest depth of {} allows; the factor depends on it",

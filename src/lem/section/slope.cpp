@@ -66,9 +66,18 @@ double Slope::water_table(double x) const {
 }
 
 double Slope::floor(double x) const {
-  if (!strips_->firm) return section().base;
+  if (!strips_->firm && !strips_->raised) return section().base;
   const Strip& strip = strips_->strip(strips_->find(x));
   return strip.floor.at(x - strip.left);
+}
+
+double Slope::lower_floor(double x) const {
+  const int i = strips_->find(x);
+  const Strip& strip = strips_->strip(i);
+  const double own = strip.floor.at(x - strip.left);
+  if (i == 0 || x != strip.left) return own;
+  const Strip& before = strips_->strip(i - 1);
+  return std::min(own, before.floor.at(x - before.left));
 }
 
 double Slope::lower_ground(double x) const {

@@ -25,9 +25,10 @@ class Slope {
   double ground(double x) const;        ///< elevation of the ground [m]
   double lower_ground(double x) const;  ///< the same, at a vertical step the foot of it [m]
   double water_table(double x) const;   ///< elevation; -infinity without a water table [m]
-  /// Elevation of the top of impenetrable soil at x; that of the base of the section where there is none [m].
+  /// Elevation of the top of impenetrable soil at x; that of the bottom of the soil where there is none [m].
   double floor(double x) const;
-  int soil_at(const Point& p) const;  ///< index of the soil; -1 outside all regions
+  double lower_floor(double x) const;  ///< the same, at a vertical step the foot of it [m]
+  int soil_at(const Point& p) const;   ///< index of the soil; -1 outside all regions
   /// Returns u at a point, without r_u; suction is negative [Pa].
   double pore_pressure(const Point& p) const;
   /// Returns u at a point under a weight of soil [N/m²], which r_u of the soil multiplies where it has one [Pa].

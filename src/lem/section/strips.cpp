@@ -155,6 +155,25 @@ StripLine sum_loads(const Section& section, std::size_t part, double left, doubl
   return sum;
 }
 
+/// Sets the lowest line that a surface may follow in a strip.
+void find_floor(Slope::Strips& strips, Strip& strip) {
+  const std::vector<int>& firm = strips.section.impenetrable;
+  strip.floor = {strips.section.base, 0};
+  for (int k = strip.first; k < strip.last; ++k) {
+    const Layer& layer = strips.layer(k);
+    if (std::find(firm.begin(), firm.end(), layer.soil) != firm.end()) {
+      strip.floor = layer.top;
+      strip.is_firm = strips.firm = true;
+      return;
+    }
+    if (layer.soil < 0 && k > strip.first) {
+      strip.floor = layer.top;
+      strip.is_raised = strips.raised = true;
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 double follow_line(const std::vector<Point>& line, double x) {
@@ -210,14 +229,7 @@ void build_strips(Slope::Strips& strips) {
     const double half = 0.5 * (strip.right - strip.left);
     strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);
     stack_layers(strips, strip, edges, 1e-6 * (high - low));
-    strip.floor = {section.base, 0};
-    for (int k = strip.first; k < strip.last && !strip.is_firm; ++k) {
-      const Layer& layer = strips.layer(k);
-      if (std::find(section.impenetrable.begin(), section.impenetrable.end(), layer.soil) == section.impenetrable.end())
-        continue;
-      strip.floor = layer.top;
-      strip.is_firm = strips.firm = true;
-    }
+    find_floor(strips, strip);
     strips.strips.push_back(strip);
   }
   for (const Soil& soil : section.soils) {

@@ -33,8 +33,9 @@ struct Strip {
   StripLine ground, water;             ///< water: -infinity without a water table
   StripLine water_before;              ///< water table before drawdown; the same without one
   std::vector<StripLine> piezometric;  ///< the piezometric lines of the section
-  StripLine floor;                     ///< top of impenetrable soil; the base of the section where there is none
+  StripLine floor;                     ///< top of impenetrable soil; without it the bottom of the soil
   bool is_firm = false;                ///< it has impenetrable soil
+  bool is_raised = false;              ///< it has none, and its soil ends above the base of the section
   StripLine load, thrust;              ///< loads on the ground, down and towards larger x [Pa]
   StripLine variable_load;             ///< part of `load` under which soil does not consolidate [Pa]
   int first = 0, last = 0;             ///< its layers, from the ground down: [first, last)
@@ -58,7 +59,7 @@ struct Slope::Strips {
   std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
   std::vector<BarDiagram> bars;         ///< of the bars of the section
   double deepest_roots = 0;             ///< [m]
-  bool roots = false, loads = false, firm = false;
+  bool roots = false, loads = false, firm = false, raised = false;
   bool laws = false, curved_laws = false;  ///< of the soils
   bool unreduced = false;                  ///< the factor does not divide the strength of some soil
 

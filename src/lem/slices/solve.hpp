@@ -78,7 +78,7 @@ struct Checks {
   double most_below_wedges = 0.03;
   double smallest_depth = 0;                   ///< smallest depth of the sliding mass [m]
   double steepest_toe = std::numbers::pi / 2;  ///< limit of the rise of the base at the lower end, e.g. 45° - φ/2 [rad]
-  bool composite = true;  ///< circles that reach below the base are cut off level there; else they are rejected
+  bool composite = true;  ///< circles below the bottom of the soil continue along it; else they are rejected
   bool reject = true;     ///< false: the results of the checks are only reported
   std::shared_ptr<const SurfaceLimits> limits{};  ///< of the user; nullptr: none
 };
@@ -138,7 +138,7 @@ struct CutSurface {
   double radius = 0;              ///< [m]
   double area = 0;                ///< of the sliding mass [m²]
   double depth = 0;               ///< largest vertical depth [m]
-  bool composite = false;         ///< the arc is cut off level at the base of the section
+  bool composite = false;         ///< a part of the surface follows the bottom of the soil or impenetrable soil
   bool cut_at_toe = false;        ///< the circle would continue below the ground beyond its lower end
   double crack_thrust = 0;        ///< force of the water in the crack [N]
   double crack_thrust_level = 0;  ///< elevation of that force [m]

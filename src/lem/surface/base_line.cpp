@@ -3,10 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace talus::lem {
 
 namespace {
+
+/// A face of the base that rises against the sliding more steeply than this holds the mass like a vertical step [-].
+constexpr double steepest_rise = 1;
+/// Falls of the ramps from the upper edge of a step: where the base falls with the sliding the active plane of φ = 30°,
+/// tan 60°; where it rises against it, tan 20°, flatter than any passive plane, where the normal force is reliable [-].
+constexpr double active_ramp = 1.732050807568877, passive_ramp = 0.363970234266202;
 
 /// Adds the x between a and b at which the piece meets a straight line of the strip. The arc is convex, so that it
 /// meets a line at most twice.
@@ -71,18 +78,8 @@ bool BaseLine::ends_on_ground(const Slope::Strips& strips, const BasePiece& piec
 Refusal BaseLine::lay(const Slope& slope, const Surface& surface, bool may_cut) {
   pieces.clear();
   composite = false;
+  if (!surface.circle) return lay_polyline(slope, surface, may_cut);
   const double bottom = slope.section().base;
-  if (!surface.circle) {
-    if (surface.line.size() < 2) return Refusal::outside;
-    const double nearest = 1e-6 * (surface.line.back()[0] - surface.line.front()[0]);
-    for (std::size_t i = 1; i < surface.line.size(); ++i) {
-      const Point &a = surface.line[i - 1], &b = surface.line[i];
-      if (!(b[0] > a[0])) return Refusal::outside;
-      if (std::min(a[1], b[1]) < bottom - nearest) return Refusal::below_base;
-      pieces.push_back({a[0], b[0], false, {a[1], (b[1] - a[1]) / (b[0] - a[0])}});
-    }
-    return clip(slope.strips(), true);
-  }
   circle = *surface.circle;
   const double from = surface.from, to = surface.to, span = to - from, hair = 1e-6 * span;
   const auto& [xc, yc] = circle.centre;
@@ -99,38 +96,59 @@ Refusal BaseLine::lay(const Slope& slope, const Surface& surface, bool may_cut) 
   } else {
     pieces.push_back({from, to, true, {}});
   }
-  return clip(slope.strips(), may_cut);
+  return clip(slope.strips(), surface, may_cut);
 }
 
-Refusal BaseLine::clip(const Slope::Strips& strips, bool may_cut) {
-  if (!strips.firm) return Refusal::none;
+Refusal BaseLine::lay_polyline(const Slope& slope, const Surface& surface, bool may_cut) {
+  if (surface.line.size() < 2) return Refusal::outside;
+  const auto& strips = slope.strips();
+  const double nearest = 1e-6 * (surface.line.back()[0] - surface.line.front()[0]);
+  const auto find_bottom = [&](double x) {
+    const Strip& strip = strips.strip(strips.find(x));
+    return may_cut && strip.is_raised ? strip.floor.at(x - strip.left) : slope.section().base;
+  };
+  for (std::size_t i = 0; i < surface.line.size(); ++i) {
+    const Point& p = surface.line[i];
+    if (p[1] < std::min(find_bottom(p[0] - nearest), find_bottom(p[0] + nearest)) - nearest) return Refusal::below_base;
+    if (i == 0) continue;
+    const Point& last = surface.line[i - 1];
+    if (!(p[0] > last[0])) return Refusal::outside;
+    pieces.push_back({last[0], p[0], false, {last[1], (p[1] - last[1]) / (p[0] - last[0])}});
+  }
+  return clip(strips, surface, may_cut);
+}
+
+Refusal BaseLine::clip(const Slope::Strips& strips, const Surface& surface, bool may_cut) {
+  if (!strips.firm && !(strips.raised && may_cut)) return Refusal::none;
   const std::vector<BasePiece> whole = std::move(pieces);
   pieces.clear();
   const double span = whole.back().to - whole.front().from, hair = 1e-10 * span, step = 1e-6 * span;
+  bool has_step = false;
   for (const BasePiece& piece : whole) {
+    const bool is_cut_at_base = surface.circle && !piece.arc && whole.size() > 1;
     for (int s = strips.find(piece.from); s < static_cast<int>(strips.strips.size()); ++s) {
       const Strip& strip = strips.strip(s);
+      const bool has_floor = strip.is_firm || (may_cut && strip.is_raised);
       double a = std::max(piece.from, strip.left);
       const double end = std::min(piece.to, strip.right);
       if (end - a <= hair && a > piece.from) break;
       meets.clear();
-      if (strip.is_firm) add_meets(*this, piece, strip, strip.floor, a, end, meets);
+      if (has_floor) add_meets(*this, piece, strip, strip.floor, a, end, meets);
       meets.push_back(end);
       std::sort(meets.begin(), meets.end());
       for (const double b : meets) {
         if (b - a <= hair) continue;
         const double middle = 0.5 * (a + b) - strip.left;
-        const bool follows = strip.is_firm && at(piece, 0.5 * (a + b)) < strip.floor.at(middle);
+        const bool follows = has_floor && at(piece, 0.5 * (a + b)) < strip.floor.at(middle);
         BasePiece part = piece;
         part.from = a;
         part.to = b;
         if (!piece.arc) part.line.y = piece.line.at(a - piece.from);
-        if (follows) part = {a, b, false, {strip.floor.at(a - strip.left), strip.floor.slope}};
+        if (follows) part = {a, b, false, {strip.floor.at(a - strip.left), strip.floor.slope}, true};
         composite = composite || follows;
-        const bool is_cut_at_base = !piece.arc && whole.size() > 1 && !follows;
-        if (is_cut_at_base && !may_cut) return Refusal::below_base;
-        // A vertical face of impenetrable soil has no slices along it.
-        if (!pieces.empty() && std::abs(at(pieces.back(), a) - at(part, a)) > step) return Refusal::below_base;
+        if (is_cut_at_base && !follows && !may_cut) return Refusal::below_base;
+        if (!pieces.empty() && std::abs(at(pieces.back(), a) - at(part, a)) > step) has_step = true;
+        has_step = has_step || (follows && std::abs(part.line.slope) > steepest_rise);
         if (!pieces.empty() && piece.arc && !follows && pieces.back().arc)
           pieces.back().to = b;
         else
@@ -143,7 +161,104 @@ Refusal BaseLine::clip(const Slope::Strips& strips, bool may_cut) {
   if (pieces.empty()) return Refusal::outside;
   pieces.front().from = whole.front().from;
   pieces.back().to = whole.back().to;
-  return Refusal::none;
+  return has_step ? bridge_steps(surface, step) : Refusal::none;
+}
+
+namespace {
+
+/// Returns dy/dx of a surface that was not cut.
+double find_rise(const Surface& surface, double x) {
+  constexpr double steepest = 1e3;
+  if (surface.circle) {
+    const double d = x - surface.circle->centre[0], r = surface.circle->radius;
+    const double height = std::sqrt(std::max(0.0, (r - d) * (r + d)));
+    return height * steepest > std::abs(d) ? d / height : std::copysign(steepest, d);
+  }
+  const auto& line = surface.line;
+  std::size_t i = 1;
+  while (i + 1 < line.size() && line[i][0] <= x) ++i;
+  return (line[i][1] - line[i - 1][1]) / (line[i][0] - line[i - 1][0]);
+}
+
+/// The upper edge of a step, from which a ramp falls towards larger (1) or smaller x (-1).
+struct StepEdge {
+  Point at{};
+  int way = 0;
+};
+
+/// Returns the first step of a base; none if it has no more. `sliding`: the direction in which the mass slides, -1, 1
+/// or 0 where both ends have the same level.
+std::optional<StepEdge> find_step_edge(const BaseLine& base, const Surface& surface, int sliding, double step) {
+  for (std::size_t i = 0; i < base.pieces.size(); ++i) {
+    const BasePiece& piece = base.pieces[i];
+    if (i > 0) {
+      const double x = piece.from, left = base.at(base.pieces[i - 1], x), right = base.at(piece, x);
+      if (std::abs(right - left) > step) return StepEdge{{x, std::max(left, right)}, right > left ? -1 : 1};
+    }
+    // A face that rises against the sliding; one that falls with it is a part of the surface.
+    const double rise = piece.line.slope;
+    const int way = rise > 0 ? -1 : 1;
+    if (!piece.follows || way == sliding) continue;
+    const double x = way > 0 ? piece.from : piece.to;
+    if (std::abs(rise) > std::max(steepest_rise, -way * find_rise(surface, x)))
+      return StepEdge{{x, base.at(piece, x)}, way};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Refusal BaseLine::bridge_steps(const Surface& surface, double step) {
+  const double left = at(pieces.front(), pieces.front().from), right = at(pieces.back(), pieces.back().to);
+  const int sliding = std::abs(left - right) <= step ? 0 : left < right ? -1 : 1;
+  // Each ramp ends at the base or at the next step.
+  for (std::size_t rest = 4 * pieces.size() + 4; rest > 0; --rest) {
+    const auto edge = find_step_edge(*this, surface, sliding, step);
+    if (!edge) return Refusal::none;
+    const double own = -edge->way * find_rise(surface, edge->at[0]);
+    if (!add_ramp(edge->at, edge->way, std::max(edge->way == sliding ? active_ramp : passive_ramp, own))) break;
+  }
+  return Refusal::blocked;
+}
+
+bool BaseLine::add_ramp(const Point& edge, int way, double fall) {
+  const auto find_gap = [&](const BasePiece& piece, double x) {
+    return at(piece, x) - edge[1] + fall * std::abs(x - edge[0]);
+  };
+  std::optional<double> end;
+  const auto size = static_cast<int>(pieces.size());
+  for (int i = way > 0 ? 0 : size - 1; i >= 0 && i < size && !end; i += way) {
+    const BasePiece& piece = pieces[static_cast<std::size_t>(i)];
+    double a = way > 0 ? piece.from : piece.to, b = way > 0 ? piece.to : piece.from;
+    if (way * (a - edge[0]) < 0) continue;
+    if (a != edge[0] && find_gap(piece, a) >= 0) {
+      end = a;
+    } else if (find_gap(piece, b) >= 0) {
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (a + b);
+        (find_gap(piece, middle) < 0 ? a : b) = middle;
+      }
+      end = b;
+    }
+  }
+  if (!end || *end == edge[0]) return false;
+  const double from = std::min(edge[0], *end), to = std::max(edge[0], *end);
+  const std::vector<BasePiece> old = std::move(pieces);
+  pieces.clear();
+  bool is_added = false;
+  for (const BasePiece& piece : old) {
+    if (piece.from < from) pieces.push_back(piece), pieces.back().to = std::min(piece.to, from);
+    if (piece.to > from && !is_added) {
+      pieces.push_back({from, to, false, {way > 0 ? edge[1] : edge[1] - fall * (to - from), -way * fall}});
+      is_added = true;
+    }
+    if (piece.to <= to) continue;
+    BasePiece rest = piece;
+    rest.from = std::max(piece.from, to);
+    if (!piece.arc) rest.line.y = piece.line.at(rest.from - piece.from);
+    pieces.push_back(rest);
+  }
+  return true;
 }
 
 Refusal BaseLine::divide(const Slope& slope, double from, double to) {

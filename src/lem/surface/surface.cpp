@@ -54,6 +54,8 @@ const char* name_refusal(Refusal refusal) {
       return "misses a window";
     case Refusal::direction:
       return "slides to the other side";
+    case Refusal::blocked:
+      return "meets a step of the base that it cannot pass";
     case Refusal::count:
       break;
   }

@@ -18,7 +18,7 @@ struct Circle {
 
 struct Surface {
   std::string name;              ///< of a surface given by the user; else empty
-  std::optional<Circle> circle;  ///< lower arc from `from` to `to`; level at the section's base (composite)
+  std::optional<Circle> circle;  ///< lower arc from `from` to `to`; along the bottom of the soil below it (composite)
   std::vector<Point> line;       ///< vertices of a polyline from left to right, both ends on the ground
   double from = 0, to = 0;       ///< x of the two ends of an arc [m]
   double crack = 0;              ///< depth of a dry tension crack of its own [m]; 0: that of the section, if any
@@ -46,6 +46,7 @@ enum class Refusal {
   excluded,       ///< enters an excluded area
   passage,        ///< misses a window that every surface passes
   direction,      ///< slides to the other side than asked for
+  blocked,        ///< meets a step of the base that it cannot pass
   count
 };
 

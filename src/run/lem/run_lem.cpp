@@ -172,8 +172,11 @@ lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface
   }
   result.warnings = result.cut.warnings;
   if (refusal != lem::Refusal::none) {
+    const bool may_continue = refusal == lem::Refusal::below_base && result.circular && !checks.composite;
     result.warnings.push_back(fmt::format("{}{}", lem::name_refusal(refusal),
-                                          result.solution.factor > 0 ? "; a search would refuse this surface" : ""));
+                                          result.solution.factor > 0 ? "; a search would refuse this surface"
+                                          : may_continue ? "; with composite = true in [lem] it continues along it"
+                                                         : ""));
     if (result.solution.refusal == lem::Refusal::none) result.solution.refusal = refusal;
   }
   return result;
