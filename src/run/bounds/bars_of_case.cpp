@@ -10,16 +10,52 @@
 #include "base/error.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/common/walls_of_case.hpp"
+#include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
 
 namespace talus::run {
 namespace {
 
-/// Half the width of the ground on which the head of a bar presses [m].
-constexpr double half_width = 0.5;
+/// Half the width of the ground on which the head of a bar presses [m]. Its ends are corners of the mesh, unless
+/// another corner or head lies nearer than `same_end` [m], so that the width does not depend on the size of the
+/// triangles.
+constexpr double half_width = 0.5, same_end = 0.01;
+/// Distance from the ground up to which a point lies on it [m].
+constexpr double on_ground = 1e-4;
 /// Parts of a bar in which its force is examined for kinks; kinks nearer than this fraction are one.
 constexpr int samples = 400;
 constexpr double near = 1e-3;
+
+/// The point of a line that is nearest to another point.
+struct Foot {
+  double along = 0;                                      ///< from the start of the line [m]
+  double off = std::numeric_limits<double>::infinity();  ///< distance to it [m]
+};
+
+Foot find_foot(const site::Polyline& line, const Vec<2>& x) {
+  Foot foot;
+  double start = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double dx = line[i + 1][0] - line[i][0], dy = line[i + 1][1] - line[i][1], length = std::hypot(dx, dy);
+    if (!(length > 0)) continue;
+    const double s = std::clamp(((x[0] - line[i][0]) * dx + (x[1] - line[i][1]) * dy) / length, 0.0, length),
+                 off = std::hypot(line[i][0] + s / length * dx - x[0], line[i][1] + s / length * dy - x[1]);
+    if (off < foot.off) foot = {start + s, off};
+    start += length;
+  }
+  return foot;
+}
+
+/// Returns the point at this distance from the start of a line; nothing beyond its ends.
+std::optional<site::Point> find_place(const site::Polyline& line, double along) {
+  for (std::size_t i = 0; along >= 0 && i + 1 < line.size(); ++i) {
+    const double dx = line[i + 1][0] - line[i][0], dy = line[i + 1][1] - line[i][1], length = std::hypot(dx, dy);
+    if (length > 0 && along <= length)
+      return site::Point{line[i][0] + along / length * dx, line[i][1] + along / length * dy};
+    along -= length;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -35,6 +71,7 @@ double BarsOfCase::Line::find_force(double s) const {
 
 BarsOfCase::BarsOfCase(const site::Site& site) {
   if (site.data().supports.empty()) return;
+  ground_ = site.ground();
   const lem::Slope slope(make_section(site).section);
   const std::vector<WallLine> walls = list_walls(site);
   for (lem::Bar bar : slope.section().bars) {
@@ -75,7 +112,25 @@ std::vector<double> BarsOfCase::list_kinks(const Line& line) const {
   return kinks;
 }
 
+std::vector<site::Point> BarsOfCase::list_head_ends() const {
+  std::vector<site::Point> ends;
+  for (const Line& line : lines_) {
+    const Foot foot = find_foot(ground_, line.bar.head);
+    if (line.wall || foot.off > on_ground || !(line.find_force(0) > 0)) continue;
+    for (const double side : {-half_width, half_width}) {
+      const auto end = find_place(ground_, foot.along + side);
+      const bool is_at_head =
+          end && std::any_of(lines_.begin(), lines_.end(), [&](const Line& other) {
+            return std::hypot(other.bar.head[0] - (*end)[0], other.bar.head[1] - (*end)[1]) < same_end;
+          });
+      if (end && !is_at_head) ends.push_back(*end);
+    }
+  }
+  return ends;
+}
+
 mesh::Plan BarsOfCase::conform(mesh::Plan plan) const {
+  if (plan.file.empty()) plan = site::add_corners(std::move(plan), list_head_ends(), same_end);
   for (const Line& line : lines_) {
     mesh::Line& added = plan.lines.emplace_back();
     added.name = line.name;
@@ -89,13 +144,13 @@ bounds::BarHead BarsOfCase::make_head(const Line& line, int node, const bounds::
   bounds::BarHead head{node, line.direction, line.find_force(0), !line.bar.is_active, {}, line.wall};
   if (line.wall) return head;
   const bounds::WallKeys walls(problem);
+  const double at = find_foot(ground_, line.bar.head).along;
   for (const bounds::Edge& edge : bounds::list_edges(problem.triangles)) {
     if (edge.other >= 0 || walls.contains(edge.from, edge.to)) continue;
     const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
           &b = problem.nodes[static_cast<std::size_t>(edge.to)];
-    const double x = 0.5 * (a[0] + b[0]) - line.bar.head[0], y = 0.5 * (a[1] + b[1]) - line.bar.head[1];
-    if (edge.from == node || edge.to == node || std::hypot(x, y) < half_width)
-      head.sides.push_back({edge.from, edge.to});
+    const Foot middle = find_foot(ground_, {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
+    if (middle.off < on_ground && std::abs(middle.along - at) < half_width) head.sides.push_back({edge.from, edge.to});
   }
   return head;
 }

@@ -19,7 +19,8 @@ class BarsOfCase {
  public:
   explicit BarsOfCase(const site::Site& site);
 
-  /// Returns the plan with a line along each bar, and a point on it wherever its force changes its gradient.
+  /// Returns the plan with a line along each bar, a point on it wherever its force changes its gradient, and corners on
+  /// the ground at the ends of the metre on which its head presses.
   mesh::Plan conform(mesh::Plan plan) const;
   /// Adds bars and heads on a mesh of that plan to a problem with its walls; `number`: of its nodes in the problem.
   /// Throws Error (wrong_input) for a bar along a wall.
@@ -40,8 +41,10 @@ class BarsOfCase {
     double find_force(double s) const;
   };
   std::vector<double> list_kinks(const Line& line) const;
+  std::vector<site::Point> list_head_ends() const;
   bounds::BarHead make_head(const Line& line, int node, const bounds::Problem& problem) const;
 
+  site::Polyline ground_;  ///< empty without bars
   std::vector<Line> lines_;
 };
 

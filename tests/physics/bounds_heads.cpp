@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Heads of bars in limit analysis: each presses on a metre of the ground, whatever the size of the triangles.
+
+#include <gtest/gtest.h>
+
+#include "run/bounds/problem_of_case.hpp"
+#include "support/supported_slope.hpp"
+
+namespace talus {
+namespace {
+
+/// A cut of 6 m at 56°; `more`: layers and supports.
+std::string write_cut(const std::string& more, const std::string& size = "") {
+  return R"(
+[geometry]
+box = [[0, 0], [26, 11]]
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [26, 0], [26, 4], [15, 4], [11, 10], [0, 10]]
+[regions]
+soil = "silt"
+[materials.silt]
+model = "mohr_coulomb"
+unit_weight = 19
+cohesion = 6
+friction_angle = 28
+dilatancy_angle = 28
+tensile_strength = 0
+young_modulus = "30 MPa"
+poisson_ratio = 0.3
+[analysis]
+methods = ["bounds"]
+[bounds]
+)" + size +
+         more;
+}
+
+std::string write_bars(const std::string& kind, const std::string& heads, const std::string& strength) {
+  return "[support.bar]\nkind = \"" + kind + "\"\nheads = " + heads +
+         "\ninclination = 15\nout_of_plane_spacing = 2\ntensile_strength = 500\nbond = 100\naxial_stiffness = 20000\n" +
+         strength;
+}
+
+const std::string anchor = "length = 12\nbond_length = 5\nplate = 450\nprestress = 200\n",
+                  nail = "length = 8\nplate = 200\n";
+
+/// The loaded length of the ground of each head [m].
+std::vector<double> list_head_widths(const std::string& text) {
+  const bounds::Problem problem = run::make_bounds_problem(support::read_site(text), run::Supports::below_soil).problem;
+  std::vector<double> widths;
+  for (const bounds::BarHead& head : problem.heads) {
+    double& width = widths.emplace_back();
+    for (const auto& [from, to] : head.sides) {
+      const Vec<2>&a = problem.nodes[static_cast<std::size_t>(from)], &b = problem.nodes[static_cast<std::size_t>(to)];
+      width += std::hypot(b[0] - a[0], b[1] - a[1]);
+    }
+  }
+  return widths;
+}
+
+TEST(BoundsHeads, PressOnAMetreOfTheGround) {
+  const std::string shorter = "length = 9\nbond_length = 4\nplate = 450\nprestress = 200\n";
+  for (const auto& [kind, strength] : {std::pair{"anchor", shorter}, {"nail", nail}}) {
+    // In the middle of the face, beside crest and toe, and two heads closer than a metre.
+    for (const char* heads : {"[[12.5, 7.75]]", "[[11.1, 9.85]]", "[[14.9, 4.15]]", "[[12.5, 7.75], [12.9, 7.15]]"})
+      for (const char* size : {"", "size = 0.7\n"}) {
+        const std::vector<double> widths = list_head_widths(write_cut(write_bars(kind, heads, strength), size));
+        EXPECT_EQ(widths.size(), std::string(heads).size() > 20 ? 2u : 1u);
+        for (const double width : widths) EXPECT_NEAR(width, 1, 0.02) << kind << heads << size;
+      }
+  }
+}
+
+/// A layer that meets the ground at the head, and a line of the water table 0.3 m above it.
+TEST(BoundsHeads, PressOnAMetreOfTheGroundBesideOtherLinesOfTheMesh) {
+  std::string text = write_cut(write_bars("nail", "[[12.5, 7.75]]", nail));
+  const std::string one = "points = [[0, 0], [26, 0], [26, 4], [15, 4], [11, 10], [0, 10]]";
+  text.replace(text.find(one), one.size(), R"(points = [[0, 0], [26, 0], [26, 4], [15, 4], [12.5, 7.75], [0, 7.75]]
+[[geometry.polygon]]
+name = "upper"
+points = [[0, 7.75], [12.5, 7.75], [11, 10], [0, 10]])");
+  text.replace(text.find("soil = \"silt\""), 13, "soil = \"silt\"\nupper = \"silt\"");
+  text += "[initial]\npore_pressure = \"water_table\"\nwater_table = [[0, 8.1], [12.27, 8.1], [15, 4], [26, 4]]\n";
+  const std::vector<double> widths = list_head_widths(text);
+  ASSERT_EQ(widths.size(), 1u);
+  EXPECT_NEAR(widths[0], 1, 0.02);
+}
+
+TEST(BoundsHeads, OfOneAnchoredCutGiveIntervalsThatOverlap) {
+  std::vector<std::array<double, 2>> intervals;
+  for (const char* size : {"", "size = 1\n", "size = 0.5\n"}) {
+    bounds::BoundsOptions options;
+    options.gap = 0.08, options.most_triangles = 1500;
+    const site::Site site = support::read_site(write_cut(write_bars("anchor", "[[12.5, 7.75]]", anchor), size));
+    const auto found = run::find_case_bounds(run::make_bounds_problem(site, run::Supports::below_soil), options);
+    EXPECT_EQ(found.no_lower + found.no_upper, "");
+    intervals.push_back({found.lower, found.upper});
+  }
+  for (const auto& a : intervals)
+    for (const auto& b : intervals) EXPECT_LE(a[0], b[1]);
+  // FEM has 1.120 [0.976, 1.191].
+  EXPECT_LT(intervals[0][0], 1.191);
+}
+
+}  // namespace
+}  // namespace talus
