@@ -38,6 +38,17 @@ std::map<EdgeKey, std::size_t> index_sides(const Problem& problem) {
 
 }  // namespace
 
+Strength raise_to(Strength soil, double least) {
+  soil.cohesion = std::max(soil.cohesion, least);
+  if (soil.tension) soil.tension = std::max(*soil.tension, least);
+  if (soil.planes && soil.planes->cohesion < least) {
+    WeakPlanes planes = *soil.planes;
+    planes.cohesion = least;
+    soil.planes = std::make_shared<const WeakPlanes>(planes);
+  }
+  return soil;
+}
+
 StaticCheck check(const Problem& problem, const StressField& field) {
   const Units units = find_units(problem);
   StaticCheck found{std::numeric_limits<double>::infinity(), 0, false};
@@ -63,14 +74,7 @@ StaticCheck check(const Problem& problem, const StressField& field) {
     note((xx[0] + xy[1] + problem.body_force[e][0]) * units.length);
     note((xy[0] + yy[1] + problem.body_force[e][1]) * units.length);
     for (std::size_t i = 0; i < 3; ++i) {
-      Strength soil = problem.strength[e][i];
-      soil.cohesion = std::max(soil.cohesion, least_strength * units.stress);
-      if (soil.tension) soil.tension = std::max(*soil.tension, least_strength * units.stress);
-      if (soil.planes && soil.planes->cohesion < least_strength * units.stress) {
-        WeakPlanes planes = *soil.planes;
-        planes.cohesion = least_strength * units.stress;
-        soil.planes = std::make_shared<const WeakPlanes>(planes);
-      }
+      const Strength soil = raise_to(problem.strength[e][i], least_strength * units.stress);
       found.factor = std::min(found.factor, find_factor(soil, field.stress[e][i]));
     }
   }

@@ -32,6 +32,9 @@ inline constexpr double rounding = 1e-8;
 /// carries no stress at all, which a computed field can only approximate.
 inline constexpr double least_strength = 1e-6;
 
+/// Returns the strength with cohesion, tensile strength and that of weak planes not below `least` [Pa].
+Strength raise_to(Strength soil, double least);
+
 struct StaticCheck {
   double factor = 0;  ///< the field is admissible everywhere with the strengths divided by it
   double imbalance =

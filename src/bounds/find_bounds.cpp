@@ -124,6 +124,23 @@ std::vector<double> find_contributions(const Problem& problem, const Units& unit
   return part;
 }
 
+/// Adds the contributions of what the problems of both bounds differ in: the strain rates, by the first row of each
+/// cone, times the differences of cohesion and pore pressure.
+void add_differences(const Problem& lower, const Problem& upper, const Units& units, const ConicSolution& moving,
+                     std::vector<double>& part) {
+  std::size_t row = moving.z.size();
+  for (std::size_t e = lower.size(); e-- > 0;)
+    for (std::size_t i = 3; i-- > 0;) {
+      const Strength& weak = lower.strength[e][i];
+      row -= weak.count_rows();
+      const double difference = std::abs(upper.strength[e][i].cohesion - weak.cohesion) +
+                                std::abs(upper.pore_pressure[e][i] - lower.pore_pressure[e][i]);
+      double rate = 0;
+      for (std::size_t k = 0; k + 2 < weak.count_rows(); k += 3) rate += moving.z[row + k];
+      part[e] += difference / units.stress * rate;
+    }
+}
+
 /// Marks the fewest triangles that contribute refined_share of the gap, but at least fewest_refined of all, and at most
 /// the fraction `most` of all.
 std::vector<bool> mark(const std::vector<double>& parts, double most) {
@@ -144,9 +161,11 @@ std::vector<bool> mark(const std::vector<double>& parts, double most) {
 
 class BoundsSearch {
  public:
-  BoundsSearch(const Problem& problem, const BoundsOptions& options, const BoundsReport& report)
-      : options_(options), report_(report) {
-    result_.problem = fan_out(problem, find_corners(problem), widest_fan);
+  BoundsSearch(const SafeProblems& problems, const BoundsOptions& options, const BoundsReport& report)
+      : options_(options), report_(report), evaluate_(problems.evaluate) {
+    result_.problem = fan_out(problems.lower, find_corners(problems.lower), widest_fan);
+    if (problems.upper) upper_ = fan_out(*problems.upper, find_corners(*problems.upper), widest_fan);
+    evaluate();
     result_.upper = none;
   }
 
@@ -187,8 +206,12 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      const std::vector<double> parts = find_contributions(problem, units_, lower_solution_, moving.last().solution);
-      result_.problem = refine(problem, mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root())));
+      std::vector<double> parts = find_contributions(problem, units_, lower_solution_, moving.last().solution);
+      if (upper_) add_differences(problem, *upper_, units_, moving.last().solution, parts);
+      const std::vector<bool> marked = mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root()));
+      if (upper_) upper_ = refine(*upper_, marked);
+      result_.problem = refine(problem, marked);
+      evaluate();
     }
     mark_end();
     refuse_contradiction();
@@ -196,7 +219,15 @@ class BoundsSearch {
   }
 
  private:
-  /// Runs the programs of both bounds in parallel; they only read the common problem.
+  const Problem& get_problem(Bound bound) const { return bound == Bound::upper && upper_ ? *upper_ : result_.problem; }
+
+  void evaluate() {
+    if (!evaluate_) return;
+    evaluate_(result_.problem, Bound::lower);
+    if (upper_) evaluate_(*upper_, Bound::upper);
+  }
+
+  /// Runs the programs of both bounds in parallel; they only read the problems.
   template <class Lower, class Upper>
   void run_both(Lower lower, Upper upper) const {
     parallel_tasks(2, options_.threads, [&](int i) {
@@ -216,7 +247,7 @@ class BoundsSearch {
     // The tolerance of the lack refers to the unit of stress and not to the lack itself, which is near zero.
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
-    ConicProgram program = make_program(result_.problem, bound, factor, units_);
+    ConicProgram program = make_program(get_problem(bound), bound, factor, units_);
     // The solver's tolerance refers to the largest entry of the right-hand side, which in strong soil exceeds the
     // loads.
     double largest = 1;
@@ -228,7 +259,7 @@ class BoundsSearch {
     if (trial.solution.end != ConicEnd::solved) return trial;
     trial.lack = use_room(program, room, trial.solution);
     trial.doubt = std::abs(trial.solution.primal - trial.solution.dual);
-    trial.rate = find_lack_rate(result_.problem, program, bound, factor, units_, trial.solution);
+    trial.rate = find_lack_rate(get_problem(bound), program, bound, factor, units_, trial.solution);
     prove(bound, trial);
     return trial;
   }
@@ -300,7 +331,7 @@ class BoundsSearch {
   /// Records the factor that the check of the field proves, if it narrows the interval. The bounds of coarser meshes
   /// remain valid.
   void prove(Bound bound, const Trial& trial) {
-    const Problem& problem = result_.problem;
+    const Problem& problem = get_problem(bound);
     if (bound == Bound::lower) {
       StressField field = read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.factor,
                                       trial.solution, units_);
@@ -327,7 +358,9 @@ class BoundsSearch {
   const BoundsOptions& options_;
   const BoundsReport& report_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const std::function<void(Problem&, Bound)>& evaluate_;
   BoundsResult result_;
+  std::optional<Problem> upper_;  ///< on the mesh of `result_.problem`; none: the same strengths and pressures
   Units units_;
   ConicSolution lower_solution_;  ///< of the trial that gave the root of the lower bound on the current mesh
   bool is_flat_ = false;          ///< the lack of the lower bound is zero at all stable factors
@@ -337,7 +370,18 @@ class BoundsSearch {
 }  // namespace
 
 BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options, const BoundsReport& report) {
-  return BoundsSearch(problem, options, report).run();
+  return find_bounds(SafeProblems{problem, {}, {}}, options, report);
+}
+
+bool are_alike(const Problem& lower, const Problem& upper) {
+  for (std::size_t e = 0; e < lower.size(); ++e)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (lower.strength[e][i].count_rows() != upper.strength[e][i].count_rows()) return false;
+  return true;
+}
+
+BoundsResult find_bounds(const SafeProblems& problems, const BoundsOptions& options, const BoundsReport& report) {
+  return BoundsSearch(problems, options, report).run();
 }
 
 }  // namespace talus::bounds
