@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "bounds/envelope.hpp"
 #include "run/bounds/bars_of_case.hpp"
+#include "run/bounds/kink_lines.hpp"
 #include "run/bounds/problem_walls.hpp"
 #include "run/common/bedding_lines.hpp"
 #include "run/common/mesh_estimate.hpp"
@@ -63,7 +64,8 @@ class ProblemBuilder {
   mesh::Mesh<2> make_mesh() {
     const mesh::Plan plan = bars_.conform(conform_to_loaded_walls(
         site_, site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_)))));
-    return generate_with_bedding(data_, plan, bedding_spacing, mesh_notes_);
+    if (has_bedding(data_)) return generate_with_bedding(data_, plan, bedding_spacing, mesh_notes_);
+    return generate_with_kinks(site_, plan);
   }
 
   const input::Material& get_soil(std::size_t e) const {
