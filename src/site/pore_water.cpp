@@ -81,7 +81,11 @@ std::array<double, D + 1> find_given_corners(const input::Case& data, const mesh
 
 template <int D>
 HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* result) {
-  const std::vector<double> pressure = find_nodal_pressure<D>(data, mesh, result);
+  return hold_water<D>(data, mesh, find_nodal_pressure<D>(data, mesh, result));
+}
+
+template <int D>
+HeldWater<D> hold_water(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& pressure) {
   // Else the given pressures are those at the nodes.
   const bool varies_by_soil = needs_seepage(data) || !data.initial.water.lines.empty();
   HeldWater<D> water = make_dry<D>(mesh);
@@ -143,10 +147,11 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
   return true;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                \
-  template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);         \
-  template HeldWater<D> find_given_water<D>(const input::Case&, const mesh::Mesh<D>&);                      \
-  template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&, \
+#define TALUS_INSTANTIATE(D)                                                                                 \
+  template HeldWater<D> find_held_water<D>(const input::Case&, const mesh::Mesh<D>&, WaterResult*);          \
+  template HeldWater<D> hold_water<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&); \
+  template HeldWater<D> find_given_water<D>(const input::Case&, const mesh::Mesh<D>&);                       \
+  template bool add_pressure_ratio<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<double>&,  \
                                       std::vector<std::array<double, D + 1>>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

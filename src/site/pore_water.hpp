@@ -32,6 +32,10 @@ struct HeldWater {
 template <int D>
 HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh, WaterResult* summary = nullptr);
 
+/// Returns the same from the pore pressure at the nodes, as find_nodal_pressure() has it [Pa].
+template <int D>
+HeldWater<D> hold_water(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& pressure);
+
 /// Returns the same of soil without pore water of its own in which given pressures act: for MPM, which moves the pore
 /// water of the others. Other elements have zero.
 template <int D>

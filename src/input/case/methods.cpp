@@ -483,7 +483,7 @@ double find_bounds_size(const Case& data) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const mesh::Polygon& polygon : data.mesh.polygons)
     for (const auto& x : polygon.points) low = std::min(low, x[1]), high = std::max(high, x[1]);
-  const bool has_water = data.initial.water.pressure != InitialPressure::zero;
+  const bool has_water = data.initial.water.pressure != InitialPressure::zero || data.initial.water.known;
   return (has_water ? first_size_with_water : first_size) * (high - low);
 }
 

@@ -10,18 +10,15 @@
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "bounds/envelope.hpp"
 #include "run/bounds/bars_of_case.hpp"
+#include "run/bounds/case_fields.hpp"
 #include "run/bounds/kink_lines.hpp"
 #include "run/bounds/problem_walls.hpp"
 #include "run/common/bedding_lines.hpp"
 #include "run/common/mesh_estimate.hpp"
-#include "run/common/soil_column.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/ground_load.hpp"
 #include "site/mesh_sides.hpp"
-#include "site/pore_water.hpp"
-#include "site/roots.hpp"
 
 namespace talus::run {
 
@@ -31,32 +28,24 @@ namespace {
 constexpr double along_axis = 1 - 1e-9;
 /// A side with a smaller run, over its length and over the width of the section, counts as vertical.
 constexpr double vertical = 1e-9;
-/// Parts of a side of a triangle, between which strengths are compared with their linear interpolation.
-constexpr int lattice = 8;
-constexpr double rounding = 1e-9;
-/// Relative difference of the polygons inside and outside a curved envelope.
-constexpr double tolerance_of_envelopes = 0.01;
 /// Distance of the lines of the first mesh along bedding, over its element size.
 constexpr double bedding_spacing = 0.5;
 
 class ProblemBuilder {
  public:
   ProblemBuilder(const site::Site& site, Supports supports)
-      : site_(site), data_(site_.data()), columns_(site_), supports_(supports), bars_(site), mesh_(make_mesh()) {
-    for (const std::string& region : mesh_.region_names)
-      soils_.push_back(input::find_limit_soil(site_.get_soil(region)));
-  }
+      : site_(site), data_(site_.data()), supports_(supports), bars_(site), mesh_(make_mesh()) {}
 
   ProblemOfCase build() {
     made_.notes = site_.list_open_ends();
     made_.notes.insert(made_.notes.end(), mesh_notes_.begin(), mesh_notes_.end());
+    fields_ = std::make_shared<CaseFields>(site_, mesh_, made_.water);
     add_triangles();
-    enclose_envelopes();
     add_strengths();
     add_walls(site_, mesh_, number_, made_.problem);
     add_sides();
     bars_.add(mesh_, number_, made_.problem);
-    enclose_strengths();
+    enclose_case();
     return std::move(made_);
   }
 
@@ -68,25 +57,9 @@ class ProblemBuilder {
     return generate_with_kinks(site_, plan);
   }
 
-  const input::Material& get_soil(std::size_t e) const {
-    return soils_[static_cast<std::size_t>(made_.problem.region[e])];
-  }
-
-  /// Returns the law in the place of c and φ; null: there is none, or it is that of weak planes, which have their own
-  /// criterion.
-  static const StrengthLaw* get_law(const site::PlaneStrength& given) {
-    return given.planes ? nullptr : given.law.get();
-  }
-
-  const std::optional<bounds::EnvelopePolygons>& get_envelope(std::size_t e) const {
-    return envelopes_[static_cast<std::size_t>(made_.problem.region[e])];
-  }
-
   /// Adds the triangles with soil, with nodes numbered anew.
   void add_triangles() {
-    // The elements of a mesh that is cut at walls have the same order.
-    const site::HeldWater<2> water = site::find_held_water<2>(
-        data_, has_impermeable_walls(data_) ? cut_at_walls(site_, mesh_) : mesh_, &made_.water);
+    const site::HeldWater<2>& water = fields_->water();
     const Vec<2> direction = site_.find_body_force<2>();
     number_.assign(mesh_.nodes.size(), -1);
     bounds::Problem& p = made_.problem;
@@ -108,115 +81,23 @@ class ProblemBuilder {
     }
   }
 
-  void enclose_envelopes() {
-    const double usual = bounds::find_units(made_.problem).stress;
-    for (const input::Material& soil : soils_) {
-      const site::PlaneStrength given = site::find_plane_strength(soil);
-      auto& envelope = envelopes_.emplace_back();
-      if (!get_law(given) || !given.law->is_curved) continue;
-      const auto find_tangent = [&](double normal) {
-        StrengthPlane plane;
-        plane.normal = normal;
-        return given.law->find_tangent(plane);
-      };
-      envelope = bounds::enclose_envelope(find_tangent, {given.law->straight_below, usual, tolerance_of_envelopes});
-    }
-  }
-
   void add_strengths() {
     bounds::Problem& p = made_.problem;
-    std::vector<Vec<2>> places;
-    std::vector<const input::Material*> soils;
-    for (std::size_t e = 0; e < p.size(); ++e)
-      for (const int node : p.triangles[e]) {
-        places.push_back(p.nodes[static_cast<std::size_t>(node)]);
-        soils.push_back(&get_soil(e));
-      }
-    const std::vector<site::RootsAt> roots = site::find_roots<2>(data_, mesh_, places, soils);
-    p.strength.resize(p.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto& envelope = get_envelope(i / 3);
-      p.strength[i / 3][i % 3] =
-          find_strength(*soils[i], places[i], roots[i].cohesion, envelope ? &envelope->inner : nullptr);
-    }
-    if (std::none_of(envelopes_.begin(), envelopes_.end(), [](const auto& e) { return e.has_value(); })) return;
-    outer_ = p.strength;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (const auto& envelope = get_envelope(i / 3))
-        outer_[i / 3][i % 3] = find_strength(*soils[i], places[i], roots[i].cohesion, &envelope->outer);
+    fields_->enclose_envelopes(bounds::find_units(p).stress);
+    p.strength = fields_->find_strengths(bounds::Bound::lower);
+    if (fields_->has_envelopes()) outer_ = fields_->find_strengths(bounds::Bound::upper);
   }
 
-  /// Strengths by depth and by σ'_v have kinks, and are curved. Those of a triangle are scaled so that none is above,
-  /// or none below the law at the points of a lattice.
-  void enclose_strengths() {
-    bounds::Problem& p = made_.problem;
-    std::vector<double> least(p.size(), 1), most(p.size(), 1);
-    bool is_linear = true;
-    for (std::size_t e = 0; e < p.size(); ++e) {
-      const site::PlaneStrength given = site::find_plane_strength(get_soil(e));
-      if (!get_law(given) || given.law->is_curved) continue;
-      std::array<double, 3> corner{};
-      for (std::size_t i = 0; i < 3; ++i) corner[i] = find_law_strength(given, get_corner(e, i));
-      for (int i = 0; i <= lattice; ++i)
-        for (int j = 0; j <= lattice - i; ++j) {
-          const std::array<double, 3> w{double(i) / lattice, double(j) / lattice, double(lattice - i - j) / lattice};
-          Vec<2> x{};
-          double linear = 0;
-          for (std::size_t k = 0; k < 3; ++k) {
-            linear += w[k] * corner[k];
-            for (std::size_t d = 0; d < 2; ++d) x[d] += w[k] * get_corner(e, k)[d];
-          }
-          if (!(linear > 0)) continue;
-          const double ratio = find_law_strength(given, x) / linear;
-          least[e] = std::min(least[e], ratio), most[e] = std::max(most[e], ratio);
-        }
-      is_linear = is_linear && least[e] > 1 - rounding && most[e] < 1 + rounding;
-    }
-    if (is_linear && outer_.empty()) return;
-    made_.stronger = p;
+  /// Makes two problems where strengths and pressures are on one side of the case only.
+  void enclose_case() {
+    made_.fields = fields_;
+    const auto enclosure = std::make_shared<const CaseEnclosure>(fields_, made_.problem);
+    if (!outer_.empty() || enclosure->is_needed()) made_.stronger = made_.problem;
     if (!outer_.empty()) made_.stronger->strength = outer_;
-    for (std::size_t e = 0; e < p.size(); ++e)
-      for (std::size_t i = 0; i < 3; ++i) {
-        p.strength[e][i].cohesion *= least[e];
-        made_.stronger->strength[e][i].cohesion *= most[e];
-      }
-  }
-  const Vec<2>& get_corner(std::size_t e, std::size_t i) const {
-    return made_.problem.nodes[static_cast<std::size_t>(made_.problem.triangles[e][i])];
-  }
-  double find_law_strength(const site::PlaneStrength& given, const Vec<2>& x) const {
-    return given.law->find_tangent(columns_.find(x)).cohesion;
-  }
-
-  /// Returns the strength at a place; `envelope` is one of the polygons of a curved envelope, else null.
-  bounds::Strength find_strength(const input::Material& m, const Vec<2>& x, double root_cohesion,
-                                 const bounds::Strength* envelope) const {
-    const site::PlaneStrength given = site::find_plane_strength(m);
-    if (!given.yields) return {given.cohesion, 0, {}};
-    bounds::Strength soil;
-    soil.cohesion =
-        given.cohesion + root_cohesion + given.cohesion_gradient * std::max(0.0, given.cohesion_level - x[1]);
-    soil.tan_friction = std::tan(given.friction_angle);
-    if (envelope) {
-      soil = *envelope;
-      soil.cohesion += root_cohesion;
-    } else if (get_law(given)) {
-      soil.cohesion = root_cohesion + find_law_strength(given, x);
-    }
-    soil.is_reduced = m.reduced;
-    if (data_.bounds.flow == input::BoundsFlow::davis) {
-      const double phi = given.friction_angle, psi = m.dilatancy_angle,
-                   share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
-      soil.cohesion *= share, soil.tan_friction *= share;
-    }
-    if (const auto& planes = given.planes)
-      soil.planes = std::make_shared<const bounds::WeakPlanes>(
-          bounds::WeakPlanes{planes->angle, planes->cohesion, std::tan(planes->friction_angle)});
-    const bool is_limited = data_.bounds.tension == input::BoundsTension::as_given &&
-                            (envelope || (m.traits().has_friction && !m.known_strength));
-    const double tension = envelope ? given.law->tensile_strength : m.tensile_strength;
-    if (is_limited && tension * soil.tan_friction < soil.cohesion) soil.tension = tension;
-    return soil;
+    if (!enclosure->is_needed()) return;
+    enclosure->apply(made_.problem, bounds::Bound::lower);
+    enclosure->apply(*made_.stronger, bounds::Bound::upper);
+    made_.enclosure = enclosure;
   }
 
   bounds::EdgeKey find_key(const std::array<int, 2>& side) const {
@@ -322,13 +203,11 @@ class ProblemBuilder {
 
   const site::Site site_;
   const input::Case& data_;
-  const SoilColumns columns_;
   Supports supports_;
   const BarsOfCase bars_;
   std::vector<std::string> mesh_notes_;
   const mesh::Mesh<2> mesh_;
-  std::vector<input::Material> soils_;                              ///< of the regions of the mesh
-  std::vector<std::optional<bounds::EnvelopePolygons>> envelopes_;  ///< of the regions; none for a straight envelope
+  std::shared_ptr<CaseFields> fields_;
   std::vector<std::array<bounds::Strength, 3>> outer_;  ///< of the triangles, with tangents; empty without polygons
   std::vector<int> number_;                             ///< of the nodes of the mesh; -1: not in soil
   ProblemOfCase made_;
@@ -354,16 +233,30 @@ void check_bounds(const input::Case& data) {
 
 bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
                                       const bounds::BoundsReport& report) {
-  bounds::BoundsResult found = bounds::find_bounds(made.problem, options, report);
-  if (!made.stronger) return found;
-  bounds::BoundsResult other = bounds::find_bounds(*made.stronger, options, report);
-  found.upper = other.upper;
-  found.no_upper = std::move(other.no_upper);
-  found.velocity_problem = std::move(other.velocity_problem);
-  found.velocity = std::move(other.velocity);
-  found.kinematic_check = other.kinematic_check;
-  for (std::size_t i = 0; i < found.levels.size(); ++i)
-    found.levels[i].upper = i < other.levels.size() ? other.levels[i].upper : other.upper;
+  const auto search = [&](const bounds::Problem& problem, const std::optional<bounds::Problem>& upper,
+                          std::optional<bounds::Bound> only) {
+    bounds::SafeProblems problems{problem, upper, {}};
+    if (made.enclosure)
+      problems.evaluate = [&](bounds::Problem& p, bounds::Bound bound) {
+        made.enclosure->apply(p, only.value_or(bound));
+      };
+    return bounds::find_bounds(problems, options, report);
+  };
+  bounds::BoundsResult found;
+  if (!made.stronger || bounds::are_alike(made.problem, *made.stronger)) {
+    found = search(made.problem, made.stronger, {});
+  } else {  // polygons of a curved envelope, of which each bound has its own
+    found = search(made.problem, {}, bounds::Bound::lower);
+    bounds::BoundsResult other = search(*made.stronger, {}, bounds::Bound::upper);
+    found.upper = other.upper;
+    found.no_upper = std::move(other.no_upper);
+    found.velocity_problem = std::move(other.velocity_problem);
+    found.velocity = std::move(other.velocity);
+    found.kinematic_check = other.kinematic_check;
+    for (std::size_t i = 0; i < found.levels.size(); ++i)
+      found.levels[i].upper = i < other.levels.size() ? other.levels[i].upper : other.upper;
+  }
+  hold_to_case(*made.fields, found);
   return found;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,12 +18,17 @@
 
 namespace talus::run {
 
+class CaseEnclosure;
+class CaseFields;
+
 struct ProblemOfCase {
   bounds::Problem problem;
-  /// The same with strengths that are nowhere below those of the case, for the upper bound, where strengths are not
-  /// linear in each triangle; those of `problem` are then nowhere above them.
+  /// The same for the upper bound where strengths or pore pressures are not linear in each triangle: its strengths are
+  /// nowhere below and its pressures nowhere above those of the case, and those of `problem` conversely.
   std::optional<bounds::Problem> stronger;
-  site::WaterResult water;         ///< origin of the pore pressures
+  std::shared_ptr<const CaseFields> fields;
+  std::shared_ptr<const CaseEnclosure> enclosure;  ///< for refined meshes; null: all is linear in the first mesh
+  site::WaterResult water;                         ///< origin of the pore pressures
   std::vector<std::string> notes;  ///< sentences on what limit analysis does not take from the case as it is
 };
 
@@ -37,7 +43,8 @@ enum class Supports {
 /// and what mesh::generate() and find_held_water() throw.
 ProblemOfCase make_bounds_problem(const site::Site& site, Supports supports = Supports::as_given);
 
-/// Returns the bounds of a case; those of `problem`, with the upper bound of `stronger` where there is one.
+/// Returns the bounds of a case: the lower bound of `problem`, and the upper one of `stronger` where there is one, held
+/// to the strengths and pore pressures of the case (hold_to_case()).
 bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
                                       const bounds::BoundsReport& report = {});
 

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Strengths and pore pressures on the safe side of each bound, and the comparison of the fields with the case.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "run/bounds/case_fields.hpp"
+
+namespace talus::run {
+
+namespace {
+
+using Weights = std::array<double, 3>;
+
+/// Parts of a side of a triangle between the points at which strengths and pressures are compared.
+constexpr int lattice = 8;
+/// Differences up to this fraction of the largest overburden are rounding errors.
+constexpr double rounding = 1e-7;
+/// Fraction of the way to the centre by which points on the sides lie inside a triangle, on whose sides strength and
+/// pressure may jump.
+constexpr double inwards = 1e-9;
+/// Points of each triangle that the comparison draws at random, and the seed.
+constexpr int drawn = 12;
+constexpr unsigned seed = 20261130;
+/// Relative change of a bound by the comparison above which it is withdrawn, and below which it is rounding.
+constexpr double most_change = 0.05, no_change = 1e-6;
+
+Weights move_inwards(Weights w) {
+  for (double& x : w) x = (1 - inwards) * x + inwards / 3;
+  return w;
+}
+
+/// Returns the points of the lattice, the corners first.
+std::vector<Weights> list_lattice() {
+  std::vector<Weights> points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i <= lattice; ++i)
+    for (int j = 0; j <= lattice - i; ++j)
+      if (const int k = lattice - i - j; i < lattice && j < lattice && k < lattice)
+        points.push_back({double(i) / lattice, double(j) / lattice, double(k) / lattice});
+  std::transform(points.begin(), points.end(), points.begin(), move_inwards);
+  return points;
+}
+
+double interpolate(const std::array<double, 3>& corner, const Weights& w) {
+  return w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
+}
+
+Vec<2> find_place(const bounds::Problem& problem, std::size_t e, const Weights& w) {
+  Vec<2> x{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t d = 0; d < 2; ++d)
+      x[d] += w[i] * problem.nodes[static_cast<std::size_t>(problem.triangles[e][i])][d];
+  return x;
+}
+
+/// Returns the points of triangles; `origins`: of all triangles in the first mesh.
+std::vector<SoilPlace> list_places(const bounds::Problem& problem, const std::vector<std::size_t>& origins,
+                                   const std::vector<std::size_t>& triangles, const std::vector<Weights>& points) {
+  std::vector<SoilPlace> places;
+  for (const std::size_t e : triangles)
+    for (const Weights& w : points) places.push_back({origins[e], find_place(problem, e, w)});
+  return places;
+}
+
+/// Adds to the corners what the linear function between them is short of `values` at points, each corner by its weight.
+/// Returns the largest shortage.
+double lift(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
+  Weights more{};
+  double most = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Weights& w = points[k];
+    const double lack = values[k] - interpolate(corner, w), square = dot(w, w);
+    if (!(lack > 0)) continue;
+    most = std::max(most, lack);
+    for (std::size_t i = 0; i < 3; ++i) more[i] = std::max(more[i], lack * w[i] / square);
+  }
+  for (std::size_t i = 0; i < 3; ++i) corner[i] += more[i];
+  return most;
+}
+
+/// The same below `values`.
+double lower(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
+  std::array<double, 3> opposite{-corner[0], -corner[1], -corner[2]};
+  std::vector<double> opposites(values, values + points.size());
+  for (double& v : opposites) v = -v;
+  const double most = lift(opposite, points, opposites.data());
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = -opposite[i];
+  return most;
+}
+
+/// Multiplies the corners so that the linear function between them, which is not negative, exceeds none of `values`.
+/// Returns the largest excess.
+double scale(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
+  double ratio = 1, most = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double linear = interpolate(corner, points[k]);
+    if (!(linear > values[k])) continue;
+    most = std::max(most, linear - values[k]);
+    ratio = std::min(ratio, values[k] / linear);
+  }
+  for (double& c : corner) c *= ratio;
+  return most;
+}
+
+/// Puts values of a triangle on one side of `values` where they differ by more than rounding.
+template <class Move>
+bool enclose(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values, double tolerance,
+             Move move) {
+  std::array<double, 3> moved = corner;
+  if (!(move(moved, points, values) > tolerance)) return false;
+  corner = moved;
+  return true;
+}
+
+std::array<double, 3> get_cohesion(const bounds::Problem& problem, std::size_t e) {
+  const auto& s = problem.strength[e];
+  return {s[0].cohesion, s[1].cohesion, s[2].cohesion};
+}
+
+void set_cohesion(bounds::Problem& problem, std::size_t e, const std::array<double, 3>& cohesion) {
+  for (std::size_t i = 0; i < 3; ++i) problem.strength[e][i].cohesion = cohesion[i];
+}
+
+/// Encloses the cohesion of a triangle on the safe side of a bound.
+bool enclose_cohesion(bounds::Problem& problem, std::size_t e, bounds::Bound bound, const std::vector<Weights>& points,
+                      const double* values, double tolerance) {
+  std::array<double, 3> own = get_cohesion(problem, e);
+  const bool is_moved = enclose(own, points, values, tolerance, bound == bounds::Bound::lower ? scale : lift);
+  set_cohesion(problem, e, own);
+  return is_moved;
+}
+
+bool enclose_pressure(bounds::Problem& problem, std::size_t e, bounds::Bound bound, const std::vector<Weights>& points,
+                      const double* values, double tolerance) {
+  return enclose(problem.pore_pressure[e], points, values, tolerance, bound == bounds::Bound::lower ? lift : lower);
+}
+
+}  // namespace
+
+CaseEnclosure::CaseEnclosure(std::shared_ptr<const CaseFields> fields, const bounds::Problem& first)
+    : fields_(std::move(fields)),
+      rounding_(rounding * bounds::find_units(first).stress),
+      bends_strength_(first.size(), false),
+      bends_pressure_(first.size(), false) {
+  const std::vector<Weights> points = list_lattice();
+  std::vector<std::size_t> variable, all(first.size());
+  for (std::size_t e = 0; e < first.size(); ++e) {
+    all[e] = e;
+    if (fields_->has_variable_strength(e)) variable.push_back(e);
+  }
+  const auto differs = [&](const std::array<double, 3>& corner, const double* values) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (!(std::abs(values[k] - interpolate(corner, points[k])) <= rounding_)) return true;
+    return false;
+  };
+  const std::vector<double> cohesions =
+      fields_->find_cohesions(list_places(first, all, variable, points), bounds::Bound::lower);
+  for (std::size_t k = 0; k < variable.size(); ++k)
+    bends_strength_[variable[k]] = differs(get_cohesion(first, variable[k]), &cohesions[k * points.size()]);
+  if (!fields_->has_pressure()) return;
+  const std::vector<double> pressures = fields_->find_pressures(list_places(first, all, all, points));
+  for (std::size_t e = 0; e < first.size(); ++e)
+    bends_pressure_[e] = differs(first.pore_pressure[e], &pressures[e * points.size()]);
+}
+
+bool CaseEnclosure::is_needed() const {
+  const auto is_set = [](bool b) { return b; };
+  return std::any_of(bends_strength_.begin(), bends_strength_.end(), is_set) ||
+         std::any_of(bends_pressure_.begin(), bends_pressure_.end(), is_set);
+}
+
+void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
+  const std::vector<Weights> points = list_lattice();
+  const std::vector<std::size_t> origins = fields_->find_origins(problem);
+  std::vector<std::size_t> of_strength, of_pressure;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    if (bends_strength_[origins[e]]) of_strength.push_back(e);
+    if (bends_pressure_[origins[e]]) of_pressure.push_back(e);
+  }
+  const std::vector<double> cohesions =
+      fields_->find_cohesions(list_places(problem, origins, of_strength, points), bound);
+  for (std::size_t k = 0; k < of_strength.size(); ++k) {
+    const double* values = &cohesions[k * points.size()];
+    set_cohesion(problem, of_strength[k], {values[0], values[1], values[2]});
+    enclose_cohesion(problem, of_strength[k], bound, points, values, rounding_);
+  }
+  if (of_pressure.empty()) return;
+  const std::vector<double> pressures = fields_->find_pressures(list_places(problem, origins, of_pressure, points));
+  for (std::size_t k = 0; k < of_pressure.size(); ++k) {
+    const double* values = &pressures[k * points.size()];
+    problem.pore_pressure[of_pressure[k]] = {values[0], values[1], values[2]};
+    enclose_pressure(problem, of_pressure[k], bound, points, values, rounding_);
+  }
+}
+
+namespace {
+
+/// Strength and pore pressure of the case at the points of one mesh that the comparison uses.
+class Comparison {
+ public:
+  Comparison(const CaseFields& fields, const bounds::Problem& problem, bounds::Bound bound)
+      : problem_(problem), bound_(bound), units_(bounds::find_units(problem)) {
+    for (const Weights& corner : {Weights{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}})
+      points_.push_back(move_inwards(corner));
+    points_.push_back({1.0 / 3, 1.0 / 3, 1.0 / 3});
+    std::mt19937 random(seed);
+    for (int i = 0; i < drawn; ++i) {
+      // The distances between two sorted numbers are even in a triangle.
+      const auto draw = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
+      const auto [first, second] = std::minmax({draw(), draw()});
+      points_.push_back({first, second - first, 1 - second});
+    }
+    const std::vector<std::size_t> origins = fields.find_origins(problem);
+    for (std::size_t e = 0; e < problem.size(); ++e)
+      if (fields.has_pressure() || fields.has_variable_strength(origins[e])) triangles_.push_back(e);
+    const std::vector<SoilPlace> places = list_places(problem, origins, triangles_, points_);
+    cohesions_ = fields.find_cohesions(places, bound);
+    pressures_ = fields.find_pressures(places);
+  }
+
+  /// Returns the largest factor that a stress field proves at all points.
+  double find_factor(const bounds::StressField& field) {
+    double factor = std::numeric_limits<double>::infinity();
+    const double least = bounds::least_strength * units_.stress;
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (std::size_t k = 0; k < points_.size(); ++k) {
+        const std::size_t e = triangles_[t], i = t * points_.size() + k;
+        const Weights& w = points_[k];
+        bounds::Strength soil = problem_.strength[e][0];
+        soil.cohesion = cohesions_[i];
+        const double more = pressures_[i] - interpolate(problem_.pore_pressure[e], w);
+        bounds::Stress stress{};
+        for (std::size_t d = 0; d < 3; ++d) {
+          for (std::size_t c = 0; c < 3; ++c) stress[d] += w[c] * field.stress[e][c][d];
+          if (d < 2) stress[d] += more;
+        }
+        const double own = bounds::find_factor(bounds::raise_to(soil, least), stress);
+        if (own >= factor) continue;
+        factor = own;
+        is_pressure_ = std::abs(more) > std::abs(cohesions_[i] - interpolate(get_cohesion(problem_, e), w));
+      }
+    return factor;
+  }
+
+  /// Returns the least factor that a mechanism proves with strengths not below and pore pressures not above those of
+  /// the case at all points.
+  double find_factor(const bounds::VelocityField& field) {
+    bounds::Problem safe = problem_;
+    bool is_moved = false;
+    const double tolerance = rounding * units_.stress;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const std::size_t e = triangles_[t], i = t * points_.size();
+      const bool is_wetter = enclose_pressure(safe, e, bound_, points_, &pressures_[i], tolerance);
+      is_moved = enclose_cohesion(safe, e, bound_, points_, &cohesions_[i], tolerance) || is_wetter || is_moved;
+      is_pressure_ = is_pressure_ || is_wetter;
+    }
+    if (!is_moved) return 0;
+    const bounds::KinematicCheck found = check(safe, field);
+    return found.holds ? found.factor : std::numeric_limits<double>::infinity();
+  }
+
+  /// Returns why a bound is withdrawn.
+  std::string describe() const {
+    return is_pressure_ ? "not proven: the pore pressure changes inside the triangles"
+                        : "not proven: the strength changes inside the triangles";
+  }
+
+ private:
+  const bounds::Problem& problem_;
+  bounds::Bound bound_;
+  bounds::Units units_;
+  std::vector<Weights> points_;
+  std::vector<std::size_t> triangles_;
+  std::vector<double> cohesions_, pressures_;  ///< by triangle, of its points
+  bool is_pressure_ = false;
+};
+
+}  // namespace
+
+void hold_to_case(const CaseFields& fields, bounds::BoundsResult& found) {
+  if (found.lower > 0) {
+    Comparison compared(fields, found.stress_problem, bounds::Bound::lower);
+    const double factor = compared.find_factor(found.stress);
+    if (factor < found.lower * (1 - most_change)) {
+      found.no_lower = compared.describe();
+      found.lower = 0;
+    } else if (factor < found.lower * (1 - no_change)) {
+      found.lower = factor;
+    }
+  }
+  if (std::isfinite(found.upper)) {
+    Comparison compared(fields, found.velocity_problem, bounds::Bound::upper);
+    const double factor = compared.find_factor(found.velocity);
+    if (factor > found.upper * (1 + most_change)) {
+      found.no_upper = compared.describe();
+      found.upper = std::numeric_limits<double>::infinity();
+    } else if (factor > found.upper * (1 + no_change)) {
+      found.upper = factor;
+    }
+  }
+  for (bounds::BoundsLevel& level : found.levels) {
+    level.lower = std::min(level.lower, found.lower);
+    level.upper = std::max(level.upper, found.upper);
+  }
+}
+
+}  // namespace talus::run
