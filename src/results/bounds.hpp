@@ -28,6 +28,9 @@ inline double show_upper(double factor) {
   return std::ceil(1e3 * factor) / 1e3;
 }
 
+/// Factors within this fraction of a bound are not judged by it: searches and slices scatter by as much.
+inline constexpr double judging_tolerance = 2e-3;
+
 /// "lem.referee" of summary.json: the interval that limit analysis proves for the soil of limit equilibrium. It assumes
 /// ψ = φ, tension up to the apex c/tan φ, and fixed ends and base of the section.
 struct Referee {
@@ -41,8 +44,9 @@ struct Referee {
   bool is_interval() const { return lower && upper; }
   /// Classifies a factor of limit equilibrium against the printed bounds.
   Verdict judge(double factor) const {
-    if (upper && factor > show_upper(*upper)) return Verdict::too_high;
-    return lower && !upper_only && factor < show_lower(*lower) ? Verdict::too_low : Verdict::possible;
+    if (upper && factor > (1 + judging_tolerance) * show_upper(*upper)) return Verdict::too_high;
+    const bool is_low = lower && !upper_only && factor < (1 - judging_tolerance) * show_lower(*lower);
+    return is_low ? Verdict::too_low : Verdict::possible;
   }
 };
 void describe(auto& v, As<Referee> auto& r) {

@@ -84,6 +84,17 @@ TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
   EXPECT_EQ(find_main_factor(run), 1.33);
 }
 
+/// The printed bounds are 1.334 and 1.366. A factor printed as 1.334 is not said to be below 1.334.
+TEST(Referee, DoesNotJudgeFactorsWithinAFifthOfAPerCentOfABound) {
+  Referee referee;
+  referee.lower = 1.334769, referee.upper = 1.3655;
+  EXPECT_EQ(referee.judge(1.333926), Verdict::possible);
+  EXPECT_EQ(referee.judge(1.3315), Verdict::possible);
+  EXPECT_EQ(referee.judge(1.331), Verdict::too_low);
+  EXPECT_EQ(referee.judge(1.3685), Verdict::possible);
+  EXPECT_EQ(referee.judge(1.369), Verdict::too_high);
+}
+
 TEST(MainFactor, IsNotAboveTheUpperBound) {
   RunResult run;
   run.bounds.emplace().lower = 1.3;

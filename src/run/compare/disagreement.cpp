@@ -28,6 +28,8 @@ constexpr double far_criteria = 0.03;
 constexpr double following = 0.3, more_than_other = 0.15;
 /// With fewer rows of elements across a layer, the layer is too stiff.
 constexpr double fewest_rows = 3;
+/// A wider interval of the referee judges little [-].
+constexpr double wide_interval = 0.1;
 
 double differ(double a, double b) {
   return std::abs(a / b - 1);
@@ -58,6 +60,7 @@ class Warnings {
   std::vector<std::string> list() {
     warn_of_methods();
     warn_of_bounds();
+    warn_of_referee();
     warn_of_surfaces();
     warn_of_skin();
     warn_of_criteria();
@@ -195,17 +198,29 @@ class Warnings {
     }
   }
 
+  void warn_of_referee() {
+    if (!run_.slices || !run_.slices->referee || !run_.slices->referee->is_interval()) return;
+    const double lower = *run_.slices->referee->lower, upper = *run_.slices->referee->upper,
+                 width = 2 * (upper - lower) / (upper + lower);
+    if (width > wide_interval)
+      warnings_.push_back(fmt::format(
+          "The factors of limit equilibrium were held against an interval of limit analysis that is {:.0f} % wide, "
+          "{:.3f} to {:.3f}: wrong factors inside it are not found. methods = [\"lem\", \"bounds\"] with a smaller "
+          "[bounds] size may narrow it.",
+          100 * width, results::show_lower(lower), results::show_upper(upper)));
+  }
+
   /// `interval`: the interval of the factor; nullopt: the factor alone. `below`: the reason why the factor may be
   /// below the lower bound; empty if this is expected, as the comparison of the methods reports then.
   void warn_outside(const std::string& words, double factor, std::optional<results::ElementInterval> interval,
                     const std::string& above, const std::string& below) {
     const auto &lower = run_.bounds->lower, &upper = run_.bounds->upper;
     const double least = interval ? interval->lower : factor, greatest = interval ? interval->upper : factor;
-    if (upper && least > *upper)
+    if (upper && least > (1 + results::judging_tolerance) * *upper)
       warnings_.push_back(fmt::format(
           "The factor {:.3f} by {} is above the upper bound, {:.3f}: it is too high by {:.1f} % at least.{}", factor,
           words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
-    if (lower && greatest < *lower && !below.empty())
+    if (lower && greatest < (1 - results::judging_tolerance) * *lower && !below.empty())
       warnings_.push_back(fmt::format("The factor {:.3f} by {} is below the lower bound for ψ = φ, {:.3f}. {}", factor,
                                       words, results::show_lower(*lower), below));
   }
