@@ -12,6 +12,7 @@
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
 #include "site/design_values.hpp"
+#include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
 #include "site/site.hpp"
 
@@ -33,6 +34,30 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
   return lines;
 }
 
+namespace {
+
+/// Checks that no water stands on a mesh without a ground of polygons. MPM applies heads and pressures itself.
+template <int D>
+void check_water_on(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  const bool has_elements = input::uses(data, Method::fem) || asks_for_elements(data);
+  if (has_elements || input::uses(data, Method::mpm))
+    site::check_standing_water<D>(data, mesh, {.hydraulics = has_elements});
+}
+
+/// Checks the ground of a case for MPM, which needs one with a slurry, an earthquake or standing water.
+void check_ground(const site::Site& site) {
+  const input::Case& data = site.data();
+  if (data.mesh.polygons.empty() || site.has_ground()) return;
+  if (!data.slurries.empty() || data.earthquake.horizontal != 0 || data.earthquake.vertical != 0) site.ground();
+  if (site.water_table().empty() || !is_meshed_in_a_moment(data.mesh)) return;
+  if (data.mesh.dimension == 2)
+    check_water_on(data, mesh::generate<2>(data.mesh));
+  else
+    check_water_on(data, mesh::generate<3>(data.mesh));
+}
+
+}  // namespace
+
 void check_ready_mesh(const input::LoadedCase& loaded) {
   constexpr std::uintmax_t most_bytes = 20'000'000;
   const mesh::Plan& plan = loaded.data.mesh;
@@ -41,6 +66,7 @@ void check_ready_mesh(const input::LoadedCase& loaded) {
     std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
     for (const auto& [name, list] : mesh.sides) sides.insert(name);
     input::check_against_mesh(loaded, sides, regions);
+    check_water_on(loaded.data, mesh);
   };
   if (plan.dimension == 2)
     check(mesh::generate<2>(plan));
@@ -71,6 +97,7 @@ void check_methods(const input::Case& data) {
   const site::Site site(data);
   if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(site);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(site);
+  if (input::uses(data, Method::mpm)) check_ground(site);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
   // This makes a coarse mesh and checks its loads.

@@ -2,11 +2,16 @@
 // Integration of loads over the sides of the ground, and the corners by which a mesh conforms to them.
 #include "site/ground_load.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 
+#include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "site/mesh_sides.hpp"
 
 namespace talus::site {
@@ -17,6 +22,8 @@ namespace {
 constexpr int triangle_parts = 8;
 /// Tolerance of the place on a side or of x, as a fraction of the length or of the section's width.
 constexpr double same_place = 1e-9;
+/// Depth of water below which the ground is dry, as a fraction of the section's width.
+constexpr double same_level = 1e-6;
 
 /// An integration point on a side: shape functions, and weight as a fraction of the side.
 template <int D>
@@ -127,6 +134,31 @@ std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline&
   return steps;
 }
 
+/// Extent of the mesh along x [m].
+template <int D>
+double find_width(const mesh::Mesh<D>& mesh) {
+  const auto by_x = [](const Vec<D>& a, const Vec<D>& b) { return a[0] < b[0]; };
+  const auto [left, right] = std::minmax_element(mesh.nodes.begin(), mesh.nodes.end(), by_x);
+  return (*right)[0] - (*left)[0];
+}
+
+/// Returns the heads and pressures of the case by the sides of the mesh that have them, nodes in increasing order.
+template <int D>
+std::map<std::array<int, D>, const input::Hydraulic*> map_prescribed_water(const input::Case& data,
+                                                                           const mesh::Mesh<D>& mesh) {
+  std::map<std::array<int, D>, const input::Hydraulic*> prescribed;
+  for (const input::Hydraulic& h : data.hydraulics) {
+    const auto sides = mesh.sides.find(h.on);
+    const bool is_head = h.condition == input::WaterCondition::total_head;
+    if (sides == mesh.sides.end() || (!is_head && h.condition != input::WaterCondition::pressure)) continue;
+    for (std::array<int, D> nodes : sides->second) {
+      std::sort(nodes.begin(), nodes.end());
+      prescribed[nodes] = &h;
+    }
+  }
+  return prescribed;
+}
+
 /// Returns the x between which all loads on the ground are linear [m], except where a water level meets the ground.
 std::vector<double> list_breaks(const Site& site, bool has_water) {
   std::vector<double> breaks;
@@ -213,8 +245,40 @@ std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
 }
 
 template <int D>
+void check_standing_water(const Site& site, const mesh::Mesh<D>& mesh, const ActingLoads& acting) {
+  const input::Case& data = site.data();
+  if (site.has_ground() || (site.water_table().empty() && data.hydraulics.empty())) return;
+  const std::vector<GroundSide<D>> sides = find_ground_sides(mesh);
+  const std::map<std::array<int, D>, const input::Hydraulic*> prescribed = map_prescribed_water(data, mesh);
+  const double least = same_level * find_width(mesh), time = find_first_time(data);
+  for (const GroundSide<D>& side : sides) {
+    std::array<int, D> nodes = side.nodes;
+    std::sort(nodes.begin(), nodes.end());
+    const auto found = prescribed.find(nodes);
+    const input::Hydraulic* given = found == prescribed.end() ? nullptr : found->second;
+    if (given != nullptr && !acting.hydraulics) continue;
+    for (const int node : nodes) {
+      const Vec<D>& x = mesh.nodes[node];
+      double depth =
+          site.water_table().empty() || !acting.standing_water ? 0 : find_water_table(site.water_table(), x[0]) - x[1];
+      if (given != nullptr)
+        depth = given->condition == input::WaterCondition::total_head ? given->values().at(time) - x[1]
+                                                                      : given->values().at(time) / site.water_weight();
+      if (depth <= least) continue;
+      const ShownUnit& length = data.units().length;
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("water stands {} deep on the ground at {}, and its weight is applied only to a ground of "
+                              "polygons or layers without overhangs: describe the section by these, or lower the water "
+                              "to the ground",
+                              format_value(depth, length, 3), format_point(Point{x[0], x[1]}, length)));
+    }
+  }
+}
+
+template <int D>
 std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh::Mesh<D>& mesh,
                                                     const ActingLoads& acting) {
+  check_standing_water(site, mesh, acting);
   std::vector<fem::SurfaceLoad<D>> loads;
   const input::Case& data = site.data();
   std::vector<GroundSide<D>> sides = find_ground_sides(mesh);
@@ -283,6 +347,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
 
 #define TALUS_INSTANTIATE(D)                                                                         \
   template std::vector<GroundSide<D>> find_ground_sides<D>(const mesh::Mesh<D>&);                    \
+  template void check_standing_water<D>(const Site&, const mesh::Mesh<D>&, const ActingLoads&);      \
   template std::vector<fem::SurfaceLoad<D>> make_surface_loads<D>(const Site&, const mesh::Mesh<D>&, \
                                                                   const ActingLoads&);
 TALUS_INSTANTIATE(2)

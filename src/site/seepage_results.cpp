@@ -118,8 +118,9 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
   }
 }
 
-/// Returns the state under the water table of the case; nothing in a case without one.
+/// Returns the state under the water table of a plane case; nothing in a case without one.
 std::optional<results::WaterState> make_table_state_result(const Site& site, double time) {
+  if (site.data().mesh.dimension != 2) return std::nullopt;
   if (!site.has_ground() || (site.water_table().empty() && !has_pressure_field(site.data()))) return std::nullopt;
   results::WaterState state;
   state.time = time;
@@ -209,9 +210,10 @@ results::WaterState make_state_result(const Site& site, const fem::SeepageResult
   result.outflow = r.outflow;
   result.storage_rate = r.storage_rate;
   add_side_discharges<D>(r, result.discharges, result.exits);
-  if constexpr (D == 2)
+  if constexpr (D == 2) {
     for (const auto& line : r.water_table) result.water_table.emplace_back(line.begin(), line.end());
-  result.ponds = make_ponds_result(site.find_ponds(time));
+    result.ponds = make_ponds_result(site.find_ponds(time));
+  }
   return result;
 }
 

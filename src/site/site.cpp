@@ -11,7 +11,7 @@
 namespace talus::site {
 
 Site::Site(std::shared_ptr<const input::Case> data) : data_(std::move(data)) {
-  if (data_->mesh.dimension != 2 || data_->mesh.polygons.empty()) return;
+  if (data_->mesh.polygons.empty()) return;
   try {
     ground_ = find_ground(data_->mesh);
   } catch (const Error& fault) {

@@ -29,9 +29,10 @@ class Site {
 
   // Geometry.
 
-  /// Returns true for a plane section of polygons with soil from the ground down: ground() does not throw.
+  /// Returns true for a section of polygons, plane or extruded to 3D, with soil from the ground down: ground() does not
+  /// throw.
   bool has_ground() const { return !ground_.empty(); }
-  /// Returns the ground from left to right, as find_ground(); empty in 3D and for a ready mesh. Throws Error
+  /// Returns the ground from left to right, as find_ground(); empty for a ready mesh. Throws Error
   /// (wrong_input) for a section with gaps, overhangs or cavities.
   const Polyline& ground() const;
   /// Returns H [m], see find_slope_height(). Throws as ground().

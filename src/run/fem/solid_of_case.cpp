@@ -95,7 +95,7 @@ class SolidBuilder {
     model.units = data_.units();
     model.softening_length = data_.softening_length.value_or(0);
     // Throws for a section without a unique ground.
-    if (!data_.mesh.polygons.empty() && D == 2 && site::needs_ground(site_)) site_.ground();
+    if (!data_.mesh.polygons.empty() && site::needs_ground(site_)) site_.ground();
     model.direction = site_.find_body_force<D>();
     solid_.notes = site_.list_open_ends();
     for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
@@ -268,6 +268,7 @@ mesh::Plan make_fem_plan(const site::Site& site, double share) {
 void check_solid(const site::Site& site) {
   for (const auto& [region, material] : site.data().regions) make_region_soil(site, region);
   for (const input::Boundary& b : site.data().boundaries) check_boundary(b);
+  if (!site.data().mesh.polygons.empty() && site::needs_ground(site)) site.ground();
 }
 
 template <int D>

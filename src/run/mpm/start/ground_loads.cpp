@@ -24,9 +24,9 @@ bool has_pressure_on_top(const input::Case& data) {
   });
 }
 
-/// Returns true if water of the water table stands on the ground. Ponds are conditions of the engine.
+/// Returns true if water of the water table may stand on the ground. Ponds are conditions of the engine.
 bool has_standing_water(const site::Site& site) {
-  return site.has_ground() && !site.water_table().empty() && site.ponds().empty() && !has_pressure_on_top(site.data());
+  return !site.water_table().empty() && site.ponds().empty() && !has_pressure_on_top(site.data());
 }
 
 bool moves(const input::Case& data) {
@@ -152,7 +152,7 @@ void add_ground_loads(mpm::Body<D>& body, const site::Site& site, const site::He
     load.factor = make_growth(data);
     body.conditions.loads.push_back(std::move(load));
   };
-  const site::ActingLoads acting{.standing_water = has_standing_water(site), .tractions = false};
+  const site::ActingLoads acting{.standing_water = has_standing_water(site), .hydraulics = false, .tractions = false};
   for (const fem::SurfaceLoad<D>& surface : site::make_surface_loads<D>(site, body.mesh(), acting))
     add(make_side_load<D>(body, surface, moves(data)));
   if (held.acts) add(make_pore_load<D>(body, held.pore));
