@@ -124,6 +124,12 @@ class Results:
         return value
 
     @property
+    def disagreement(self) -> Optional[str]:
+        """Two factors that lie so far apart that neither may be used, as a sentence; None where there are none."""
+        found = self._run.disagreement
+        return str(found.text) if found else None
+
+    @property
     def methods(self) -> MethodTable:
         """The factors of all methods beside one another; empty for MPM alone and for trials."""
         return read_methods(self._run)

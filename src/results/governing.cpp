@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
+// The governing surface and factor, and the two factors that lie farthest apart.
 #include "results/governing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <tuple>
+#include <vector>
+
+#include "results/disagreement.hpp"
 
 namespace talus::results {
 namespace {
@@ -159,6 +165,139 @@ std::optional<ProvenEnd> find_proven_end(const RunResult& run) {
   if (run.bounds) compare(run.bounds->lower, run.bounds->upper);
   if (run.slices && run.slices->referee) compare(run.slices->referee->lower, run.slices->referee->upper);
   return end;
+}
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A factor, or the interval between two bounds.
+struct Part {
+  std::string title;
+  double lower = 0, upper = infinite;
+  bool is_proven = false;    ///< bounds
+  bool is_of_given = false;  ///< of a given surface without a search, beside which others may have a smaller factor
+};
+
+std::string write(const Part& part, bool is_low) {
+  if (!part.is_proven) return fmt::format("{} {:.3f}", part.title, part.lower);
+  return is_low ? fmt::format("{} at most {:.3f}", part.title, show_upper(part.upper))
+                : fmt::format("{} at least {:.3f}", part.title, show_lower(part.lower));
+}
+
+/// Compares the factors of one state after the other and keeps the worst pair.
+class Search {
+ public:
+  void add(const std::string& title, std::optional<double> factor, bool is_of_given = false) {
+    if (factor.value_or(0) > 0) parts_.push_back({title, *factor, *factor, false, is_of_given});
+  }
+
+  void add_bounds(std::optional<double> lower, std::optional<double> upper) {
+    if (lower || upper) parts_.push_back({"limit analysis", lower.value_or(0), upper.value_or(infinite), true});
+  }
+
+  /// Compares the factors added since the last call. `state`: such as " at 3 d".
+  void compare(const std::string& state = "") {
+    for (const Part& low : parts_)
+      for (const Part& high : parts_) take(low, high, state);
+    parts_.clear();
+  }
+
+  std::optional<Disagreement> found;
+
+ private:
+  void take(const Part& low, const Part& high, const std::string& state) {
+    const double ratio = high.lower / low.upper;
+    if (low.is_proven && high.is_of_given) return;
+    if (!(ratio > (found ? found->ratio : largest_ratio))) return;
+    found = {low.title, high.title, low.upper, high.lower, ratio, {}};
+    found->text = fmt::format(
+        "The methods disagree by a factor of {:.1f}{}: {}, {}; neither may be used before the reason is found.", ratio,
+        state, write(low, true), write(high, false));
+  }
+
+  std::vector<Part> parts_;
+};
+
+bool is_admissible(const CriticalSurface& c) {
+  return c.surface.factor && c.checks.refusal.empty() && c.verdict.value_or(Verdict::possible) == Verdict::possible;
+}
+
+/// Compares the methods of LEM by their searches, and on each given surface.
+void compare_slices(const SliceResult& slices, const MethodComparison* methods, Search& search) {
+  std::map<SliceMethod, double> least;
+  const auto take = [&](const std::vector<CriticalSurface>& list) {
+    for (const CriticalSurface& c : list)
+      if (is_admissible(c)) {
+        const auto [entry, is_new] = least.try_emplace(c.surface.method, *c.surface.factor);
+        if (!is_new) entry->second = std::min(entry->second, *c.surface.factor);
+      }
+  };
+  take(slices.critical);
+  take(slices.noncircular);
+  if (methods != nullptr) take(methods->optimised);
+  for (const auto& [method, factor] : least) search.add(fmt::format("LEM ({})", get_title(method)), factor);
+  search.compare();
+  std::map<std::string, std::vector<const CriticalSurface*>> by_name;
+  for (const CriticalSurface& c : slices.given)
+    if (is_admissible(c)) by_name[c.surface.name.value_or("")].push_back(&c);
+  for (const auto& [name, list] : by_name) {
+    for (const CriticalSurface* c : list)
+      search.add(fmt::format("LEM ({})", get_title(c->surface.method)), c->surface.factor);
+    search.compare(fmt::format(" on the given surface '{}'", name));
+  }
+}
+
+void compare_methods(const RunResult& run, Search& search) {
+  if (const auto governing = find_governing_surface(run))
+    search.add(fmt::format("LEM ({}, {})", get_title(governing->found->surface.method),
+                           name_surface(*governing, read_units(run))),
+               governing->found->surface.factor, !run.slices->search);
+  if (run.elements)
+    for (const ElementRun& r : run.elements->runs)
+      if (r.verdict != Verdict::too_low) search.add(fmt::format("FEM ({})", name_flow(r)), r.factor);
+  search.add("MPM", find_points_factor(run));
+  if (run.bounds && !run.bounds->error && !run.bounds->is_davis)
+    search.add_bounds(run.bounds->lower, run.bounds->upper);
+  else if (run.slices && run.slices->referee && !run.slices->referee->why_not)
+    search.add_bounds(run.slices->referee->upper_only ? std::nullopt : run.slices->referee->lower,
+                      run.slices->referee->upper);
+  search.compare();
+}
+
+void compare_in_time(const Timeline& timeline, Search& search) {
+  for (const TimedReduction& reduction : timeline.elements) {
+    for (const TimedFactor& f : timeline.factors)
+      if (f.time == reduction.time && f.refusal.empty()) search.add("LEM", f.factor);
+    for (const ElementRun& r : reduction.runs) search.add(fmt::format("FEM ({})", name_flow(r)), r.factor);
+    search.compare(" at " + format_moment(timeline, reduction.time));
+  }
+}
+
+/// Factors with and without drainage are of different states.
+void compare_stages(const Construction& construction, Search& search) {
+  for (const ConstructionStage& stage : construction.stages)
+    for (const bool undrained : {false, true}) {
+      for (const StageFactor& f : stage.factors) {
+        if (f.undrained.value_or(false) != undrained) continue;
+        if (f.method == Method::bounds)
+          search.add_bounds(f.lower, f.upper);
+        else
+          search.add(f.title, f.factor);
+      }
+      search.compare(fmt::format(" at the end of stage '{}'", stage.name));
+    }
+}
+
+}  // namespace
+
+std::optional<Disagreement> find_disagreement(const RunResult& run) {
+  Search search;
+  if (run.slices) compare_slices(*run.slices, run.methods ? &*run.methods : nullptr, search);
+  compare_methods(run, search);
+  if (run.timeline) compare_in_time(*run.timeline, search);
+  if (run.construction) compare_stages(*run.construction, search);
+  return std::move(search.found);
 }
 
 void take_motion(const RunResult& run, Release& out) {

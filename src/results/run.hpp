@@ -14,6 +14,7 @@
 #include "results/bounds.hpp"
 #include "results/comparison.hpp"
 #include "results/construction.hpp"
+#include "results/disagreement.hpp"
 #include "results/elements.hpp"
 #include "results/flow.hpp"
 #include "results/runout.hpp"
@@ -334,6 +335,8 @@ void describe(auto& v, As<RunResult> auto& r) {
   v.maybe("water_states", r.water_states, {"", "where the water stood, up to the state that the methods began with"});
   v.maybe("methods", r.methods, {"", "the methods beside one another"});
   v.derived("main_factor", find_main_factor(r), {"", "main factor of safety"});
+  v.derived("disagreement", find_disagreement(r),
+            {"", "two factors of which neither may be used, as they lie too far apart; null: there are none"});
   v.key("results", r.results, {"", "results by name"});
   v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
   v.maybe("timing", r.timing, {"", "seconds"});

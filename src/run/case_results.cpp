@@ -65,6 +65,12 @@ void compare(const CaseContext& context, const CaseMethods<D>& m, results::RunRe
     site::state_over_design(*run.methods->partial_factors, design.resistance, *factor);
 }
 
+/// States first that two factors lie too far apart to be used.
+void state_disagreement(results::RunResult& run) {
+  if (auto disagreement = results::find_disagreement(run))
+    run.warnings.insert(run.warnings.begin(), std::move(disagreement->text));
+}
+
 /// Adds the results of the methods other than MPM; `all`: also of those that have none yet.
 template <int D>
 void add_methods(const input::Case& data, const CaseMethods<D>& m, bool all, results::RunResult& run) {
@@ -86,6 +92,7 @@ void write_present_results(const CaseContext& context, const CaseMethods<D>& m, 
   if (run.timeline && run.timeline->factors.empty()) run.timeline.reset();
   keep_water(context.options.folder, m);
   compare(context, m, run);
+  state_disagreement(run);
   run.results = list_results(context.loaded.data, run);
   results::write_file(context.options.folder / results::present_summary_file, run);
 }
@@ -113,6 +120,7 @@ void write_case_results(const CaseContext& context, CaseMethods<D>& m, Releases<
   if (!m.points) timing.parts = list_parts(run);
   keep_water(context.options.folder, m);
   compare(context, m, run);
+  state_disagreement(run);
   run.results = list_results(context.loaded.data, run);
   run.comparisons = compare_results(context.loaded.data, run);
   results::write_file(context.options.folder / summary_file, run);

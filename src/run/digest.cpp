@@ -409,6 +409,7 @@ std::string write_comparisons(const std::vector<results::Comparison>& comparison
 std::string write_digest(const results::RunResult& run) {
   const Units units(run);
   std::string text = run.title + "\n";
+  if (const auto disagreement = results::find_disagreement(run)) text += disagreement->text + "\n";
   text += write_design_check(run);
   text += write_main_factor(run);
   text += write_drawdown(run);

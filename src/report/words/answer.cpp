@@ -399,6 +399,7 @@ json make_answer(const ResultFolder& folder) {
     if (factor.method == Method::bounds) factor.is_main = results::is_main_factor_proven(run);
   json sentences = json::array(), listed = json::array();
   format_state(run, sentences);
+  if (const auto disagreement = results::find_disagreement(run)) sentences.push_back(disagreement->text);
   format_timeline(run, sentences);
   const bool lone = !asks_for_others(folder);
   if (!lone) format_methods(run, factors, sentences);

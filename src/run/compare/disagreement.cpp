@@ -156,14 +156,17 @@ class Warnings {
     std::vector<std::string> list;
     for (const Part& part : parts) list.push_back(fmt::format("{:.3f} by {}", part.factor, part.words));
     const std::vector<std::string> causes = list_causes(high.factor / low.factor - 1);
+    // Above that ratio the run states that neither factor may be used.
+    const bool counts = high.factor <= results::largest_ratio * low.factor;
     warnings_.push_back(fmt::format(
-        "The methods {}: {}. {} Until that is settled, the smallest factor counts.",
+        "The methods {}: {}. {}{}",
         both_sides ? "disagree on whether the slope is stable"
                    : fmt::format("lie {:.0f} % apart", 100 * (high.factor / low.factor - 1)),
         fmt::join(list, ", "),
         causes.empty()
             ? "Compare their mechanisms and their water."
-            : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
+            : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; ")),
+        counts ? " Until that is settled, the smallest factor counts." : ""));
   }
 
   /// Warns of a factor outside the interval of limit analysis. FEM and MPM with ψ < φ may be below it.

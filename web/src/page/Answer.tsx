@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
+/** The answer: a strong disagreement of the methods; the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { formatNumber } from "../charts/base/numbers";
 import { findMethods } from "../compared/methodTable";
 import type { DesignStatement, Factor, ShownResult } from "../contract";
@@ -231,7 +231,7 @@ function MoreWords({ sentences }: { sentences: string[] }) {
 }
 
 export function Answer() {
-  const { answer } = report.value;
+  const { answer, result } = report.value;
   // The governing one comes first.
   const mains = answer.factors
     .filter((factor) => factor.main && factor.value !== null)
@@ -241,12 +241,14 @@ export function Answer() {
     ({ method, lower, upper }) => method === "bounds" && (lower !== null || upper !== null),
   );
   const results = pickResults(answer.results, main ? 4 : 6);
-  const [first, ...others] = answer.sentences.flatMap(splitSentences);
+  const disagreement = result.disagreement?.text;
+  const [first, ...others] = answer.sentences.filter((text) => text !== disagreement).flatMap(splitSentences);
   return (
     <section id="answer" class="answer" aria-labelledby="answer-title" tabIndex={-1}>
       <h2 id="answer-title" class="unseen">
         Answer
       </h2>
+      {disagreement && <p class="disagreement">{disagreement}</p>}
       {mains.length > 1 || (main && proven) ? (
         <MainFactors factors={mains} proven={proven} />
       ) : (
