@@ -206,8 +206,16 @@ struct Liquid {
   Depth<D> depth;
 };
 
+/// Returns the x at which the table is read for a place of a vertical face: beside it, and beyond a step there.
+double find_outside(const Polyline& table, double x, double normal, double near) {
+  for (std::size_t i = 1; i < table.size(); ++i)
+    if (is_step(table[i - 1], table[i]) && x >= table[i - 1][0] - near && x <= table[i][0] + near)
+      return normal > 0 ? table[i][0] + near : table[i - 1][0] - near;
+  return x + near * normal;
+}
+
 template <int D>
-std::vector<Liquid<D>> list_liquids(const Site& site, bool has_water) {
+std::vector<Liquid<D>> list_liquids(const Site& site, const mesh::Mesh<D>& mesh, bool has_water) {
   std::vector<Liquid<D>> liquids;
   const auto step_aside = [&site](const GroundSide<D>& side,
                                   const Vec<D>& x) {  // a step is loaded by what is beside it
@@ -221,15 +229,21 @@ std::vector<Liquid<D>> list_liquids(const Site& site, bool has_water) {
                        }});
   if (!has_water) return liquids;
   // Below a water table that the ground rises above, the depth is negative and linear, so that its zero is found.
-  liquids.push_back({"standing water", site.water_weight(), [&site, step_aside](const auto& side, const Vec<D>& x) {
-                       const double at = step_aside(side, x);
-                       std::optional<double> level = find_standing_level(site.ponds(), {}, site.ground(), at);
-                       if (const Polyline& table = site.water_table(); !table.empty()) {
-                         const double here = find_water_table(table, at);
-                         level = std::max(level.value_or(here), here);
-                       }
-                       return level ? *level - x[1] : -1.0;
-                     }});
+  liquids.push_back(
+      {"standing water", site.water_weight(), [&site, &mesh, step_aside](const auto& side, const Vec<D>& x) {
+         const double at = step_aside(side, x);
+         std::optional<double> level = find_standing_level(site.ponds(), {}, site.ground(), at);
+         if (const Polyline& table = site.water_table(); !table.empty()) {
+           double middle = 0;
+           for (const int node : side.nodes) middle += mesh.nodes[node][0] / D;
+           const double near = same_place * (site.ground().back()[0] - site.ground().front()[0]);
+           const double here =
+               find_water_table(table, side.normal[1] <= steepest ? find_outside(table, x[0], side.normal[0], near)
+                                                                  : leave_steps(table, at, middle));
+           level = std::max(level.value_or(here), here);
+         }
+         return level ? *level - x[1] : -1.0;
+       }});
   return liquids;
 }
 
@@ -316,7 +330,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const Site& site, const mesh
           return t;
         },
         {});
-  const std::vector<Liquid<D>> liquids = list_liquids<D>(site, has_water);
+  const std::vector<Liquid<D>> liquids = list_liquids<D>(site, mesh, has_water);
   if (!liquids.empty())
     for (const GroundSide<D>& step : list_steps(mesh, site.ground())) sides.push_back(step);
   for (const Liquid<D>& liquid : liquids)
@@ -372,6 +386,8 @@ void add_table(const Polyline& table, const Polyline& ground, std::vector<double
     // Both lines are straight between two breaks; at a step of the ground its level jumps.
     const double length = breaks[i + 1] - breaks[i];
     if (!(length > 0)) continue;
+    const double from = breaks[i] + length / 3, to = breaks[i] + 2 * length / 3;
+    if (is_step({from, find_water_table(table, from)}, {to, find_water_table(table, to)})) continue;
     const double p = find_depth(breaks[i] + length / 3), q = find_depth(breaks[i] + 2 * length / 3);
     const double at = p == q ? -1 : 1.0 / 3 + p / (3 * (p - q));
     if (at > 0 && at < 1) places.push_back(breaks[i] + at * length);

@@ -26,6 +26,13 @@ namespace {
 /// Divisions of an element's edge, for means over elements that the water table cuts.
 constexpr int element_parts = 5;
 
+/// Returns true if a table or line of the case has a step.
+bool has_steps(const input::InitialWater& water) {
+  if (water.pressure != input::InitialPressure::water_table) return false;
+  return has_step(water.water_table) ||
+         std::any_of(water.lines.begin(), water.lines.end(), [](const auto& line) { return has_step(line.points); });
+}
+
 /// Returns the mean over an element of a function of the pore pressure, which is linear between the corners.
 template <int D, class F>
 double find_mean(const std::array<double, D + 1>& corners, const F& find) {
@@ -68,12 +75,20 @@ void set_element(const input::Case& data, const input::Material& m, int e, const
   }
 }
 
-/// Returns the given pressures at the corners of an element; those of piezometric lines jump between soils.
+/// Returns the given pressures at the corners of an element; those of piezometric lines jump between soils, and at the
+/// steps of a line.
 template <int D>
 std::array<double, D + 1> find_given_corners(const input::Case& data, const mesh::Mesh<D>& mesh, int e,
                                              const input::Material& m) {
+  double middle = 0;
+  for (const int node : mesh.elements[e]) middle += mesh.nodes[node][0] / (D + 1);
+  const bool has_jumps = has_steps(data.initial.water);
   std::array<double, D + 1> p;
-  for (std::size_t c = 0; c <= D; ++c) p[c] = find_given_pressure<D>(data, m, mesh.nodes[mesh.elements[e][c]]);
+  for (std::size_t c = 0; c <= D; ++c) {
+    Vec<D> x = mesh.nodes[mesh.elements[e][c]];
+    if (has_jumps) x[0] = leave_steps(find_piezometric_line(data, m), x[0], middle);
+    p[c] = find_given_pressure<D>(data, m, x);
+  }
   return p;
 }
 
@@ -87,7 +102,7 @@ HeldWater<D> find_held_water(const input::Case& data, const mesh::Mesh<D>& mesh,
 template <int D>
 HeldWater<D> hold_water(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& pressure) {
   // Else the given pressures are those at the nodes.
-  const bool varies_by_soil = needs_seepage(data) || !data.initial.water.lines.empty();
+  const bool varies_by_soil = needs_seepage(data) || !data.initial.water.lines.empty() || has_steps(data.initial.water);
   HeldWater<D> water = make_dry<D>(mesh);
   for (int e = 0; e < mesh.element_count(); ++e) {
     const input::Material* soil = find_soil(data, mesh, e);

@@ -44,6 +44,27 @@ double find_water_table(const std::vector<std::array<double, 2>>& table, double 
   return table.back()[1];
 }
 
+bool is_step(const Point& a, const Point& b) {
+  constexpr double steepest = 10;
+  return std::abs(b[1] - a[1]) > steepest * (b[0] - a[0]);
+}
+
+bool has_step(const Polyline& table) {
+  for (std::size_t i = 1; i < table.size(); ++i)
+    if (is_step(table[i - 1], table[i])) return true;
+  return false;
+}
+
+double leave_steps(const Polyline& table, double x, double middle) {
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    const Point &a = table[i - 1], &b = table[i];
+    if (!is_step(a, b)) continue;
+    if (middle <= a[0]) x = std::min(x, a[0]);
+    if (middle >= b[0]) x = std::max(x, b[0]);
+  }
+  return x;
+}
+
 double find_first_time(const input::Case& data) {
   return data.timeline ? -just_before * data.timeline->duration : 0;
 }
@@ -297,7 +318,8 @@ class Table {
   }
 
   void close(std::optional<Standing>& open) {
-    if (open && open->depth > noticeable * relief_) standing_.push_back(*open);
+    if (open && open->depth > noticeable * relief_ && !is_step({open->from, open->highest}, {open->to, open->lowest}))
+      standing_.push_back(*open);
     open.reset();
   }
 

@@ -38,6 +38,15 @@ std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Po
 /// Returns the level of the water table at x [m]: linear between its points, horizontal beyond its ends.
 double find_water_table(const std::vector<std::array<double, 2>>& table, double x);
 
+// A part of a water table steeper than 10 : 1 is a step, as beside a wall: each side of it has its own level, and no
+// water stands on it.
+
+bool is_step(const Point& a, const Point& b);
+bool has_step(const Polyline& table);
+/// Returns the x at which the table is read for a place at `x` of an element or a side with its middle at `middle`, so
+/// that all of it has the level of its own side of a step.
+double leave_steps(const Polyline& table, double x, double middle);
+
 /// Returns the level of the water standing over the ground at x [m], that of a pond or of the water table; nothing
 /// where the ground is dry. `table` may be empty.
 std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const Polyline& table, const Polyline& ground,
