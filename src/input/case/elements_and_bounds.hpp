@@ -117,9 +117,10 @@ inline constexpr auto choices<BoundsFlow> = std::array{
 };
 
 void describe(auto& v, ProvenBounds& b) {
-  v.key("size", b.size, quantity("m").above(0).example("2.0"),
-        "Size of the triangles of the first mesh, on which pore pressures and strengths are linear. If not given, a "
-        "sixth of the section's height, and a twelfth with pore water.");
+  v.key(
+      "size", b.size, quantity("m").above(0).example("2.0"),
+      "Size of the triangles of the first mesh. If not given, a sixth of the section's height, and a twelfth with pore "
+      "water.");
   v.key("gap", b.gap, plain().above(0).below(1),
         "The meshes become finer where the bounds lie apart, until the interval is no wider than this share of its "
         "middle.");
