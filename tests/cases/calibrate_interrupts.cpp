@@ -44,7 +44,7 @@ struct Looks {
 };
 
 /// Two triaxial tests on sand with c = 4 kPa and φ = 30°, by hand.
-const std::string tested_soil =
+const std::string measured_soil =
     support::write_slope("sand", {"title=Sand", "materials.sand.cohesion=1", "materials.sand.friction_angle=25"}) + R"(
 [[test]]
 name = "a"
@@ -146,12 +146,12 @@ class CalibrateInterrupts : public testing::Test {
 };
 
 TEST_F(CalibrateInterrupts, EndItAnywhereWithTheBestParameters) {
-  ASSERT_EQ(calibrate(tested_soil, folder_ / "whole", -1), "");
+  ASSERT_EQ(calibrate(measured_soil, folder_ / "whole", -1), "");
   const long looks = Looks::count;
   ASSERT_GT(looks, 5);
   std::string sentence;
   for (long last = 1; last <= looks; ++last) {
-    sentence = calibrate(tested_soil, folder_ / "out", last);
+    sentence = calibrate(measured_soil, folder_ / "out", last);
     EXPECT_EQ(code_, ExitCode::interrupted) << last;
     EXPECT_THAT(sentence, HasSubstr("interrupted")) << last;
     EXPECT_FALSE(fs::exists(folder_ / "out")) << last;
@@ -176,7 +176,7 @@ TEST_F(CalibrateInterrupts, FoldersAreRefusedBeforeTheSearch) {
   EXPECT_EQ(code_, ExitCode::folder_exists);
   EXPECT_EQ(Looks::count, 0) << "nothing is calculated";
   std::ofstream(folder_ / "file") << "text";
-  for (const std::string& text : {filled, tested_soil}) {
+  for (const std::string& text : {filled, measured_soil}) {
     EXPECT_THAT(calibrate(text, folder_ / "file", -1), HasSubstr((folder_ / "file").string()));
     EXPECT_EQ(Looks::count, 0);
     EXPECT_THAT(calibrate(text, folder_ / "file" / "below", -1), HasSubstr((folder_ / "file").string()));

@@ -44,13 +44,13 @@ std::string write_table(double level) {
   return fmt::format("[initial]\npore_pressure = \"water_table\"\nwater_table = [[0, {0}], [40, {0}]]\n", level);
 }
 
-input::Case read(const std::string& text) {
+input::Case read_soil_case(const std::string& text) {
   return input::read_case_text(text, "clay.toml", {}).data;
 }
 
 /// Returns the sum of the loads on the ground of the case [N].
 Vec<3> sum_loads(const std::string& text) {
-  const input::Case data = read(text);
+  const input::Case data = read_soil_case(text);
   const mesh::Mesh<3> mesh = mesh::generate<3>(data.mesh);
   Vec<3> sum{};
   for (const auto& load : site::make_surface_loads<3>(data, mesh))
@@ -105,8 +105,8 @@ TEST(LoadsIn3D, ASlurryPressesOnTheBaseAndTheSidesOfItsTrench) {
 TEST(LoadsIn3D, AnEarthquakeOfBothDirectionsPushesTowardsTheLowerEnd) {
   const std::string quake = "[earthquake]\nhorizontal = 0.1\n",
                     left = "[[0, 0], [40, 0], [40, 12], [28, 12], [12, 4], [0, 4]]";
-  EXPECT_GT(site::Site(read(write_clay(3, slope, quake))).find_earthquake<3>()[0], 0);
-  EXPECT_LT(site::Site(read(write_clay(3, left, quake))).find_earthquake<3>()[0], 0);
+  EXPECT_GT(site::Site(read_soil_case(write_clay(3, slope, quake))).find_earthquake<3>()[0], 0);
+  EXPECT_LT(site::Site(read_soil_case(write_clay(3, left, quake))).find_earthquake<3>()[0], 0);
 }
 
 TEST(LoadsIn3D, WaterWithoutAGroundToBearItIsRefused) {
@@ -116,12 +116,12 @@ TEST(LoadsIn3D, WaterWithoutAGroundToBearItIsRefused) {
     const auto check = [&](int dimension, double level) {
       std::string text = write_clay(dimension, cave, write_table(level));
       text.replace(text.find("\"fem\""), 5, fmt::format("\"{}\"", method));
-      run::check_methods(read(text));
+      run::check_methods(read_soil_case(text));
     };
     for (const int dimension : {2, 3}) EXPECT_THROW(check(dimension, 5), Error) << method << dimension;
   }
   // A ready mesh has no ground of polygons.
-  input::Case ready = read(write_clay(3, level_ground, write_table(8.5)));
+  input::Case ready = read_soil_case(write_clay(3, level_ground, write_table(8.5)));
   const mesh::Mesh<3> mesh = mesh::generate<3>(ready.mesh);
   ready.mesh.polygons.clear();
   EXPECT_THROW(site::make_surface_loads<3>(ready, mesh), Error);
