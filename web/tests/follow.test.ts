@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it } from "vitest";
 
 import type { PackedArray, Report } from "../src/contract";
 import { followReport, frameIndex, loadIntegers, report, sequenceIndex } from "../src/state";
@@ -19,6 +19,11 @@ async function makeData(sequences: { id: string; frames: number }[], bytes: numb
 }
 
 describe("a page that follows a run", () => {
+  // Test files share one process, and with it the state of the page.
+  beforeEach(() => {
+    report.value = null as unknown as Report;
+    [sequenceIndex.value, frameIndex.value] = [0, 0];
+  });
   it("reads an array anew only where it has changed", async () => {
     followReport(await makeData([], [1, 2]));
     const first = loadIntegers(array);
