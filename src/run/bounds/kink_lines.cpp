@@ -66,7 +66,8 @@ class KinkLines {
       if (strength.cohesion_gradient != 0) lines.push_back(make_level(strength.cohesion_level));
       if (material::needs<material::StrengthProfile>(soil.model)) add_profile(soil, lines);
     }
-    if (takes_water_table(data_) && site::find_pressure_source(data_, soil) == site::PressureSource::given)
+    if (takes_water_table(data_) && site::find_pressure_source(data_, soil) == site::PressureSource::given &&
+        !material::is_total_stress(soil.model, soil))
       add_table(soil, lines);
     return lines;
   }
