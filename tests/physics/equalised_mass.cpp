@@ -61,8 +61,8 @@ TEST(EqualisedMass, LeavesTheRestAsItIs) {
 TEST(EqualisedMass, KeepsTheStateOfRestWithDrainedWater) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.initial.water.pressure = input::InitialPressure::water_table;
-  data.initial.water.water_table = {{0, 1.5}};
-  data.hydraulics = {make_hydraulic("right", input::WaterCondition::total_head, 1.5)};
+  data.initial.water.water_table = {{0, 1}};
+  data.hydraulics = {make_hydraulic("right", input::WaterCondition::total_head, 1)};
   expect_same_rest(data, mesh::generate<2>(plan_step(4)));
 }
 

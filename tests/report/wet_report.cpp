@@ -204,7 +204,7 @@ TEST_F(WetReport, SeriesAreWrittenAsTheyAct) {
 TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
   const std::string text = join_all(document().at("assumptions"));
   EXPECT_LACKS(text, "Dry soil in one phase");
-  EXPECT_CONTAINS(text, "Without pore water: basalt.");
+  EXPECT_CONTAINS(text, "Without pore water of its own: basalt. The given pore pressures are constant in it.");
   EXPECT_CONTAINS(text, "80 MPa, 27.5 times less than that of real water");
   // 1/(1 + n E_c/K_w) with E_c = 20 MPa · 0.7/(1.3 · 0.4), that is 88.1 and 99.5 %.
   EXPECT_CONTAINS(text, "water carries 88 % instead of 100 %");
