@@ -296,7 +296,7 @@ TEST_F(PorePressures, AreTheSameAfterAStage) {
         EXPECT_NE(fault.find("no material has pore water"), std::string::npos) << fault;
         continue;
       }
-      // Water that flows cannot start from these.
+      // Seepage cannot start from these.
       if (wet != Wet::none && source == Source::lines) {
         EXPECT_NE(fault.find("starts from one field of pressure"), std::string::npos) << fault;
         if (wet != Wet::sand) continue;

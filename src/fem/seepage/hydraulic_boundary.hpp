@@ -42,7 +42,7 @@ struct HydraulicBoundary {
   /// Pairs of time [s] and value that replace `value` if there are any. Times increase; the value is linear between
   /// them and constant before and after. Two equal times are a jump, whose second value holds from then on.
   std::vector<std::array<double, 2>> history;
-  /// Of a seepage face: level of the water behind it at each node of the mesh [m], which gives the head of nodes below
+  /// Level of the water behind a seepage face at each node of the mesh [m], which gives the head of nodes below
   /// it, unless another boundary does. Empty: there is none.
   std::vector<double> levels{};
   FluxMeasure measure = FluxMeasure::normal;

@@ -197,8 +197,8 @@ void BoundsRun::prepare() {
 results::BoundsFile BoundsRun::search(const ProblemOfCase& made, const bounds::BoundsOptions& options) {
   show(fmt::format("{} triangles", made.problem.size()));
   ProgressValues values{.method = "bounds"};
-  // Of two problems each has one bound of the case, and another that is not; of two directions of an earthquake each
-  // has a lower bound that may not hold in the other.
+  // Each of two problems proves one bound of the case alone, and the lower bound of one direction of an earthquake may
+  // not hold in the other.
   const bool is_whole = !made.stronger && data_.earthquake.list_directions().size() == 1;
   return make_bounds_result(
       find_case_bounds(made, options,

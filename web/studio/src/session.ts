@@ -172,7 +172,7 @@ export async function save(path = file.value?.path ?? ""): Promise<void> {
       conflict.value = { ...result.theirs, path };
       return;
     }
-    // What was left in another file stays there.
+    // Texts recovered from another file are not offered for this one.
     if (file.value?.path !== path) recovered.value = [];
     file.value = { path, revision: result.revision };
     savedText.value = text;
