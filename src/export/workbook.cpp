@@ -196,12 +196,13 @@ class WorkbookMaker {
     names_.take("Warnings");
     const results::RunResult& run = folder_.run;
     if (folder_.study_result)
-      add_result(*folder_.study_result, make_units(*folder_.study_result), !folder_.study_result->columns.empty());
+      add_result(results::make_value(*folder_.study_result), make_units(*folder_.study_result),
+                 !folder_.study_result->columns.empty());
     if (folder_.has_tests_alone)
-      add_result(*folder_.tests, read_units(run));
+      add_result(results::make_value(*folder_.tests), read_units(run));
     else if (!folder_.is_study())
-      add_result(run, read_units(run));
-    if (folder_.calibration) add_result(*folder_.calibration, ShownUnits{});
+      add_result(results::make_value(run), read_units(run));
+    if (folder_.calibration) add_result(results::make_value(*folder_.calibration), ShownUnits{});
     if (!run.results.empty()) summary_.push_back(make_named_table(run.results));
     for (const fs::path& file : list_histories(folder_.path)) add_history(file);
     JsonTree input = run.input;
@@ -215,8 +216,7 @@ class WorkbookMaker {
     return make_shown_units(study.units.length, study.units.displacement, study.units.stress.value_or("kPa"));
   }
 
-  template <class T>
-  void add_result(const T& result, const ShownUnits& units, bool has_study_table = false) {
+  void add_result(results::Value result, const ShownUnits& units, bool has_study_table = false) {
     if (has_study_table) add_sheet(results::make_study_table(*folder_.study_result));
     for (Table& table : results::make_tables(result, units, report::get_dimension(folder_.run))) {
       if (table.is_single) table = turn(table);

@@ -2,8 +2,7 @@
 #pragma once
 // Descriptions of results: units, titles, the words of enumerations. Each struct of results/ has one function
 //
-// template <class V, As<Runout> R>
-// void describe(V& v, R& r) {
+// void describe(Visitor& v, Runout& r) {
 //   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
 //   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
 // }
@@ -14,16 +13,12 @@
 // the reader detects the block by the key `sign`.
 
 #include <array>
-#include <concepts>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 
 namespace talus::results {
 
-/// Matches T and const T, so that one description serves writers (const) and readers.
-template <class R, class T>
-concept As = std::same_as<std::remove_const_t<R>, T>;
+class Visitor;  // results/described.hpp
 
 /// Unit and title of a key.
 struct About {

@@ -18,24 +18,13 @@ struct BackAnalysisRun {
   std::optional<double> result, lower, upper;  ///< nullopt: no result, no interval
   std::string by;                              ///< method that governs; empty for other results than the main factor
 };
-void describe(auto& v, As<BackAnalysisRun> auto& r) {
-  v.key("value", r.value, {"", "value of the key"});
-  v.key("result", r.result, {"", "result of the run"});
-  v.key("lower", r.lower, {"", "lower end of its interval"});
-  v.key("upper", r.upper, {"", "upper end of its interval"});
-  v.key("by", r.by, {"", "method that governs"});
-}
+void describe(Visitor& v, BackAnalysisRun& r);
 
 /// Two neighbouring values with results on either side of the target.
 struct BackAnalysisBracket {
   double low = 0, high = 0, low_result = 0, high_result = 0;
 };
-void describe(auto& v, As<BackAnalysisBracket> auto& r) {
-  v.key("low", r.low, {"", "smaller value of the key"});
-  v.key("high", r.high, {"", "larger value of the key"});
-  v.key("low_result", r.low_result, {"", "result at the smaller value"});
-  v.key("high_result", r.high_result, {"", "result at the larger value"});
-}
+void describe(Visitor& v, BackAnalysisBracket& r);
 
 enum class BackAnalysisEnd { found, jump, gap, not_reached, no_effect, no_result, interrupted };
 template <>
@@ -51,19 +40,7 @@ struct BackAnalysisTarget {
   std::string interval_of;
   std::vector<BackAnalysisRun> runs;
 };
-void describe(auto& v, As<BackAnalysisTarget> auto& r) {
-  v.key("result", r.result, {"", "name of the result"});
-  v.key("title", r.title, {"", "title of the result"});
-  v.key("result_unit", r.result_unit, {"", "unit of the result"});
-  v.key("column", r.column, {"", "column of the result"});
-  v.key("target", r.target, {"", "target of the result"});
-  v.key("end", r.end, {"", "how the search ended"});
-  v.key("value", r.value, {"", "value of the key at the target"});
-  v.key("low", r.low, {"", "smallest value that the interval of the result allows"});
-  v.key("high", r.high, {"", "largest value that the interval of the result allows"});
-  v.key("interval_of", r.interval_of, {"", "source of the interval"});
-  v.key("runs", r.runs, {"", "runs"});
-}
+void describe(Visitor& v, BackAnalysisTarget& r);
 
 struct BackAnalysis {
   std::string key, unit;                   ///< varied key
@@ -82,27 +59,6 @@ struct BackAnalysis {
   std::vector<std::string> sentences;          ///< the outcome in words
   std::vector<BackAnalysisRun> runs;           ///< in the order of calculation, as the variants of the study
 };
-void describe(auto& v, As<BackAnalysis> auto& r) {
-  v.key("key", r.key, {"", "key"});
-  v.key("unit", r.unit, {"", "unit of the key"});
-  v.key("is_whole", r.is_whole, {"", "the key is a whole number, searched by steps of 1"});
-  v.key("result", r.result, {"", "name of the result"});
-  v.key("title", r.title, {"", "title of the result"});
-  v.key("result_unit", r.result_unit, {"", "unit of the result"});
-  v.key("column", r.column, {"", "column of the result"});
-  v.key("target", r.target, {"", "target of the result"});
-  v.key("tolerance", r.tolerance, {"", "largest relative width of the bracket"});
-  v.key("present", r.present, {"", "value of the key in the case"});
-  v.key("end", r.end, {"", "how the search ended"});
-  v.key("value", r.value, {"", "value of the key at the target"});
-  v.maybe("bracket", r.bracket, {"", "bracket of the value"});
-  v.key("low", r.low, {"", "smallest value that the interval of the result allows"});
-  v.key("high", r.high, {"", "largest value that the interval of the result allows"});
-  v.key("interval_of", r.interval_of, {"", "source of the interval"});
-  v.key("others", r.others, {"", "further brackets"});
-  v.key("further", r.further, {"", "further targets of the same key"});
-  v.key("sentences", r.sentences, {"", "the outcome in words"});
-  v.key("runs", r.runs, {"", "runs"});
-}
+void describe(Visitor& v, BackAnalysis& r);
 
 }  // namespace talus::results

@@ -49,17 +49,7 @@ struct Referee {
     return is_low ? Verdict::too_low : Verdict::possible;
   }
 };
-void describe(auto& v, As<Referee> auto& r) {
-  v.maybe("why_not", r.why_not, {"", "why limit analysis cannot judge the factors of limit equilibrium"});
-  v.key("lower", r.lower, {"", "lower bound by limit analysis, for the soil of LEM"});
-  v.key("upper", r.upper, {"", "upper bound by limit analysis, for the soil of LEM"});
-  v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
-  v.key("no_upper", r.no_upper, {"", "why there is no upper bound"});
-  v.maybe("upper_only", r.upper_only, {"", "why factors below the lower bound are not refused"});
-  v.key("triangles", r.triangles, {"", "triangles of the finest mesh"});
-  v.key("programs", r.programs, {"", "cone programs"});
-  v.key("seconds", r.seconds, {"s", "seconds"});
-}
+void describe(Visitor& v, Referee& r);
 
 /// Returns "to the left" or "to the right"; x grows to the right.
 inline const char* name_side(int direction) {
@@ -70,24 +60,14 @@ struct SideLine {
   int direction = 1;          ///< +1: the soil moves towards larger x
   std::vector<Point> points;  ///< [m]
 };
-void describe(auto& v, As<SideLine> auto& r) {
-  v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
-  v.key("points", r.points, {"m", "its points"});
-}
+void describe(Visitor& v, SideLine& r);
 
 /// Direction of the governing earthquake, where both directions were tried.
 struct EarthquakeSide {
   int direction = 0;                   ///< -1: towards smaller x, +1: towards larger x
   std::optional<double> other_stable;  ///< factor at which the slope is stable under the other direction
 };
-void describe(auto& v, As<EarthquakeSide> auto& r) {
-  v.key("direction", r.direction,
-        {"", "direction of the earthquake that governs: -1 towards smaller x, 1 towards larger x"});
-  v.key("other_stable", r.other_stable,
-        {"",
-         "factor at which the slope is stable in the other direction: with equilibrium on the same mesh, or by the "
-         "lower bound theorem"});
-}
+void describe(Visitor& v, EarthquakeSide& r);
 
 /// Returns "the earthquake towards smaller x governs (towards larger x WHAT 1.620)"; `what` replaces WHAT.
 std::string describe_side(const EarthquakeSide& side, const char* what);
@@ -101,14 +81,7 @@ struct BoundsMesh {
   int programs = 0, iterations = 0;
   double seconds = 0;  ///< since the start of the first mesh
 };
-void describe(auto& v, As<BoundsMesh> auto& r) {
-  v.key("triangles", r.triangles, {"", "triangles"});
-  v.key("lower", r.lower, {"", "largest lower bound up to this mesh"});
-  v.key("upper", r.upper, {"", "smallest upper bound up to this mesh"});
-  v.key("programs", r.programs, {"", "cone programs"});
-  v.key("iterations", r.iterations, {"", "iterations of their solver"});
-  v.key("seconds", r.seconds, {"s", "seconds since the first mesh"});
-}
+void describe(Visitor& v, BoundsMesh& r);
 
 /// "bounds" of summary.json.
 struct BoundsResult {
@@ -130,24 +103,7 @@ struct BoundsResult {
   /// Returns true if both bounds were proven.
   bool is_interval() const { return lower && upper; }
 };
-void describe(auto& v, As<BoundsResult> auto& r) {
-  v.maybe("error", r.error, {"", "why there is no answer"});
-  v.key("warnings", r.warnings, {"", "warnings"});
-  v.key("lower", r.lower, {"", "lower bound of the factor of safety"});
-  v.key("upper", r.upper, {"", "upper bound of the factor of safety"});
-  v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
-  v.key("no_upper", r.no_upper, {"", "why there is no upper bound"});
-  v.key("asked_gap", r.asked_gap, {"", "width of the interval over its middle that was asked for"});
-  v.key("is_davis", r.is_davis, {"", "whether it is of soil with the strength of Davis for ψ < φ"});
-  v.key("takes_tension", r.takes_tension, {"", "whether soils bear no more tension than given"});
-  v.key("imbalance", r.imbalance, {"", "largest imbalance of the stress field over the largest load or overburden"});
-  v.key("meshes", r.meshes, {"", "nested meshes"});
-  v.maybe("sides", r.sides, {"", "lines along which the mechanism slides"});
-  v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
-  v.key("fields_file", r.fields_file, {"", "file of the fields"});
-  v.maybe("seepage", r.seepage, {"", "steady seepage on the first mesh"});
-  v.maybe("seconds", r.seconds, {"s", "seconds"});
-}
+void describe(Visitor& v, BoundsResult& r);
 
 /// Stress field of the lower bound.
 struct HoldingField {
@@ -156,12 +112,7 @@ struct HoldingField {
   std::vector<std::vector<double>> stress;  ///< by triangle: effective xx, yy, xy at its corners [Pa], tension positive
   std::vector<double> utilisation;          ///< by triangle: factor of the field over that of its worst corner
 };
-void describe(auto& v, As<HoldingField> auto& r) {
-  v.key("nodes", r.nodes, {"m", "nodes"});
-  v.key("triangles", r.triangles, {"", "nodes of the triangles"});
-  v.key("stress", r.stress, {"Pa", "effective stress xx, yy, xy at the three corners"});
-  v.key("utilisation", r.utilisation, {"", "how much of the strength is used"});
-}
+void describe(Visitor& v, HoldingField& r);
 
 /// Velocity field of the upper bound.
 struct MovingField {
@@ -170,12 +121,7 @@ struct MovingField {
   std::vector<Point> velocity;     ///< of the nodes, scaled so that the largest is 1
   std::vector<double> shear_rate;  ///< by triangle, scaled so that the largest is 1
 };
-void describe(auto& v, As<MovingField> auto& r) {
-  v.key("nodes", r.nodes, {"m", "nodes"});
-  v.key("triangles", r.triangles, {"", "nodes of the triangles: corners, then middles"});
-  v.key("velocity", r.velocity, {"", "velocity of the nodes; the fastest has 1"});
-  v.key("shear_rate", r.shear_rate, {"", "shear strain rate of the triangles; the largest is 1"});
-}
+void describe(Visitor& v, MovingField& r);
 
 /// bounds.json: the results that a resumed run reads instead of computing them again, and the fields.
 struct BoundsFile {
@@ -184,11 +130,6 @@ struct BoundsFile {
   HoldingField holds;
   MovingField moves;
 };
-void describe(auto& v, As<BoundsFile> auto& r) {
-  v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "limit analysis"});
-  v.key("holds", r.holds, {"", "stresses of the lower bound"});
-  v.key("moves", r.moves, {"", "velocities of the upper bound"});
-}
+void describe(Visitor& v, BoundsFile& r);
 
 }  // namespace talus::results

@@ -22,14 +22,7 @@ struct Disagreement {
   double ratio = 1;                   ///< high over low, above largest_ratio
   std::string text;                   ///< the statement, one sentence
 };
-void describe(auto& v, As<Disagreement> auto& r) {
-  v.key("low_title", r.low_title, {"", "method with the smaller factor"});
-  v.key("low", r.low, {"", "its factor, or the upper bound that limit analysis proves"});
-  v.key("high_title", r.high_title, {"", "method with the larger factor"});
-  v.key("high", r.high, {"", "its factor, or the lower bound that limit analysis proves"});
-  v.key("ratio", r.ratio, {"", "ratio of the two"});
-  v.key("text", r.text, {"", "the same as a sentence"});
-}
+void describe(Visitor& v, Disagreement& r);
 
 /// Returns the pair of factors of `run` with the largest ratio, if that is above `largest_ratio`. LEM enters with its
 /// governing surface; its methods are compared among themselves by the results of their searches and on each given

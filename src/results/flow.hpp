@@ -15,10 +15,7 @@ struct SectionFlow {
   std::string name;
   double discharge = 0;
 };
-void describe(auto& v, As<SectionFlow> auto& r) {
-  v.key("name", r.name, {"", "section"});
-  v.key("discharge", r.discharge, {"m3/s", "discharge"});
-}
+void describe(Visitor& v, SectionFlow& r);
 
 /// Largest hydraulic gradient normal to a side from which water leaves the soil.
 struct ExitGradient {
@@ -29,14 +26,7 @@ struct ExitGradient {
   std::optional<double> factor;    ///< critical over computed
   bool grows = false;              ///< it rises steeply towards its place, as at a singularity: it depends on the mesh
 };
-void describe(auto& v, As<ExitGradient> auto& r) {
-  v.key("name", r.name, {"", "side"});
-  v.key("gradient", r.gradient, {"", "largest exit gradient"});
-  v.key("at", r.at, {"m", "where it is largest"});
-  v.maybe("critical", r.critical, {"", "critical gradient"});
-  v.maybe("factor", r.factor, {"", "factor of safety against boiling"});
-  v.key("grows", r.grows, {"", "whether it depends on the size of the elements"});
-}
+void describe(Visitor& v, ExitGradient& r);
 
 /// The place with the least safety against uplift, at the base of a less permeable layer.
 struct UpliftPlace {
@@ -45,13 +35,7 @@ struct UpliftPlace {
   double weight = 0, pressure = 0;  ///< of the soil above; pore pressure less that of standing water [Pa]
   double factor = 0;
 };
-void describe(auto& v, As<UpliftPlace> auto& r) {
-  v.key("layer", r.layer, {"", "layer that is lifted"});
-  v.key("at", r.at, {"m", "where"});
-  v.key("weight", r.weight, {"Pa", "weight of the soil above"});
-  v.key("pressure", r.pressure, {"Pa", "pore pressure below it, less that of standing water"});
-  v.key("factor", r.factor, {"", "factor of safety against uplift"});
-}
+void describe(Visitor& v, UpliftPlace& r);
 
 /// Heave of a block of soil (Terzaghi 1943). Forces are per metre of thickness.
 struct Heave {
@@ -59,12 +43,7 @@ struct Heave {
   double weight = 0, force = 0;  ///< buoyant weight; force of the excess pore pressure at its base [N/m]
   std::optional<double> factor;  ///< nullopt if nothing lifts it
 };
-void describe(auto& v, As<Heave> auto& r) {
-  v.key("name", r.name, {"", "block"});
-  v.key("weight", r.weight, {"N/m", "buoyant weight"});
-  v.key("force", r.force, {"N/m", "force of the excess pore pressure at its base"});
-  v.maybe("factor", r.factor, {"", "factor of safety against heave"});
-}
+void describe(Visitor& v, Heave& r);
 
 /// Flow at one time.
 struct FlowState {
@@ -75,15 +54,7 @@ struct FlowState {
   std::optional<UpliftPlace> uplift;
   std::vector<Heave> heaves;
 };
-void describe(auto& v, As<FlowState> auto& r) {
-  v.key("time", r.time, {"s", "when"});
-  v.key("inflow", r.inflow, {"m3/s", "flow in"});
-  v.key("outflow", r.outflow, {"m3/s", "flow out"});
-  v.key("sections", r.sections, {"", "flow through the sections"});
-  v.key("exits", r.exits, {"", "exit gradients"});
-  v.maybe("uplift", r.uplift, {"", "least safety against uplift"});
-  v.key("heaves", r.heaves, {"", "safety against heave"});
-}
+void describe(Visitor& v, FlowState& r);
 
 /// The method "seepage": steady flow, or the flow at the times of the case.
 struct FlowResult {
@@ -94,24 +65,14 @@ struct FlowResult {
   double step_error = 0;  ///< largest estimated error of the head in a time step [m]
   std::optional<double> seconds;
 };
-void describe(auto& v, As<FlowResult> auto& r) {
-  v.maybe("error", r.error, {"", "why there is no result"});
-  v.key("warnings", r.warnings, {"", "warnings"});
-  v.key("states", r.states, {"", "flow at each time"});
-  v.key("elements", r.elements, {"", "elements"});
-  v.key("step_error", r.step_error, {"m", "largest estimated error of the head in a time step"});
-  v.maybe("seconds", r.seconds, {"s", "seconds"});
-}
+void describe(Visitor& v, FlowResult& r);
 
 /// seepage.json, which a resumed run reads instead of computing it again.
 struct FlowFile {
   std::string input_hash;
   FlowResult summary;
 };
-void describe(auto& v, As<FlowFile> auto& r) {
-  v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.key("summary", r.summary, {"", "flow of water"});
-}
+void describe(Visitor& v, FlowFile& r);
 
 /// The least factor of safety of all times of a kind, with the state in which it occurs.
 template <class Found>

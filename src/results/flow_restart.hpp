@@ -18,12 +18,6 @@ struct FlowRestart {
   std::optional<std::vector<WaterState>> states;
   std::optional<WaterFields> fields;
 };
-void describe(auto& v, As<FlowRestart> auto& r) {
-  v.key("input_hash", r.input_hash, {"", "hash of the input"});
-  v.maybe("seepage", r.seepage, {"", "steady state"});
-  v.maybe("season", r.season, {"", "weather before the start"});
-  v.maybe("states", r.states, {"", "states in the order of time"});
-  v.maybe("fields", r.fields, {"", "fields of the states"});
-}
+void describe(Visitor& v, FlowRestart& r);
 
 }  // namespace talus::results

@@ -11,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "results/bounds.hpp"
+#include "results/described.hpp"
 #include "results/governing.hpp"
 
 namespace talus::results {
@@ -22,18 +23,26 @@ constexpr double same_factor = 1e-9;
 constexpr const char* inflow_sign = ", counted negative";
 
 /// Visitor that selects a number of a described struct by its key.
-struct Member {
-  std::string_view wanted;
+class Member : public Visitor {
+ public:
+  explicit Member(std::string_view wanted) : wanted_(wanted) {}
+
   About about{};
   std::optional<double> value{};
 
-  template <class T>
-  void key(const char* name, const T& member, const About& described) {
-    if (name != wanted) return;
-    about = described;
-    if constexpr (std::is_convertible_v<T, std::optional<double>>) value = member;
+ protected:
+  void visit(const Key& key, Value member) override {
+    if (key.name != wanted_) return;
+    about = key.about;
+    if (member.shape() == Shape::optional) member = member.get_held();
+    if (member.is_null()) return;
+    if (member.shape() == Shape::number) value = member.get_number();
+    if (member.shape() == Shape::integer) value = static_cast<double>(member.get_integer());
   }
-  void maybe(const char* name, const auto& member, const About& described) { key(name, member, described); }
+  void visit_merged(const char* /*sign*/, Value /*block*/) override {}
+
+ private:
+  std::string_view wanted_;
 };
 
 /// Returns a description of the slip line `name`.
@@ -298,8 +307,8 @@ class Values {
   /// Adds the number of `owner` with the key `key`, named `called` or, if that is null, `key`.
   void add_member(const std::string& path, const auto& owner, const char* key, ResultKind kind,
                   const std::string& of = "", const char* called = nullptr) {
-    Member member{key};
-    describe(member, owner);
+    Member member(key);
+    make_value(owner).describe(member);
     const std::string quantity = called != nullptr ? called : key;
     add(kind, path + "." + quantity, member.about.title + of, member.about.unit, quantity, member.value);
   }

@@ -23,12 +23,6 @@ struct PresentReduction {
   std::vector<ElementTrial> trials;      ///< in their sequence
   ElementMesh mesh;
 };
-void describe(auto& v, As<PresentReduction> auto& r) {
-  v.key("title", r.title, {"", "flow rule and mesh"});
-  v.maybe("stable", r.stable, {"", "largest factor with equilibrium so far"});
-  v.maybe("failed", r.failed, {"", "smallest factor without equilibrium so far"});
-  v.key("trials", r.trials, {"", "trials so far"});
-  v.key("mesh", r.mesh, {"", "mesh, and fields of the last trial"});
-}
+void describe(Visitor& v, PresentReduction& r);
 
 }  // namespace talus::results

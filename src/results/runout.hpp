@@ -19,12 +19,7 @@ struct Clock {
   bool resets = false;              ///< displacements are reset at the start of that stage
   std::vector<double> shown_times;  ///< times of sections and pictures [s]; empty: equally spaced
 };
-void describe(auto& v, As<Clock> auto& r) {
-  v.key("stage", r.stage, {"", "stage at whose start the clock is zero"});
-  v.key("start", r.start, {"s", "start of that stage"});
-  v.key("resets", r.resets, {"", "whether displacements are counted from there"});
-  v.key("shown_times", r.shown_times, {"s", "times of sections and pictures"});
-}
+void describe(Visitor& v, Clock& r);
 
 /// Order in which the monitors began to move.
 enum class MotionPattern { none, single, together, upwards, downwards, mixed };
@@ -36,11 +31,7 @@ struct MonitorMotion {
   std::optional<double> onset;         ///< time on the clock [s]; nullopt if the monitor did not move
   std::optional<double> displacement;  ///< at the end [m]; nullopt if the point left the grid
 };
-void describe(auto& v, As<MonitorMotion> auto& r) {
-  v.key("name", r.name, {"", "monitored place"});
-  v.key("onset", r.onset, {"s", "onset of movement"});
-  v.key("displacement", r.displacement, {"m", "displacement at the end"});
-}
+void describe(Visitor& v, MonitorMotion& r);
 
 struct Motion {
   std::string stage;     ///< stage at whose start the clock is zero
@@ -51,15 +42,7 @@ struct Motion {
   MotionPattern pattern = MotionPattern::none;
   std::string sentence;
 };
-void describe(auto& v, As<Motion> auto& r) {
-  v.key("stage", r.stage, {"", "stage at whose start the clock is zero"});
-  v.key("start", r.start, {"s", "start of that stage"});
-  v.key("threshold", r.threshold, {"m", "displacement that counts as movement"});
-  v.key("monitors", r.monitors, {"", "monitored places"});
-  v.key("order", r.order, {"", "places in the order of their onset"});
-  v.key("pattern", r.pattern, {"", "order of movement"});
-  v.key("sentence", r.sentence, {"", "the same in words"});
-}
+void describe(Visitor& v, Motion& r);
 
 /// Line along which the fields of the frames are sampled; its table is sections/NAME.csv.
 struct SectionLine {
@@ -67,33 +50,21 @@ struct SectionLine {
   std::array<double, 3> from{}, to{};  ///< [m]
   double width = 0;                    ///< width of the band of averaging [m]
 };
-void describe(auto& v, As<SectionLine> auto& r) {
-  v.key("name", r.name, {"", "section"});
-  v.key("from", r.from, {"m", "one end"});
-  v.key("to", r.to, {"m", "other end"});
-  v.key("width", r.width, {"m", "width of the band"});
-}
+void describe(Visitor& v, SectionLine& r);
 
 /// Ground level over x, in bins. Empty bins are omitted.
 struct Profile {
   double bin = 0;                 ///< width of a bin [m]
   std::vector<double> x, height;  ///< bin centres and ground level [m]
 };
-void describe(auto& v, As<Profile> auto& r) {
-  v.key("bin", r.bin, {"m", "width of a bin"});
-  v.key("x", r.x, {"m", "centres of the bins"});
-  v.key("height", r.height, {"m", "level of the ground"});
-}
+void describe(Visitor& v, Profile& r);
 
 /// Ends of the box that limit a runout.
 struct BoxLimit {
   bool front = false;  ///< moved soil reaches the end of the box in the direction of movement
   bool crest = false;  ///< moved soil reaches the opposite end
 };
-void describe(auto& v, As<BoxLimit> auto& r) {
-  v.key("front", r.front, {"", "soil that moved lies at the end of the box that it moves to"});
-  v.key("crest", r.crest, {"", "soil that moved reaches back to the other end of the box"});
-}
+void describe(Visitor& v, BoxLimit& r);
 
 /// Runout of the soil that moves in one direction.
 struct RunoutSide {
@@ -111,25 +82,7 @@ struct RunoutSide {
   double largest_displacement = 0;  ///< [m]
   std::optional<BoxLimit> limits;   ///< nullopt if the moved soil does not reach the ends of the box
 };
-template <class V, class R>
-void describe_side(V& v, R& r) {
-  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
-  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
-  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
-  v.key("crest_retreat", r.crest_retreat, {"m", "retreat of the crest"});
-  v.key("centre_advance", r.centre_advance, {"m", "advance of the centre"});
-  v.key("centre_drop", r.centre_drop, {"m", "drop of the centre"});
-  v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
-  v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
-  v.key("farthest_advance", r.farthest_advance, {"m", "advance of the farthest point"});
-  v.key("toe", r.toe, {"m", "x of the front"});
-  v.key("initial_toe", r.initial_toe, {"m", "x of the toe at the start"});
-  v.key("crest", r.crest, {"m", "x of the crest at the start"});
-  v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
-}
-void describe(auto& v, As<RunoutSide> auto& r) {
-  describe_side(v, r);
-}
+void describe(Visitor& v, RunoutSide& r);
 
 /// Runout on elements of twice the size.
 struct CoarserRunout {
@@ -137,14 +90,7 @@ struct CoarserRunout {
   double front_advance = 0, toe_distance = 0, crest_retreat = 0, moved_volume = 0,
          highest_ground = 0;  ///< as in Runout
 };
-void describe(auto& v, As<CoarserRunout> auto& r) {
-  v.key("size", r.size, {"m", "size of its elements"});
-  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
-  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
-  v.key("crest_retreat", r.crest_retreat, {"m", "retreat of the crest"});
-  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
-  v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground"});
-}
+void describe(Visitor& v, CoarserRunout& r);
 
 /// Returns the discretisation error of a result from two meshes whose element sizes differ by a factor of two: three
 /// times the difference. This is the grid convergence index of two meshes with the safety factor 3 and first-order
@@ -161,15 +107,7 @@ struct Runout : RunoutSide {
   std::optional<CoarserRunout> coarser_mesh;     ///< nullopt if the runout was computed on one mesh only
   std::optional<std::vector<RunoutSide>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
-void describe(auto& v, As<Runout> auto& r) {
-  describe_side(v, r);
-  v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
-  v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground at the end"});
-  v.maybe(
-      "coarser_mesh", r.coarser_mesh,
-      {"", "the same on elements twice as large; three times the difference is the uncertainty that the mesh leaves"});
-  v.maybe("sides", r.sides, {"", "the same of each side, where the soil moved to both"});
-}
+void describe(Visitor& v, Runout& r);
 
 /// Discretisation errors of a runout; all are nullopt if it was computed on one mesh only.
 struct RunoutUncertainty {

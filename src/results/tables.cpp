@@ -11,42 +11,18 @@
 
 namespace talus::results {
 
-// The ranges of a search are pairs of limits of x and not points.
-template <>
-inline constexpr bool is_left_out<SearchRanges> = true;
-// Their values are shown in units of display of their own.
-template <>
-inline constexpr bool is_left_out<NamedResult> = true;
-// make_study_table() has its cells.
-template <>
-inline constexpr bool is_left_out<StudyColumn> = true;
+namespace {
 
-template <>
-inline constexpr bool has_columns<SliceTable> = true;
-template <>
-inline constexpr bool has_columns<DrawnSurface> = true;
-template <>
-inline constexpr bool has_columns<Profile> = true;
-template <>
-inline constexpr bool has_columns<HistogramCounts> = true;
-template <>
-inline constexpr bool has_columns<ElementFace> = true;
-template <>
-inline constexpr bool has_columns<ElementDeflection> = true;
+const TableRules rules{
+    // Ranges of a search are pairs of limits of x and not points; named results are shown in units of their own;
+    // make_study_table() has the cells of a study.
+    .left_out = {&type<JsonTree>, &type<SearchRanges>, &type<NamedResult>, &type<StudyColumn>},
+    .columns = {&type<SliceTable>, &type<DrawnSurface>, &type<Profile>, &type<HistogramCounts>, &type<ElementFace>,
+                &type<ElementDeflection>},
+    .own_columns = {&type<ElementBar>, &type<PointBar>},
+    .in_head = {&type<Project>, &type<Provenance>, &type<DisplayUnits>, &type<MethodRow>}};
 
-template <>
-inline constexpr bool has_own_columns<ElementBar> = true;
-template <>
-inline constexpr bool has_own_columns<PointBar> = true;
-
-template <>
-inline constexpr bool is_in_head<Project> = true;
-template <>
-inline constexpr bool is_in_head<Provenance> = true;
-template <>
-inline constexpr bool is_in_head<DisplayUnits> = true;
-template <>
-inline constexpr bool is_in_head<MethodRow> = true;
+}  // namespace
 
 ShownUnit find_shown_unit(const std::string& stored, const ShownUnits& units, std::size_t dimension) {
   constexpr double degree = std::numbers::pi / 180;
@@ -62,14 +38,9 @@ ShownUnit find_shown_unit(const std::string& stored, const ShownUnits& units, st
   return {stored, 1};
 }
 
-template <class T>
-std::deque<Table> make_tables(const T& result, const ShownUnits& units, std::size_t dimension) {
-  return visit_tables(result, units, dimension);
+std::deque<Table> make_tables(Value result, const ShownUnits& units, std::size_t dimension) {
+  return visit_tables(result, rules, units, dimension);
 }
-template std::deque<Table> make_tables(const RunResult&, const ShownUnits&, std::size_t);
-template std::deque<Table> make_tables(const StudyResult&, const ShownUnits&, std::size_t);
-template std::deque<Table> make_tables(const PointTests&, const ShownUnits&, std::size_t);
-template std::deque<Table> make_tables(const Calibration&, const ShownUnits&, std::size_t);
 
 namespace {
 

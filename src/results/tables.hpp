@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/shown_units.hpp"
+#include "results/described.hpp"
 
 namespace talus::results {
 
@@ -40,9 +41,8 @@ ShownUnit find_shown_unit(const std::string& stored, const ShownUnits& units, st
 /// Returns the tables of a result with its own file, in units of display: one for each struct and each list of structs
 /// or points, in the order of their descriptions. A list within the rows of another one is a table whose first columns
 /// identify these rows. Columns without a value are left out, as are empty tables, `input`, and the table of a study,
-/// which find_study_table() returns. Instantiated for RunResult, StudyResult, PointTests and Calibration.
-template <class T>
-std::deque<Table> make_tables(const T& result, const ShownUnits& units, std::size_t dimension);
+/// which find_study_table() returns.
+std::deque<Table> make_tables(Value result, const ShownUnits& units, std::size_t dimension);
 
 struct StudyResult;
 

@@ -8,8 +8,94 @@
 
 #include "base/numbers.hpp"
 #include "base/units.hpp"
+#include "results/described.hpp"
 
 namespace talus::results {
+
+void describe(Visitor& v, TimedFactor& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("surface", r.surface, {"", "the slip surface that governs"});
+  v.key("source", r.source, {"", "what the surface is"});
+  v.key("refusal", r.refusal, {"", "why a search would refuse it"});
+  v.maybe("referee", r.referee, {"", "limit analysis at this time, where the time governs"});
+}
+
+void describe(Visitor& v, FailureTime& r) {
+  v.key("from", r.from, {"s", "the last time at or above the target"});
+  v.key("to", r.to, {"s", "the first time below it"});
+  v.key("factor_from", r.factor_from, {"", "factor of safety at the first of them"});
+  v.key("factor_to", r.factor_to, {"", "factor of safety at the second"});
+  v.key("earliest", r.earliest,
+        {"s", "last time before at which it is above the target by more than searches scatter"});
+  v.key("latest", r.latest, {"s", "first time at which it is below the target by as much"});
+}
+
+void describe(Visitor& v, Release& r) {
+  v.key("time", r.time, {"s", "start of MPM"});
+  v.key("factor", r.factor, {"", "factor of safety at that time, by LEM"});
+  v.key("folder", r.folder, {"", "folder of its results; empty: the run itself"});
+  v.key("rests", r.rests, {"", "whether the soil came to rest before it was let go"});
+  v.key("start_factor", r.start_factor,
+        {"", "strength reduction factor of the FEM equilibrium that gave the initial stress"});
+  v.key("error", r.error, {"", "why it did not end"});
+  v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
+  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
+  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
+  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.maybe("front_uncertainty", r.front_uncertainty,
+          {"m", "what the mesh leaves open in the advance of the front, from a coarser mesh"});
+  v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
+}
+
+void describe(Visitor& v, TimedReduction& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("folder", r.folder, {"", "folder of its results"});
+  v.key("runs", r.runs, {"", "strength reductions by flow rule"});
+  v.key("error", r.error, {"", "why there is no answer"});
+}
+
+void describe(Visitor& v, EquilibriumLoss& r) {
+  v.key("from", r.from, {"s", "the last time with equilibrium"});
+  v.key("to", r.to, {"s", "the first time without"});
+  v.key("trials", r.trials, {"", "equilibria that were looked for"});
+}
+
+void describe(Visitor& v, Timeline& r) {
+  v.key("duration", r.duration, {"s", "length of the timeline"});
+  v.key("start", r.start, {"", "date of time 0"});
+  v.key("target", r.target, {"", "a factor below it is failure"});
+  v.key("factors", r.factors, {"", "factor of safety in time"});
+  v.key("least", r.least, {"", "least factor of safety in time"});
+  v.key("least_time", r.least_time, {"s", "when the factor is least"});
+  v.key("fails_from_start", r.fails_from_start, {"", "whether the factor is below the target at time 0"});
+  v.key("failure", r.failure, {"", "when the factor falls below the target"});
+  v.key("chosen", r.chosen, {"", "whether the times were chosen"});
+  v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
+  v.key("states", r.states, {"", "where the water stood at the times of the factors"});
+  v.key("elements", r.elements, {"", "factors of safety by FEM in time"});
+  v.key("equilibrium", r.equilibrium, {"", "loss of equilibrium by FEM"});
+  v.key("pool_loading", r.pool_loading, {"", "whether the weight of pools compresses saturated soil"});
+  v.key("releases", r.releases, {"", "MPM runs that start from the timeline, the run itself first"});
+  v.key("notes", r.notes, {"", "what must be known of it"});
+  v.key("weather", r.weather, {"", "water that came, went and is stored"});
+  v.key("step_error", r.step_error, {"m", "the largest error of a step of the seepage, by its prediction"});
+  v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
+  v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
+}
+
+void describe(Visitor& v, SearchedMoment& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("circular", r.circular, {"", "critical circles"});
+  v.key("noncircular", r.noncircular, {"", "critical polylines"});
+  v.key("given", r.given, {"", "surfaces that the case gives"});
+  v.key("error", r.error, {"", "why there is none"});
+}
+
+void describe(Visitor& v, TimelineFile& r) {
+  v.key("input_hash", r.input_hash, {"", "hash of the input"});
+  v.key("moments", r.moments, {"", "times that are searched"});
+}
 
 const TimedReduction* find_least_reduction(const Timeline& t) {
   const TimedReduction* least = nullptr;

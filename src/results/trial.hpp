@@ -22,12 +22,7 @@ struct Preconsolidation {
   double smallest = 0, largest = 0;  ///< of p'_c, the parts of suction and roots included [Pa]
   int beyond = 0;                    ///< number of these whose stress lies outside the resulting yield surface
 };
-void describe(auto& v, As<Preconsolidation> auto& r) {
-  v.key("points", r.points, {"", "points"});
-  v.key("smallest", r.smallest, {"Pa", "smallest preconsolidation pressure"});
-  v.key("largest", r.largest, {"Pa", "largest preconsolidation pressure"});
-  v.key("points_beyond_yield_surface", r.beyond, {"", "points whose stress was beyond the yield surface"});
-}
+void describe(Visitor& v, Preconsolidation& r);
 
 /// A retry after instability: the stage returned to an earlier state and was repeated with other settings.
 struct Retry {
@@ -36,13 +31,7 @@ struct Retry {
   std::string smoothing;         ///< `smoothing` of the retry, as in the case file
   std::string reason;            ///< what exceeded the limit of speed, and where
 };
-void describe(auto& v, As<Retry> auto& r) {
-  v.key("time", r.time, {"s", "when it became unstable"});
-  v.key("back_to", r.back_to, {"s", "where it resumed"});
-  v.key("courant", r.courant, {"", "Courant number from there on"});
-  v.key("smoothing", r.smoothing, {"", "smoothing from there on"});
-  v.key("reason", r.reason, {"", "what was unstable"});
-}
+void describe(Visitor& v, Retry& r);
 
 /// Remaining movement at the end of a stage that did not reach rest.
 struct MovingSoil {
@@ -51,12 +40,7 @@ struct MovingSoil {
   std::string material;       ///< soil at the fastest node
   double share = 0;           ///< fraction of the mass that moves with at least a tenth of that speed
 };
-void describe(auto& v, As<MovingSoil> auto& r) {
-  v.key("speed", r.speed, {"m/s", "largest nodal speed"});
-  v.key("place", r.place, {"m", "where"});
-  v.key("material", r.material, {"", "material there"});
-  v.key("share", r.share, {"", "share of the mass that moves at a tenth of that speed or more"});
-}
+void describe(Visitor& v, MovingSoil& r);
 
 /// Outcome of a stage.
 struct Stage {
@@ -72,31 +56,14 @@ struct Stage {
   std::optional<MovingSoil> moving;            ///< set if the stage was to end at rest but did not
   std::optional<std::vector<Retry>> setbacks;  ///< in order of occurrence
 };
-void describe(auto& v, As<Stage> auto& r) {
-  v.key("name", r.name, {"", "name of the stage"});
-  v.key("end", r.end, {"", "what ended it"});
-  v.key("start", r.start, {"s", "start"});
-  v.key("time", r.time, {"s", "simulated time at the end"});
-  v.key("steps", r.steps, {"", "time steps"});
-  v.key("time_step", r.time_step, {"s", "last time step"});
-  v.key("displacement", r.displacement, {"m", "largest displacement at the end"});
-  v.key("force_ratio", r.force_ratio, {"", "unbalanced force over the external force"});
-  v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed"});
-  v.key("wall", r.wall, {"s", "wall time"});
-  v.maybe("preconsolidation", r.preconsolidation, {"", "preconsolidation that was set at its end"});
-  v.maybe("moving", r.moving, {"", "what still moved at its end, though it was to end at rest"});
-  v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
-}
+void describe(Visitor& v, Stage& r);
 
 /// stages.json: the stages of an unfinished run.
 struct StageRecord {
   std::vector<Stage> stages;
   std::vector<std::string> warnings;
 };
-void describe(auto& v, As<StageRecord> auto& r) {
-  v.key("stages", r.stages, {"", "stages that are done"});
-  v.key("warnings", r.warnings, {"", "warnings"});
-}
+void describe(Visitor& v, StageRecord& r);
 
 /// slip_line.json: the slip line at the smallest factor that failed on a mesh.
 struct SlipLine {
@@ -104,11 +71,7 @@ struct SlipLine {
   std::vector<Point> points;                   ///< of the side on which more soil moves [m]
   std::optional<std::vector<SideLine>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
 };
-void describe(auto& v, As<SlipLine> auto& r) {
-  v.key("srf", r.factor, {"", "strength reduction factor"});
-  v.key("points", r.points, {"m", "its points"});
-  v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
-}
+void describe(Visitor& v, SlipLine& r);
 
 struct Trial {
   double factor = 0;  ///< strength reduction factor (SRF)
@@ -121,17 +84,7 @@ struct Trial {
   double largest_speed = 0;  ///< largest nodal speed during the trial [m/s]
   std::optional<std::vector<Retry>> setbacks;
 };
-void describe(auto& v, As<Trial> auto& r) {
-  v.key("srf", r.factor, {"", "strength reduction factor"});
-  v.key("end", r.end, {"", "what ended it"});
-  v.key("displacement", r.displacement, {"m", "largest displacement"});
-  v.key("time", r.time, {"s", "simulated time"});
-  v.key("steps", r.steps, {"", "time steps"});
-  v.key("force_ratio", r.force_ratio, {"", "unbalanced force over the external force"});
-  v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed at the end"});
-  v.key("largest_nodal_speed", r.largest_speed, {"m/s", "largest nodal speed"});
-  v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
-}
+void describe(Visitor& v, Trial& r);
 
 /// A trial of the displacement curve that was continued until rest.
 struct RunoutTrial {
@@ -140,12 +93,7 @@ struct RunoutTrial {
   Profile profile;                     ///< at the end
   std::optional<double> failure_time;  ///< from the start of the trial [s]
 };
-void describe(auto& v, As<RunoutTrial> auto& r) {
-  describe(v, r.trial);
-  v.key("runout", r.runout, {"", "how far the soil ran"});
-  v.key("profile", r.profile, {"", "the ground at the end"});
-  v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
-}
+void describe(Visitor& v, RunoutTrial& r);
 
 /// Results of a trial that other ranks computed.
 struct TrialOutcome {
@@ -153,11 +101,7 @@ struct TrialOutcome {
   std::optional<RunoutTrial> runout;
   std::optional<SlipLine> slip_line;
 };
-void describe(auto& v, As<TrialOutcome> auto& r) {
-  v.key("trial", r.trial, {"", "how it ended"});
-  v.maybe("runout", r.runout, {"", "continued until rest"});
-  v.maybe("slip_line", r.slip_line, {"", "of one that failed at frozen geometry"});
-}
+void describe(Visitor& v, TrialOutcome& r);
 
 /// Criterion of a factor of safety of MPM.
 enum class CriterionKind { frozen, bilinear, displacement, jump };
@@ -170,35 +114,21 @@ struct Criterion {
   std::optional<double> factor, lower, upper;  ///< nullopt if the curve does not contain the factor
   std::string note;                            ///< why there is no factor, or a remark
 };
-void describe(auto& v, As<Criterion> auto& r) {
-  v.key("name", r.kind, {"", "criterion"});
-  v.key("factor", r.factor, {"", "factor of safety"});
-  v.key("lower", r.lower, {"", "computed factor below it"});
-  v.key("upper", r.upper, {"", "computed factor above it"});
-  v.key("note", r.note, {"", "why there is none, or what to know"});
-}
+void describe(Visitor& v, Criterion& r);
 
 /// Branch of the displacement curve: u = slope·SRF + intercept, fitted to the listed factors.
 struct Branch {
   double slope = 0, intercept = 0;  ///< [m]
   std::vector<double> factors;
 };
-void describe(auto& v, As<Branch> auto& r) {
-  v.key("slope", r.slope, {"m", "slope over the factor"});
-  v.key("intercept", r.intercept, {"m", "displacement at factor zero"});
-  v.key("points", r.factors, {"", "factors that it was fitted to"});
-}
+void describe(Visitor& v, Branch& r);
 
 /// Bilinear construction of Feng and Xu (2021): lines fitted to the first and the last branch, and their intersection.
 struct BilinearLines {
   double factor = 0;
   Branch first, second;
 };
-void describe(auto& v, As<BilinearLines> auto& r) {
-  v.key("factor", r.factor, {"", "where the lines meet"});
-  v.key("first", r.first, {"", "first line"});
-  v.key("second", r.second, {"", "second line"});
-}
+void describe(Visitor& v, BilinearLines& r);
 
 /// Displacement over strength reduction factor on moving geometry, with all its criteria.
 struct DisplacementCurve {
@@ -206,11 +136,7 @@ struct DisplacementCurve {
   std::vector<Criterion> criteria;
   std::optional<BilinearLines> bilinear;
 };
-void describe(auto& v, As<DisplacementCurve> auto& r) {
-  v.key("points", r.points, {"", "trials by factor"});
-  v.key("criteria", r.criteria, {"", "factors by every criterion"});
-  v.maybe("bilinear", r.bilinear, {"", "the two lines"});
-}
+void describe(Visitor& v, DisplacementCurve& r);
 
 /// Factor of safety on one mesh at frozen geometry.
 struct MeshFactor {
@@ -225,15 +151,7 @@ struct MeshFactor {
     return lower && upper ? std::optional(0.5 * (*lower + *upper)) : std::nullopt;
   }
 };
-void describe(auto& v, As<MeshFactor> auto& r) {
-  v.key("size", r.size, {"m", "size of the elements"});
-  v.key("points", r.points, {"", "material points"});
-  v.derived("factor", r.factor(), {"", "factor of safety on this mesh"});
-  v.key("lower", r.lower, {"", "largest factor that came to rest"});
-  v.key("upper", r.upper, {"", "smallest factor that ran away"});
-  v.key("undecided", r.undecided, {"", "whether a trial neither rested nor ran away"});
-  v.key("trials", r.trials, {"", "trials by factor"});
-}
+void describe(Visitor& v, MeshFactor& r);
 
 /// Factor of safety at frozen geometry, where each trial comes to rest or fails.
 struct FrozenFactor {
@@ -264,20 +182,7 @@ struct FrozenFactor {
     return factor && uncertainty && mesh_effect ? std::optional(*factor + *uncertainty) : std::nullopt;
   }
 };
-void describe(auto& v, As<FrozenFactor> auto& r) {
-  v.key("factor", r.factor, {"", "factor of safety"});
-  v.key("note", r.note, {"", "why there is none"});
-  v.key("uncertainty", r.uncertainty,
-        {"", "half the width of the interval of brackets and mesh; nothing from one mesh"});
-  v.key("bracket", r.bracket, {"", "half the width of the brackets, as the extrapolation passes them on"});
-  v.maybe("mesh_effect", r.mesh_effect, {"", "what the mesh does to the factor"});
-  v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});
-  v.key("meshes", r.meshes, {"", "factors by mesh"});
-  v.maybe("coarser", r.coarser, {"", "factor on a mesh of twice the coarse size, for the extrapolation"});
-  v.maybe("other", r.other, {"", "factor on the coarse mesh of another mesher"});
-  v.key("dilatancy_angle_min", r.dilatancy_angle_min, {"deg", "smallest dilatancy angle"});
-  v.key("dilatancy_angle_max", r.dilatancy_angle_max, {"deg", "largest dilatancy angle"});
-}
+void describe(Visitor& v, FrozenFactor& r);
 
 /// Factors of safety of MPM.
 struct PointFactors {
@@ -285,10 +190,6 @@ struct PointFactors {
   std::optional<FrozenFactor> frozen;
   std::optional<std::vector<Criterion>> criteria;  ///< of the displacement curve
 };
-void describe(auto& v, As<PointFactors> auto& r) {
-  v.maybe("value", r.value, {"", "factor of safety"});
-  v.maybe("frozen", r.frozen, {"", "rest or run-away at frozen geometry"});
-  v.maybe("criteria", r.criteria, {"", "constructions on the displacement curve"});
-}
+void describe(Visitor& v, PointFactors& r);
 
 }  // namespace talus::results

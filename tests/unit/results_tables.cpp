@@ -21,7 +21,7 @@ struct Leaf {
   std::vector<Point> points;
   std::optional<double> stress;
 };
-void describe(auto& v, As<Leaf> auto& r) {
+void describe(Visitor& v, Leaf& r) {
   v.key("word", r.word, {"", "word"});
   v.key("points", r.points, {"m", "its points"});
   v.key("stress", r.stress, {"Pa", "stress"});
@@ -30,12 +30,11 @@ void describe(auto& v, As<Leaf> auto& r) {
 struct Pair {
   std::vector<double> x, angle;
 };
-void describe(auto& v, As<Pair> auto& r) {
+void describe(Visitor& v, Pair& r) {
   v.key("x", r.x, {"m", "x"});
   v.key("angle", r.angle, {"rad", "angle"});
 }
-template <>
-inline constexpr bool has_columns<Pair> = true;
+const TableRules rules{.columns = {&type<Pair>}};
 
 struct Branching {
   int count = 0;
@@ -47,7 +46,7 @@ struct Branching {
   std::map<std::string, std::vector<Leaf>> named;
   std::vector<std::vector<Point>> lines;
 };
-void describe(auto& v, As<Branching> auto& r) {
+void describe(Visitor& v, Branching& r) {
   v.key("count", r.count, {"", "count"});
   v.key("mean", r.mean, {"N/m", "mean force"});
   v.key("centre", r.centre, {"m", "centre"});
@@ -99,7 +98,7 @@ Branching make_example() {
 }
 
 TEST(ResultsTables, AStructIsARowInUnitsOfDisplay) {
-  const auto tables = visit_tables(make_example(), ShownUnits{}, 2);
+  const auto tables = visit_tables(make_value(make_example()), rules, ShownUnits{}, 2);
   const Table& own = find_table(tables, "");
   EXPECT_TRUE(own.is_single);
   EXPECT_EQ(list_keys(own), (std::vector<std::string>{"count", "mean", "centre.x", "centre.y", "notes"}));
@@ -111,7 +110,7 @@ TEST(ResultsTables, AStructIsARowInUnitsOfDisplay) {
 }
 
 TEST(ResultsTables, AListHasARowForEachEntry) {
-  const auto tables = visit_tables(make_example(), ShownUnits{}, 2);
+  const auto tables = visit_tables(make_value(make_example()), rules, ShownUnits{}, 2);
   const Table& leaves = find_table(tables, "leaves");
   EXPECT_EQ(leaves.rows, 2u);
   EXPECT_EQ(find_column(leaves, "word").cells, (Cells{"first", "second"}));
@@ -120,7 +119,7 @@ TEST(ResultsTables, AListHasARowForEachEntry) {
 }
 
 TEST(ResultsTables, AListWithinRowsNamesItsRow) {
-  const auto tables = visit_tables(make_example(), ShownUnits{}, 2);
+  const auto tables = visit_tables(make_value(make_example()), rules, ShownUnits{}, 2);
   const Table& points = find_table(tables, "leaves.points");
   EXPECT_EQ(list_keys(points), (std::vector<std::string>{"leaves.no", "leaves.word", "points.x", "points.y"}));
   EXPECT_EQ(points.columns[0].cells, (Cells{1.0, 1.0, 2.0}));
@@ -130,7 +129,7 @@ TEST(ResultsTables, AListWithinRowsNamesItsRow) {
 }
 
 TEST(ResultsTables, ListsOfOneStructAreColumns) {
-  const auto tables = visit_tables(make_example(), ShownUnits{}, 2);
+  const auto tables = visit_tables(make_value(make_example()), rules, ShownUnits{}, 2);
   const Table& pair = find_table(tables, "pair");
   EXPECT_EQ(list_keys(pair), (std::vector<std::string>{"x", "angle"}));
   EXPECT_EQ(find_column(pair, "x").cells, (Cells{1.0, 2.0, 3.0}));
@@ -140,7 +139,7 @@ TEST(ResultsTables, ListsOfOneStructAreColumns) {
 }
 
 TEST(ResultsTables, MapsAndNestedListsHaveTheirNamesAndNumbers) {
-  const auto tables = visit_tables(make_example(), ShownUnits{}, 2);
+  const auto tables = visit_tables(make_value(make_example()), rules, ShownUnits{}, 2);
   EXPECT_EQ(list_keys(find_table(tables, "named")), (std::vector<std::string>{"name", "word", "stress"}));
   const Table& lines = find_table(tables, "lines");
   EXPECT_EQ(find_column(lines, "no").cells, (Cells{1.0, 1.0, 2.0}));
@@ -156,7 +155,7 @@ TEST(ResultsTables, EverySliceHasARow) {
   c.slices.weight = {1e3, 2e3};
   c.slices.base_left = {{0, 5}, {1, 4}};
   run.units.length = "ft";
-  const auto tables = make_tables(run, read_units(run), 2);
+  const auto tables = make_tables(make_value(run), read_units(run), 2);
   const Table& slices = find_table(tables, "lem.critical.slices");
   EXPECT_EQ(slices.rows, 2u);
   EXPECT_EQ(find_column(slices, "critical.method").cells, (Cells{"spencer", "spencer"}));
@@ -194,7 +193,7 @@ TEST(ResultsTables, CurvesOfASupportAreTheColumnsOfOneTable) {
   nail.force = {5e3, 6e3, 7e3};
   one.supports = {wall, nail};
   run.elements = fem;
-  const auto tables = make_tables(run, ShownUnits{}, 2);
+  const auto tables = make_tables(make_value(run), ShownUnits{}, 2);
   const Table& along = find_table(tables, "fem.runs.supports.along");
   EXPECT_EQ(along.rows, 5u) << "two places of the wall, three of the nail";
   EXPECT_EQ(find_column(along, "place").cells, (Cells{0.5, 1.5, 0.1, 0.2, 0.3})) << "two distances are no point";
